@@ -1,0 +1,59 @@
+# SPDX-License-Identifier: MIT
+# How every target of the project is made, so that flags stand in one place.
+
+# Flags that all of our code is compiled with. Warnings are errors. No fused
+# multiply-add and no -ffast-math: results must be the same bits everywhere.
+add_library(flinch_flags INTERFACE)
+target_compile_features(flinch_flags INTERFACE cxx_std_20)
+target_compile_options(flinch_flags INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror -ffp-contract=off)
+if(FLINCH_SANITIZE)
+  target_compile_options(flinch_flags INTERFACE
+    -fsanitize=${FLINCH_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+  target_link_options(flinch_flags INTERFACE -fsanitize=${FLINCH_SANITIZE})
+endif()
+
+# flinch_library(NAME SOURCES file... [DEPENDS target...] [PRIVATE_DEPENDS target...])
+# A static library that is installed with the package: DEPENDS are what its
+# headers need too, PRIVATE_DEPENDS only its sources.
+function(flinch_library name)
+  cmake_parse_arguments(arg "" "" "SOURCES;DEPENDS;PRIVATE_DEPENDS" ${ARGN})
+  add_library(${name} STATIC ${arg_SOURCES})
+  add_library(flinch::${name} ALIAS ${name})
+  target_include_directories(${name} PUBLIC
+    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:include/flinch>)
+  target_compile_features(${name} PUBLIC cxx_std_20)
+  set_target_properties(${name} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+  target_link_libraries(${name} PUBLIC ${arg_DEPENDS}
+    PRIVATE ${arg_PRIVATE_DEPENDS} $<BUILD_INTERFACE:flinch_flags>)
+  set_property(GLOBAL APPEND PROPERTY FLINCH_LIBRARIES ${name})
+endfunction()
+
+# flinch_schema(TARGET file.fbs)
+# Generates the FlatBuffers header `<file>_generated.h` for TARGET's own sources.
+function(flinch_schema target schema)
+  get_filename_component(stem ${schema} NAME_WE)
+  set(directory ${CMAKE_CURRENT_BINARY_DIR}/schema)
+  set(header ${directory}/${stem}_generated.h)
+  add_custom_command(OUTPUT ${header}
+    COMMAND flatbuffers::flatc --cpp --scoped-enums -o ${directory}
+            ${CMAKE_CURRENT_SOURCE_DIR}/${schema}
+    DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${schema} COMMENT "flatc ${schema}")
+  target_sources(${target} PRIVATE ${header})
+  # FlatBuffers' headers only: nothing of its library is linked.
+  target_include_directories(${target} SYSTEM PRIVATE ${directory}
+    $<TARGET_PROPERTY:flatbuffers::flatbuffers,INTERFACE_INCLUDE_DIRECTORIES>)
+endfunction()
+
+# flinch_test(NAME SOURCES file... DEPENDS target...)
+# A GoogleTest program; every test of it is a CTest test named NAME.Suite.Test.
+function(flinch_test name)
+  cmake_parse_arguments(arg "" "" "SOURCES;DEPENDS" ${ARGN})
+  add_executable(${name} ${arg_SOURCES})
+  target_link_libraries(${name} PRIVATE ${arg_DEPENDS} flinch_flags GTest::gtest GTest::gmock
+    GTest::gtest_main)
+  target_compile_definitions(${name} PRIVATE
+    FLINCH_SOURCE_DIR="${PROJECT_SOURCE_DIR}" FLINCH_MOCAP_DIR="${PROJECT_SOURCE_DIR}/../shared/mocap")
+  gtest_discover_tests(${name} TEST_PREFIX ${name}. DISCOVERY_TIMEOUT 60
+    PROPERTIES TIMEOUT 600 SKIP_REGULAR_EXPRESSION "\\[  SKIPPED \\]")
+endfunction()

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "motion/body.h"
+#include "motion/clip.h"
+
+namespace flinch::database {
+
+/// The clips of one character, with its skeleton and its idle clip: what a selector chooses from.
+///
+/// Every clip but the idle ones begins with the pelvis above the origin's vertical and the
+/// character facing +X; all share `rate_hz`.
+struct Library {
+  std::string name;
+  motion::Character character;
+  float rate_hz = 60;
+  std::vector<motion::Clip> clips;
+  int idle = 0;  ///< index of the clip that responses start from and that is always a choice
+  /// Of the file's content: names the library in stores and selectors. Set by read and write.
+  std::uint64_t hash = 0;
+};
+
+/// A library's hash as messages and JSON write it: 16 hexadecimal digits.
+std::string hash_text(std::uint64_t hash);
+
+}  // namespace flinch::database

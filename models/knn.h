@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace flinch::models {
+
+/// How neighbours count.
+enum class KnnVote : std::uint8_t {
+  majority,          ///< each neighbour one vote
+  inverse_distance,  ///< each 1 / (distance + 1e-6)
+};
+
+/// The k nearest observations vote. Exact.
+struct KnnModel {
+  int k = 1;
+  KnnVote vote = KnnVote::majority;
+  int feature_count = 0;
+  std::vector<double> points;  ///< row-major, scaled, one row of feature_count an observation
+  std::vector<int> label;      ///< clip index, one an observation
+};
+
+struct Neighbour {
+  int observation = 0;
+  double squared_distance = 0;
+};
+
+/// The k nearest observations whose label is allowed (all when `allowed_clips` is empty), nearest
+/// first, ties by the lower index; fewer when there are not k.
+std::vector<Neighbour> nearest(const KnnModel& model, std::span<const double> scaled, int k,
+                               const std::vector<bool>& allowed_clips);
+
+}  // namespace flinch::models

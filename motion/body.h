@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "motion/clip.h"
+#include "motion/skeleton.h"
+
+namespace flinch::motion {
+
+/// The rigid parts of the figure. Each is driven by the joint of one role; the clavicles belong to
+/// the chest, the toes to the foot.
+enum class Body : std::uint8_t {
+  pelvis,
+  abdomen,
+  chest,
+  neck,
+  head,
+  left_upper_arm,
+  left_forearm,
+  left_hand,
+  right_upper_arm,
+  right_forearm,
+  right_hand,
+  left_thigh,
+  left_shin,
+  left_foot,
+  right_thigh,
+  right_shin,
+  right_foot,
+};
+
+inline constexpr int kBodyCount = 17;
+
+inline constexpr std::array<Body, kBodyCount> kBodies = [] {
+  std::array<Body, kBodyCount> bodies{};
+  for (int i = 0; i < kBodyCount; ++i) bodies[static_cast<std::size_t>(i)] = static_cast<Body>(i);
+  return bodies;
+}();
+
+/// One value a body.
+template <class T>
+class PerBody {
+ public:
+  constexpr T& operator[](Body body) { return values_[static_cast<std::size_t>(body)]; }
+  constexpr const T& operator[](Body body) const { return values_[static_cast<std::size_t>(body)]; }
+  constexpr auto begin() { return values_.begin(); }
+  constexpr auto end() { return values_.end(); }
+  constexpr auto begin() const { return values_.begin(); }
+  constexpr auto end() const { return values_.end(); }
+
+ private:
+  std::array<T, kBodyCount> values_{};
+};
+
+/// The role whose joint drives the body, at its near end.
+Role role_of(Body body);
+/// The body that carries a role's joint frame.
+Body body_of(Role role);
+/// The body that `body` is jointed to; nothing for the pelvis.
+std::optional<Body> parent_of(Body body);
+std::string_view name_of(Body body);
+/// The target that a hit on the body belongs to: head and neck; chest, abdomen and arms to the
+/// trunk; pelvis; thighs, shins and feet to the legs.
+Target target_of(Body body);
+
+/// Which of de Leva's tables a character's masses come from.
+enum class Sex : std::uint8_t { female, male };
+std::string_view name_of(Sex sex);
+std::optional<Sex> sex_named(std::string_view name);
+
+/// Who moves: a skeleton and what it weighs.
+struct Character {
+  Skeleton skeleton;
+  float mass_kg = 70;
+  Sex sex = Sex::male;
+};
+
+/// A body's outline for contact, in the frame of its joint.
+struct Shape {
+  enum class Kind : std::uint8_t { capsule, box };
+  Kind kind = Kind::capsule;
+  Eigen::Vector3f centre = Eigen::Vector3f::Zero();                 ///< m
+  Eigen::Quaternionf orientation = Eigen::Quaternionf::Identity();  ///< Z is a capsule's axis
+  float radius = 0;                                                 ///< of a capsule, m
+  float half_length = 0;  ///< of a capsule, axis without its caps, m
+  Eigen::Vector3f half_extents = Eigen::Vector3f::Zero();  ///< of a box, m
+};
+
+/// What a body weighs and where it is, in the frame of its joint.
+struct BodyProperties {
+  float mass_kg = 0;
+  Eigen::Vector3f centre_of_mass = Eigen::Vector3f::Zero();  ///< m
+  Shape shape;
+};
+
+using BodyModel = PerBody<BodyProperties>;
+
+/// Masses and centres from de Leva (1996), scaled to the character; outlines from its bone lengths.
+/// The masses add up to the character's.
+BodyModel make_body_model(const Character& character);
+
+/// The centre of mass of one body, world, m.
+Eigen::Vector3f centre_of_mass(const BodyModel& model, const JointFrames& frames, Body body);
+
+/// The centre of mass of the whole figure, world, m.
+Eigen::Vector3f centre_of_mass(const BodyModel& model, const JointFrames& frames);
+
+/// The middle of a target part, world, m: the mass-weighted mean of the centres of its core bodies
+/// (head; chest and abdomen; pelvis; both thighs and shins).
+Eigen::Vector3f target_centre(const BodyModel& model, const JointFrames& frames, Target target);
+
+}  // namespace flinch::motion

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "motion/skeleton.h"
+
+namespace flinch::motion {
+
+/// Ease-in ease-out: 3s^2 - 2s^3 of s clamped to [0, 1], so 0 to 1 with no velocity at either end.
+float ease_in_ease_out(float s);
+
+/// Spherical interpolation from `from` (weight 0) to `to` (weight 1) along the shorter arc. Unit
+/// in, unit out. Nearly parallel rotations are interpolated linearly and normalised.
+Eigen::Quaternionf slerp(const Eigen::Quaternionf& from, const Eigen::Quaternionf& to,
+                         float weight);
+
+/// Pose between two: the root linearly, every joint by slerp. `weight` 0 is `from`, 1 is `to`.
+Pose blend(const Pose& from, const Pose& to, float weight);
+
+}  // namespace flinch::motion

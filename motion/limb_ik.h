@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "motion/skeleton.h"
+
+namespace flinch::motion {
+
+/// The four chains that two-bone IK serves.
+enum class Limb : std::uint8_t { left_arm, right_arm, left_leg, right_leg };
+inline constexpr std::array<Limb, 4> kLimbs{Limb::left_arm, Limb::right_arm, Limb::left_leg,
+                                            Limb::right_leg};
+
+/// The roles along a limb: shoulder, elbow, wrist, or hip, knee, ankle.
+struct LimbRoles {
+  Role upper;
+  Role lower;
+  Role end;
+};
+LimbRoles roles_of(Limb limb);
+
+/// How far elbows and knees bend, radians: 0 is straight. From the ranges of motion of the American
+/// Academy of Orthopaedic Surgeons (1965): elbow 0 to 150 degrees, knee 0 to 135, widened to 150
+/// for the passive bend of a deep crouch.
+struct HingeLimits {
+  float least = 0.01F;
+  float most = 2.618F;
+};
+
+/// Result of solving a limb.
+struct LimbSolution {
+  Eigen::Quaternionf upper;  ///< orientation of the upper joint, world
+  Eigen::Quaternionf lower;  ///< orientation of the lower joint, world
+  bool reached = true;       ///< false: the target was clamped to what the limb can reach
+};
+
+/// Bends a limb so that its end joint comes to `end_position`. The end lands exactly on the target
+/// where the hinge limits allow it, else on the nearest point of the line from the upper joint.
+///
+/// The swivel angle says where the middle joint goes on its circle about the line from the upper
+/// joint to the end (Tolani, Goswami and Badler 2000, section 4): 0 puts it in the direction of
+/// `pole_vector` (world, need not be unit), positive turns it counter-clockwise about the line.
+/// Where the pole is parallel to the line any plane will do, and a fixed one is taken.
+LimbSolution solve_limb(const Skeleton& skeleton, Limb limb, const Eigen::Vector3f& upper_position,
+                        const Eigen::Vector3f& end_position, const Eigen::Vector3f& pole_vector,
+                        float swivel, const HingeLimits& limits = {});
+
+/// The direction from the line upper joint - end joint to the middle joint, world, unit: the pole
+/// vector that reproduces these frames with swivel 0. Of a straight limb, the hinge's bending
+/// direction.
+Eigen::Vector3f pole_vector(const JointFrames& frames, Limb limb);
+
+/// The pose with one limb bent so that its end joint comes to `end_position` and keeps the
+/// orientation `end_orientation` (both world). `reached` as in LimbSolution.
+Pose with_limb_end(const Skeleton& skeleton, const Pose& pose, Limb limb,
+                   const Eigen::Vector3f& end_position, const Eigen::Quaternionf& end_orientation,
+                   bool* reached = nullptr);
+
+}  // namespace flinch::motion

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#include "motion/skeleton.h"
+
+#include <cmath>
+
+namespace flinch::motion {
+
+Pose::Pose() {
+  for (Eigen::Quaternionf& rotation_of_joint : rotation) rotation_of_joint.setIdentity();
+}
+
+// p_i = p_parent + R_parent * offset_i,  R_i = R_parent * r_i,  parents first.
+JointFrames forward_kinematics(const Skeleton& skeleton, const Pose& pose) {
+  JointFrames frames;
+  frames.position[Role::pelvis] = pose.root_position;
+  frames.orientation[Role::pelvis] = pose.rotation[Role::pelvis];
+  for (Role role : kRoles) {
+    const std::optional<Role> parent = parent_of(role);
+    if (!parent) continue;
+    const Eigen::Quaternionf& parent_orientation = frames.orientation[*parent];
+    frames.position[role] = frames.position[*parent] + parent_orientation * skeleton.offset[role];
+    frames.orientation[role] = parent_orientation * pose.rotation[role];
+  }
+  return frames;
+}
+
+Pose pose_from_frames(const JointFrames& frames) {
+  Pose pose;
+  pose.root_position = frames.position[Role::pelvis];
+  for (Role role : kRoles) {
+    const std::optional<Role> parent = parent_of(role);
+    const Eigen::Quaternionf& orientation = frames.orientation[role];
+    pose.rotation[role] =
+        (parent ? frames.orientation[*parent].conjugate() * orientation : orientation).normalized();
+  }
+  return pose;
+}
+
+Pose rest_pose(const Skeleton& skeleton) {
+  Pose pose;
+  pose.root_position = skeleton.offset[Role::pelvis];
+  return pose;
+}
+
+float facing(const Pose& pose) {
+  const Eigen::Vector3f forward = pose.rotation[Role::pelvis] * Eigen::Vector3f::UnitX();
+  return std::atan2(forward.y(), forward.x());
+}
+
+Pose placed(const Pose& pose, float yaw, const Eigen::Vector3f& translation) {
+  const Eigen::Quaternionf turn(Eigen::AngleAxisf(yaw, Eigen::Vector3f::UnitZ()));
+  Pose result = pose;
+  result.root_position = turn * pose.root_position + translation;
+  result.rotation[Role::pelvis] = (turn * pose.rotation[Role::pelvis]).normalized();
+  return result;
+}
+
+}  // namespace flinch::motion

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <limits>
+#include <memory>
+#include <span>
+
+#include "motion/body.h"
+#include "motion/clip.h"
+
+namespace flinch::sim {
+
+/// A ball in free flight at time 0 of the motion that it meets. World frame.
+struct Ball {
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< of its centre, m
+  Eigen::Vector3d velocity = Eigen::Vector3d::Zero();  ///< m/s
+  double radius = 0.105;                               ///< m
+  double mass_kg = 0.27;
+};
+
+/// How to simulate. The defaults are what is shipped; docs/simulation.md has the study behind them.
+struct SimulationOptions {
+  double free_step_s = 1.0 / 120;      ///< while the ball can touch nothing
+  double contact_step_s = 1.0 / 1000;  ///< while it can
+  double restitution = 0.7;            ///< of ball against body and ground
+  double gravity_mps2 = 9.81;
+};
+
+/// What one simulation found.
+struct SimulationResult {
+  /// Impulse that each body took from the ball, and from bodies that the ball drove into it, N·s.
+  motion::PerBody<double> impulse;
+  double first_contact_s = std::numeric_limits<double>::infinity();  ///< of ball and figure
+  int steps = 0;
+  int solver_messages = 0;  ///< that ODE wanted to print
+  /// Root mean square over time and hands, feet and head of their distance from the reference, m.
+  double tracking_error_m = 0;
+};
+
+/// Simulates a figure of 17 bodies that tracks a motion while a ball flies at it. Holds one ODE
+/// world, so one simulator serves one thread at a time; results do not depend on what it simulated
+/// before.
+class Simulator {
+ public:
+  Simulator(const motion::Character& character, const SimulationOptions& options);
+  ~Simulator();
+  Simulator(Simulator&&) noexcept;
+  Simulator& operator=(Simulator&&) noexcept;
+
+  /// Tracks `reference` (poses at its rate, from time 0) for `duration_s`; beyond its last pose it
+  /// holds still. Without a ball nothing can hit.
+  SimulationResult simulate(const motion::Motion& reference, const Ball* ball, double duration_s);
+
+ private:
+  struct World;
+  std::unique_ptr<World> world_;
+};
+
+}  // namespace flinch::sim
