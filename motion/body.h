@@ -94,8 +94,15 @@ struct BodyProperties {
 
 using BodyModel = PerBody<BodyProperties>;
 
-/// Masses and centres from de Leva (1996), scaled to the character; outlines from its bone lengths.
-/// The masses add up to the character's.
+/// Masses and centres from de Leva (1996; see de_leva.h), scaled to the character; outlines from
+/// its bone lengths and mass. The masses add up to the character's.
+///
+/// Joints stand for de Leva's landmarks: chest for the xiphion, abdomen for the navel, neck for
+/// both suprasternale and cervicale. Limbs and neck are capsules that end at the joints, as thick
+/// as their mass needs; pelvis, abdomen, chest, hands and feet are boxes, the head an upright
+/// capsule from chin to crown. In the rest pose adjacent parts about touch, others are clear of
+/// each other, and the feet's boxes lie on the ground. A bone without length gets a part of a few
+/// millimetres.
 BodyModel make_body_model(const Character& character);
 
 /// The centre of mass of one body, world, m.
