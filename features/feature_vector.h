@@ -12,14 +12,15 @@
 namespace flinch::features {
 
 /// The paper's features (Zordan et al. 2007, section 5), in the character's frame at perception:
-/// origin on the ground below the pelvis, X along its facing, Z up.
+/// origin on the ground below the pelvis, X along CharacterState::facing, Z up. So turning or
+/// moving the whole world changes nothing.
 struct Features {
   float position_x, position_y, position_z;  ///< of the threat, m
-  float heading_x, heading_y, heading_z;     ///< unit vector of its velocity
+  float heading_x, heading_y, heading_z;     ///< unit vector of its velocity; 0 if it stands still
   float speed_mps;
   float time_to_impact_s;
   float target_head, target_trunk, target_pelvis, target_legs;  ///< one of them 1, the others 0
-  /// Look-ahead: where the pelvis will be, m, and which way it will face at the predicted contact,
+  /// Look-ahead: where the pelvis will be, m, and which way it will point at the predicted contact,
   /// if the character keeps on idling.
   float ahead_x, ahead_y, ahead_facing_sin, ahead_facing_cos;
 };
@@ -45,12 +46,13 @@ struct Scaling {
   std::vector<double> least;  ///< one a component
   std::vector<double> most;
 
-  /// scaled_i = -1 + 2 (x_i - least_i) / (most_i - least_i). `scaled` has the size of `raw`.
+  /// scaled_i = -1 + 2 (x_i - least_i) / (most_i - least_i), in double. `raw`, `scaled`, `least`
+  /// and `most` have one size. Values outside of the observed range go beyond [-1, 1].
   void apply(std::span<const float> raw, std::span<double> scaled) const;
 };
 
-/// The scaling of these rows of equal, non-zero length. Throws Error for no rows or a value that is
-/// not finite.
+/// The scaling of these rows. Throws Error for no rows or a value that is not finite, which it
+/// names.
 Scaling make_scaling(std::span<const FeatureVector> rows);
 
 }  // namespace flinch::features

@@ -12,10 +12,12 @@ namespace flinch::features {
 struct CharacterState {
   float idle_time_s = 0;  ///< into the idle clip, which goes to and fro
   Eigen::Vector2f position = Eigen::Vector2f::Zero();  ///< added to the idle clip's own, world, m
-  float facing = 0;  ///< turn of the whole idle clip about the vertical, radians
+  /// Turn of the whole idle clip about the vertical, radians. Idle clips are stored facing +X, so
+  /// this is the way that the character faces; its pelvis may be turned from it, as in a stance.
+  float facing = 0;
 };
 
-/// The pose of an idling character `time_s` after perception.
+/// The pose of an idling character `time_s` after perception, world. `idle` has at least one pose.
 motion::Pose idle_pose(const motion::Motion& idle, const CharacterState& state, float time_s);
 
 /// A threat and the character's state at perception: what is classified.

@@ -39,8 +39,8 @@ struct Approach {
 
 /// The threat whose centre comes to `impact_point` after `approach.time_to_impact_s` with the
 /// approach's speed and direction, run backwards to perception under gravity (Hermens 2006, section
-/// 3.1, keeps the values at the collision the same way). `facing` is the character's at perception,
-/// radians.
+/// 3.1, keeps the values at the collision the same way). `facing` is the character's at perception
+/// (CharacterState::facing), radians.
 Threat threat_from_approach(const Approach& approach, const Eigen::Vector3f& impact_point,
                             float facing);
 

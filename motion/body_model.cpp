@@ -6,6 +6,7 @@
 
 #include "motion/body.h"
 #include "motion/de_leva.h"
+#include "motion/foot.h"
 
 namespace flinch::motion {
 namespace {
@@ -28,7 +29,6 @@ constexpr float kHeadRadius = 0.382F;  // geometric mean of half breadth and hal
 constexpr float kHeadForward = 0.05F;  // the skull's middle lies before the joint at its base
 constexpr float kHandBreadth = 0.45F;
 constexpr float kHandThickness = 0.15F;
-constexpr float kHeelLength = 0.25F;    // heel to below the ankle, of the sole's length
 constexpr float kFootBreadth = 0.362F;  // 0.055 / 0.152 of the stature
 constexpr float kFootHeight = 0.6F;     // of the ankle's height: the foot falls off to the toes
 
@@ -38,8 +38,8 @@ constexpr float kClearance = 0.95F;        // of the room that neighbours leave 
 constexpr float kLeastExtent = 0.005F;     // m, where a skeleton's bone has no length
 
 // De Leva takes head and neck together. A head without the neck of a man of 75 kg weighs 4.4 kg
-// (Yoganandan et al. 2009, J. Biomechanics 42(9), a review of 4.0 to 4.6 kg); the same share of
-// head and neck is taken for women.
+// (within the range that Yoganandan et al. 2009, "Physical properties of the human head", J.
+// Biomechanics 42(9), review); the same share of head and neck is taken for women.
 constexpr float kHeadShare = 4.4F / 75 / 0.0694F;
 
 // The rest pose, in which all frames are parallel to the world's, so that a point less the joint's
@@ -193,28 +193,27 @@ void set_arm(BodyModel& model, const Skeleton& skeleton, const de_leva::Table& t
 }
 
 // A box on the ground from the heel to the tip of the toes, which carry no body of their own.
-BodyProperties foot_properties(const Skeleton& skeleton, const de_leva::Table& table, Role toes,
-                               float ankle_height) {
-  const Eigen::Vector3f toe_tip = skeleton.offset[toes] + skeleton.tip[toes];
-  const Eigen::Vector3f forward(toe_tip.x(), toe_tip.y(), 0);
-  const float length = std::max(forward.norm() / (1 - kHeelLength), 2 * kLeastExtent);
-  const float height = std::max(kFootHeight * ankle_height, 2 * kLeastExtent);
-  const Eigen::Vector3f middle_height(0, 0, 0.5F * height - ankle_height);
-  const Eigen::Vector3f heel = middle_height - kHeelLength / (1 - kHeelLength) * forward;
+BodyProperties foot_properties(const Skeleton& skeleton, const de_leva::Segment& segment,
+                               Side side) {
+  const FootMeasures foot = measure_foot(skeleton, side);
+  const float height = std::max(kFootHeight * foot.ankle_height, 2 * kLeastExtent);
+  const Eigen::Vector3f heel = foot.heel + 0.5F * height * Eigen::Vector3f::UnitZ();
+  const Eigen::Vector3f toe_tip = heel + foot.length * foot.forward;
 
   BodyProperties properties;
-  properties.mass_kg = table.foot.mass_percent;
-  properties.centre_of_mass = along(heel, middle_height + forward, table.foot.centre_percent);
+  properties.mass_kg = segment.mass_percent;
+  properties.centre_of_mass = along(heel, toe_tip, segment.centre_percent);
   properties.shape.kind = Shape::Kind::box;
-  properties.shape.centre = 0.5F * (heel + middle_height + forward);
-  properties.shape.orientation = turning(Eigen::Vector3f::UnitX(), forward);
-  properties.shape.half_extents = 0.5F * Eigen::Vector3f(length, kFootBreadth * length, height);
+  properties.shape.centre = 0.5F * (heel + toe_tip);
+  properties.shape.orientation = turning(Eigen::Vector3f::UnitX(), foot.forward);
+  properties.shape.half_extents =
+      0.5F * Eigen::Vector3f(foot.length, kFootBreadth * foot.length, height);
   return properties;
 }
 
 void set_leg(BodyModel& model, const Skeleton& skeleton, const Rest& rest,
              const de_leva::Table& table, float mass_kg, Body thigh, Body shin, Body foot,
-             Role toes) {
+             Side side) {
   const Eigen::Vector3f& knee = skeleton.offset[role_of(shin)];
   const Eigen::Vector3f& ankle = skeleton.offset[role_of(foot)];
   const auto limb = [&](const de_leva::Segment& segment, const Eigen::Vector3f& far_end) {
@@ -225,7 +224,7 @@ void set_leg(BodyModel& model, const Skeleton& skeleton, const Rest& rest,
   };
   model[thigh] = limb(table.thigh, knee);
   model[shin] = limb(table.shank, ankle);
-  model[foot] = foot_properties(skeleton, table, toes, rest.joint[role_of(foot)].z());
+  model[foot] = foot_properties(skeleton, table.foot, side);
 }
 
 }  // namespace
@@ -244,9 +243,9 @@ BodyModel make_body_model(const Character& character) {
   set_arm(model, skeleton, table, mass_kg, Body::right_upper_arm, Body::right_forearm,
           Body::right_hand);
   set_leg(model, skeleton, rest, table, mass_kg, Body::left_thigh, Body::left_shin, Body::left_foot,
-          Role::left_toes);
+          Side::left);
   set_leg(model, skeleton, rest, table, mass_kg, Body::right_thigh, Body::right_shin,
-          Body::right_foot, Role::right_toes);
+          Body::right_foot, Side::right);
 
   // Until here the masses are percentages; the table's are rounded and need not add up to 100.
   float sum = 0;

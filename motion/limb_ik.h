@@ -18,9 +18,16 @@ struct LimbRoles {
 };
 LimbRoles roles_of(Limb limb);
 
-/// How far elbows and knees bend, radians: 0 is straight. From the ranges of motion of the American
-/// Academy of Orthopaedic Surgeons (1965): elbow 0 to 150 degrees, knee 0 to 135, widened to 150
-/// for the passive bend of a deep crouch.
+/// The axis of the elbow or knee in the frame of the upper joint, unit; turning the lower joint by
+/// a positive angle about it bends the limb. Knees bend about +Y, which takes the shin backwards
+/// from the rest pose; the left elbow about -Z and the right about +Z, which take the forearm
+/// forwards from the T-pose.
+Eigen::Vector3f hinge_axis(Limb limb);
+
+/// How far elbows and knees bend, radians: the angle between the bones seen along the hinge, 0
+/// where they are straight (which need not be the rest pose). From the ranges of motion of the
+/// American Academy of Orthopaedic Surgeons (1965): elbow 0 to 150 degrees, knee 0 to 135, widened
+/// to 150 for the passive bend of a deep crouch.
 struct HingeLimits {
   float least = 0.01F;
   float most = 2.618F;
@@ -30,27 +37,31 @@ struct HingeLimits {
 struct LimbSolution {
   Eigen::Quaternionf upper;  ///< orientation of the upper joint, world
   Eigen::Quaternionf lower;  ///< orientation of the lower joint, world
-  bool reached = true;       ///< false: the target was clamped to what the limb can reach
+  bool reached = true;       ///< false: the end stays more than 0.1 mm from the target
 };
 
-/// Bends a limb so that its end joint comes to `end_position`. The end lands exactly on the target
-/// where the hinge limits allow it, else on the nearest point of the line from the upper joint.
+/// Bends a limb so that its end joint comes to `end_position`. The end lands on the target where
+/// the hinge limits allow it, for bones of any direction; else on the nearest point of the line
+/// from the upper joint. The lower joint only turns about its hinge.
 ///
 /// The swivel angle says where the middle joint goes on its circle about the line from the upper
 /// joint to the end (Tolani, Goswami and Badler 2000, section 4): 0 puts it in the direction of
 /// `pole_vector` (world, need not be unit), positive turns it counter-clockwise about the line.
-/// Where the pole is parallel to the line any plane will do, and a fixed one is taken.
+/// Where the pole is parallel to the line any plane will do, and a fixed one is taken. The middle
+/// joint of a limb within about 10 degrees of straight says little of its plane; there it is the
+/// hinge that is turned so as to bend towards the pole, going over smoothly.
 LimbSolution solve_limb(const Skeleton& skeleton, Limb limb, const Eigen::Vector3f& upper_position,
                         const Eigen::Vector3f& end_position, const Eigen::Vector3f& pole_vector,
                         float swivel, const HingeLimits& limits = {});
 
 /// The direction from the line upper joint - end joint to the middle joint, world, unit: the pole
-/// vector that reproduces these frames with swivel 0. Of a straight limb, the hinge's bending
-/// direction.
+/// vector that reproduces these frames with swivel 0 if the lower joint is turned about its hinge
+/// alone. Of a straight or overextended limb, the direction in which its hinge bends.
 Eigen::Vector3f pole_vector(const JointFrames& frames, Limb limb);
 
-/// The pose with one limb bent so that its end joint comes to `end_position` and keeps the
-/// orientation `end_orientation` (both world). `reached` as in LimbSolution.
+/// The pose with one limb bent so that its end joint comes to `end_position` with the orientation
+/// `end_orientation` (both world); the middle joint keeps to its plane (see pole_vector), and the
+/// lower joint's rotation becomes one about its hinge alone. `reached` as in LimbSolution.
 Pose with_limb_end(const Skeleton& skeleton, const Pose& pose, Limb limb,
                    const Eigen::Vector3f& end_position, const Eigen::Quaternionf& end_orientation,
                    bool* reached = nullptr);

@@ -3,12 +3,9 @@
 
 #include <vector>
 
-#include "motion/skeleton.h"
+#include "motion/foot.h"
 
 namespace flinch::motion {
-
-/// Which foot.
-enum class Side : std::uint8_t { left, right };
 
 /// Outline of a sole in the frames of its joints, m, counter-clockwise seen from above.
 struct SoleOutline {
@@ -16,16 +13,18 @@ struct SoleOutline {
   std::vector<Eigen::Vector3f> toes;  ///< ball to tip, in the toes' frame
 };
 
-/// The sole of a skeleton's foot, scaled from a mean adult footprint to its foot length.
+/// The sole of a skeleton's foot, scaled from a mean adult footprint to its foot length (see
+/// measure_foot). Flat on the ground in the rest pose.
 SoleOutline sole_outline(const Skeleton& skeleton, Side side);
 
 /// The convex hull on the ground of all sole points that are within `tolerance_m` of it,
-/// counter-clockwise, world x and y, m. Empty when no foot touches.
+/// counter-clockwise, world x and y, m, without repeated or collinear points. Empty when no foot
+/// touches. For offline use: allocates.
 std::vector<Eigen::Vector2f> support_polygon(const Skeleton& skeleton, const JointFrames& frames,
                                              float tolerance_m = 0.03F);
 
-/// Signed distance of a point to a convex counter-clockwise polygon's edge, m: positive inside,
-/// negative outside; minus infinity for an empty polygon.
+/// Distance of a point to the nearest edge of a convex counter-clockwise polygon, m: positive
+/// inside, negative outside, also of a polygon of one or two points; minus infinity for none.
 float signed_distance_inside(const std::vector<Eigen::Vector2f>& polygon,
                              const Eigen::Vector2f& point);
 

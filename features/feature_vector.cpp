@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#include "features/feature_vector.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "motion/error.h"
+
+namespace flinch::features {
+
+Features features_of(const Scenario& scenario, const motion::Motion& idle) {
+  const CharacterState& state = scenario.state;
+  const Eigen::Quaternionf to_character(Eigen::AngleAxisf(-state.facing, Eigen::Vector3f::UnitZ()));
+  const motion::Pose now = idle_pose(idle, state, 0);
+  const motion::Pose then = idle_pose(idle, state, scenario.time_to_impact_s);
+  const Eigen::Vector3f origin(now.root_position.x(), now.root_position.y(), 0);
+
+  const Threat& threat = scenario.threat;
+  const Eigen::Vector3f position = to_character * (threat.position - origin);
+  const Eigen::Vector3f heading = to_character * threat.velocity.normalized();  // 0 stays 0
+  const Eigen::Vector3f ahead = to_character * (then.root_position - origin);
+  const float ahead_facing = motion::facing(then) - state.facing;
+  const auto is_target = [&](motion::Target target) {
+    return scenario.target == target ? 1.0F : 0.0F;
+  };
+
+  return {.position_x = position.x(),
+          .position_y = position.y(),
+          .position_z = position.z(),
+          .heading_x = heading.x(),
+          .heading_y = heading.y(),
+          .heading_z = heading.z(),
+          .speed_mps = threat.velocity.norm(),
+          .time_to_impact_s = scenario.time_to_impact_s,
+          .target_head = is_target(motion::Target::head),
+          .target_trunk = is_target(motion::Target::trunk),
+          .target_pelvis = is_target(motion::Target::pelvis),
+          .target_legs = is_target(motion::Target::legs),
+          .ahead_x = ahead.x(),
+          .ahead_y = ahead.y(),
+          .ahead_facing_sin = std::sin(ahead_facing),
+          .ahead_facing_cos = std::cos(ahead_facing)};
+}
+
+FeatureVector to_vector(const Features& features) {
+  const Features& f = features;
+  return {f.position_x,  f.position_y,   f.position_z,       f.heading_x,
+          f.heading_y,   f.heading_z,    f.speed_mps,        f.time_to_impact_s,
+          f.target_head, f.target_trunk, f.target_pelvis,    f.target_legs,
+          f.ahead_x,     f.ahead_y,      f.ahead_facing_sin, f.ahead_facing_cos};
+}
+
+void Scaling::apply(std::span<const float> raw, std::span<double> scaled) const {
+  for (std::size_t i = 0; i < scaled.size(); ++i) {
+    const double range = most[i] - least[i];
+    scaled[i] = range > 0 ? -1 + 2 * (static_cast<double>(raw[i]) - least[i]) / range : 0;
+  }
+}
+
+Scaling make_scaling(std::span<const FeatureVector> rows) {
+  if (rows.empty()) throw Error("", "no observations to make a feature scaling from");
+  Scaling scaling;
+  scaling.least.assign(rows.front().begin(), rows.front().end());
+  scaling.most = scaling.least;
+  for (std::size_t row = 0; row < rows.size(); ++row) {
+    for (std::size_t i = 0; i < kFeatureCount; ++i) {
+      const double value = rows[row][i];
+      if (!std::isfinite(value)) {
+        throw Error("", "feature " + std::string(kFeatureNames[i]) + " of observation " +
+                            std::to_string(row) + " is not a finite number");
+      }
+      scaling.least[i] = std::min(scaling.least[i], value);
+      scaling.most[i] = std::max(scaling.most[i], value);
+    }
+  }
+  return scaling;
+}
+
+}  // namespace flinch::features

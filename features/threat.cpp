@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#include "features/threat.h"
+
+#include <cmath>
+
+namespace flinch::features {
+namespace {
+
+const Eigen::Vector3f kFall(0, 0, -kGravity);
+
+}  // namespace
+
+Eigen::Vector3f position_at(const Threat& threat, float time_s) {
+  return threat.position + time_s * threat.velocity + 0.5F * time_s * time_s * kFall;
+}
+
+Eigen::Vector3f velocity_at(const Threat& threat, float time_s) {
+  return threat.velocity + time_s * kFall;
+}
+
+// At the impact the threat is at p_T with v_T = -speed u, u the unit vector to where it comes from.
+// Run back by T under the fall a = (0, 0, -g):
+//   v_0 = v_T - a T,   p_0 = p_T - v_0 T - a T^2 / 2
+Threat threat_from_approach(const Approach& approach, const Eigen::Vector3f& impact_point,
+                            float facing) {
+  const float yaw = facing + approach.azimuth;
+  const Eigen::Vector3f origin_direction(std::cos(approach.elevation) * std::cos(yaw),
+                                         std::cos(approach.elevation) * std::sin(yaw),
+                                         std::sin(approach.elevation));
+  const float time_s = approach.time_to_impact_s;
+  Threat threat;
+  threat.velocity = -approach.speed_mps * origin_direction - time_s * kFall;
+  threat.position = impact_point - time_s * threat.velocity - 0.5F * time_s * time_s * kFall;
+  threat.radius = approach.radius;
+  threat.mass_kg = approach.mass_kg;
+  return threat;
+}
+
+}  // namespace flinch::features

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#include "motion/foot.h"
+
+#include <algorithm>
+
+namespace flinch::motion {
+
+FootRoles roles_of(Side side) {
+  return side == Side::left ? FootRoles{Role::left_foot, Role::left_toes}
+                            : FootRoles{Role::right_foot, Role::right_toes};
+}
+
+FootMeasures measure_foot(const Skeleton& skeleton, Side side) {
+  constexpr float kHeelShare = 0.25F;    // of the foot's length, behind the ankle
+  constexpr float kLeastLength = 0.01F;  // m, of a skeleton without toes
+  const FootRoles roles = roles_of(side);
+  const JointFrames rest = forward_kinematics(skeleton, rest_pose(skeleton));
+  const Eigen::Vector3f toe_tip = skeleton.offset[roles.toes] + skeleton.tip[roles.toes];
+  const Eigen::Vector3f flat(toe_tip.x(), toe_tip.y(), 0);
+
+  FootMeasures foot;
+  foot.length = std::max(flat.norm() / (1 - kHeelShare), kLeastLength);
+  foot.forward = flat.norm() > 0 ? flat.normalized() : Eigen::Vector3f::UnitX();
+  foot.ankle_height = rest.position[roles.foot].z();
+  foot.heel = -kHeelShare * foot.length * foot.forward;
+  foot.heel.z() = -foot.ankle_height;
+  return foot;
+}
+
+}  // namespace flinch::motion

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: MIT
+#include "motion/limb_ik.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "motion/interpolation.h"
+
+namespace flinch::motion {
+namespace {
+
+Eigen::Quaternionf rotation_about(const Eigen::Vector3f& axis, float angle) {
+  return Eigen::Quaternionf(Eigen::AngleAxisf(angle, axis));
+}
+
+Eigen::Vector3f without_part_along(const Eigen::Vector3f& vector, const Eigen::Vector3f& line) {
+  return vector - vector.dot(line) * line;
+}
+
+// Any fixed direction square to the line.
+Eigen::Vector3f some_direction_square_to(const Eigen::Vector3f& line) {
+  const Eigen::Vector3f axis =
+      std::abs(line.x()) < 0.9F ? Eigen::Vector3f::UnitX() : Eigen::Vector3f::UnitZ();
+  return without_part_along(axis, line).normalized();
+}
+
+// The direction, square to the line from upper joint to end, in which the middle joint sticks out.
+// A bent limb's middle joint shows it. A straight limb's does not, and a hyperextended one's shows
+// the opposite, so there it is the way that the hinge bends, line x hinge; in between one goes over
+// into the other, so that a limb which straightens does not spin about its length.
+Eigen::Vector3f bending_direction(const Eigen::Vector3f& to_middle, const Eigen::Vector3f& to_end,
+                                  const Eigen::Vector3f& hinge) {
+  constexpr float kStraight =
+      0.01F;                      // middle joint's distance from the line over the line's length
+  constexpr float kBent = 0.05F;  // about 11 degrees at the hinge
+  const float length = to_end.norm();
+  if (length <= 0) return some_direction_square_to(hinge);
+  const Eigen::Vector3f line = to_end / length;
+  const Eigen::Vector3f across = line.cross(hinge);
+  if (across.norm() <= 0) return some_direction_square_to(line);
+  const Eigen::Vector3f by_hinge = across.normalized();
+  const Eigen::Vector3f off_line = without_part_along(to_middle, line);
+  const float bend = off_line.norm() / length;
+  const float weight = ease_in_ease_out((bend - kStraight) / (kBent - kStraight));
+  if (weight <= 0) return by_hinge;
+  return ((1 - weight) * by_hinge + weight * off_line.normalized()).normalized();
+}
+
+// The rotation that takes the orthonormal pair `line`, `square` to the other.
+Eigen::Quaternionf taking(const Eigen::Vector3f& line, const Eigen::Vector3f& square,
+                          const Eigen::Vector3f& to_line, const Eigen::Vector3f& to_square) {
+  Eigen::Matrix3f from;
+  from << line, square, line.cross(square);
+  Eigen::Matrix3f to;
+  to << to_line, to_square, to_line.cross(to_square);
+  return Eigen::Quaternionf(to * from.transpose()).normalized();
+}
+
+// How far a hinge must turn to bring the limb's end to a distance from its upper joint.
+//
+// With the bones a (upper) and b (lower) split into parts along the hinge and square to it, and
+// beta the angle from the square part of a to that of the turned b,
+//     d^2 = |a|^2 + |b|^2 + 2 a_h b_h + 2 |a_s| |b_s| cos(beta).
+// beta is 0 for a straight limb and beta = angle + beta_rest, where beta_rest is what the bones
+// already make at rest.
+struct HingeBend {
+  float angle;    // of the lower joint's rotation
+  bool in_reach;  // false: beta had to be clamped to the limits
+};
+
+HingeBend bend_for_distance(const Eigen::Vector3f& a, const Eigen::Vector3f& b,
+                            const Eigen::Vector3f& hinge, float distance,
+                            const HingeLimits& limits) {
+  const Eigen::Vector3f a_square = without_part_along(a, hinge);
+  const Eigen::Vector3f b_square = without_part_along(b, hinge);
+  const float along = a.dot(hinge) * b.dot(hinge);
+  const float product = a_square.norm() * b_square.norm();
+  const float rest_bend = std::atan2(hinge.dot(a_square.cross(b_square)), a_square.dot(b_square));
+  if (product <= 0) return {0, false};  // a bone of no length bends nothing
+
+  const float rigid = a.squaredNorm() + b.squaredNorm() + 2 * along;
+  const float cosine = (distance * distance - rigid) / (2 * product);
+  const float bend =
+      std::clamp(std::acos(std::clamp(cosine, -1.0F, 1.0F)), limits.least, limits.most);
+  constexpr float kReachTolerance = 1e-4F;  // m
+  const float found = std::sqrt(std::max(rigid + 2 * product * std::cos(bend), 0.0F));
+  return {bend - rest_bend, std::abs(found - distance) <= kReachTolerance};
+}
+
+}  // namespace
+
+LimbRoles roles_of(Limb limb) {
+  switch (limb) {
+    case Limb::left_arm:
+      return {Role::left_upper_arm, Role::left_forearm, Role::left_hand};
+    case Limb::right_arm:
+      return {Role::right_upper_arm, Role::right_forearm, Role::right_hand};
+    case Limb::left_leg:
+      return {Role::left_thigh, Role::left_shin, Role::left_foot};
+    case Limb::right_leg:
+      break;
+  }
+  return {Role::right_thigh, Role::right_shin, Role::right_foot};
+}
+
+Eigen::Vector3f hinge_axis(Limb limb) {
+  if (limb == Limb::left_arm) return -Eigen::Vector3f::UnitZ();
+  if (limb == Limb::right_arm) return Eigen::Vector3f::UnitZ();
+  return Eigen::Vector3f::UnitY();
+}
+
+LimbSolution solve_limb(const Skeleton& skeleton, Limb limb, const Eigen::Vector3f& upper_position,
+                        const Eigen::Vector3f& end_position, const Eigen::Vector3f& pole_vector,
+                        float swivel, const HingeLimits& limits) {
+  const LimbRoles roles = roles_of(limb);
+  const Eigen::Vector3f& upper_bone = skeleton.offset[roles.lower];
+  const Eigen::Vector3f& lower_bone = skeleton.offset[roles.end];
+  const Eigen::Vector3f hinge = hinge_axis(limb);
+  const Eigen::Vector3f to_target = end_position - upper_position;
+  const float distance = to_target.norm();
+
+  const HingeBend bend = bend_for_distance(upper_bone, lower_bone, hinge, distance, limits);
+  const Eigen::Quaternionf lower_local = rotation_about(hinge, bend.angle);
+  const Eigen::Vector3f to_end = upper_bone + lower_local * lower_bone;  // in the upper frame
+
+  const Eigen::Vector3f line =
+      distance > 0 ? Eigen::Vector3f(to_target / distance) : -Eigen::Vector3f::UnitZ();
+  const Eigen::Vector3f pole_off_line = without_part_along(pole_vector, line);
+  constexpr float kParallel = 1e-6F;
+  const Eigen::Vector3f square = pole_off_line.norm() > kParallel * pole_vector.norm()
+                                     ? Eigen::Vector3f(pole_off_line.normalized())
+                                     : some_direction_square_to(line);
+
+  LimbSolution solution;
+  solution.upper = taking(to_end.normalized(), bending_direction(upper_bone, to_end, hinge), line,
+                          rotation_about(line, swivel) * square);
+  solution.lower = (solution.upper * lower_local).normalized();
+  solution.reached = bend.in_reach;
+  return solution;
+}
+
+Eigen::Vector3f pole_vector(const JointFrames& frames, Limb limb) {
+  const LimbRoles roles = roles_of(limb);
+  const Eigen::Vector3f& upper = frames.position[roles.upper];
+  return bending_direction(frames.position[roles.lower] - upper, frames.position[roles.end] - upper,
+                           frames.orientation[roles.upper] * hinge_axis(limb));
+}
+
+Pose with_limb_end(const Skeleton& skeleton, const Pose& pose, Limb limb,
+                   const Eigen::Vector3f& end_position, const Eigen::Quaternionf& end_orientation,
+                   bool* reached) {
+  const LimbRoles roles = roles_of(limb);
+  const JointFrames frames = forward_kinematics(skeleton, pose);
+  const LimbSolution solution = solve_limb(skeleton, limb, frames.position[roles.upper],
+                                           end_position, pole_vector(frames, limb), 0);
+  const Eigen::Quaternionf& parent = frames.orientation[*parent_of(roles.upper)];
+  Pose result = pose;
+  result.rotation[roles.upper] = (parent.conjugate() * solution.upper).normalized();
+  result.rotation[roles.lower] = (solution.upper.conjugate() * solution.lower).normalized();
+  result.rotation[roles.end] = (solution.lower.conjugate() * end_orientation).normalized();
+  if (reached != nullptr) *reached = solution.reached;
+  return result;
+}
+
+}  // namespace flinch::motion
