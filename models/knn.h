@@ -5,6 +5,8 @@
 #include <span>
 #include <vector>
 
+#include "models/candidate.h"
+
 namespace flinch::models {
 
 /// How neighbours count.
@@ -27,9 +29,23 @@ struct Neighbour {
   double squared_distance = 0;
 };
 
+/// The order of neighbours: by distance, then by the lower index.
+inline bool nearer(const Neighbour& a, const Neighbour& b) {
+  return a.squared_distance != b.squared_distance ? a.squared_distance < b.squared_distance
+                                                  : a.observation < b.observation;
+}
+
+/// |a - b|^2, summed from the first feature to the last; `b` points to a.size() values.
+double squared_distance(std::span<const double> a, const double* b);
+
 /// The k nearest observations whose label is allowed (all when `allowed_clips` is empty), nearest
 /// first, ties by the lower index; fewer when there are not k.
 std::vector<Neighbour> nearest(const KnnModel& model, std::span<const double> scaled, int k,
                                const std::vector<bool>& allowed_clips);
+
+/// What the neighbours, nearest first, vote for: more votes first, then the clip with the nearer
+/// neighbour. `label` is the clip index of each observation. Empty only without neighbours.
+std::vector<Candidate> count_votes(std::span<const Neighbour> neighbours,
+                                   std::span<const int> label, KnnVote vote);
 
 }  // namespace flinch::models

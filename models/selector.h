@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "features/feature_vector.h"
+#include "models/candidate.h"
 #include "models/knn.h"
 #include "models/svm.h"
 #include "motion/clip.h"
@@ -34,14 +35,16 @@ struct Selector {
   double brawn = 0.1;  ///< that its labels were made with
 };
 
-/// One clip that a selector considered, with how strongly it is for it.
-struct Candidate {
-  int clip = 0;    ///< the library's index
-  float vote = 0;  ///< share of the votes cast, in [0, 1]
-};
+/// The allowed clips that the model votes among, best first. An SVM's are all its classes, ties by
+/// the model's class order; a KNN's are its neighbours' labels, ties by the nearer neighbour. Where
+/// the model knows no allowed clip the idle clip is the last resort, with no vote: never empty.
+/// `scaled` has the model's feature_count values.
+std::vector<Candidate> candidates(const SvmModel& model, std::span<const double> scaled,
+                                  const std::vector<bool>& allowed_clips, int idle);
+std::vector<Candidate> candidates(const KnnModel& model, std::span<const double> scaled,
+                                  const std::vector<bool>& allowed_clips, int idle);
 
-/// The allowed clips that the model knows, best first: more votes, then the lower index as the
-/// model's own tie rule has it. Never empty: the idle clip is the last resort. `x` is not scaled.
+/// The candidates of the selector's model. `x` is not scaled.
 std::vector<Candidate> candidates(const Selector& selector, const features::FeatureVector& x,
                                   motion::Target threatened);
 

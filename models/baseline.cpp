@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#include "models/baseline.h"
+
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <utility>
+
+namespace flinch::models {
+
+int nearest_annotation(std::span<const ClipSummary> clips, int idle, motion::Target threatened,
+                       float azimuth) {
+  const std::vector<bool> allowed = allowed_clips(clips, idle, threatened);
+  int best = idle;
+  std::pair<bool, double> least{true, 2 * std::numbers::pi};  // other target, angle
+  for (std::size_t i = 0; i < clips.size(); ++i) {
+    if (!allowed[i] || static_cast<int>(i) == idle || !clips[i].annotation) {
+      continue;
+    }
+    const motion::Annotation& annotation = *clips[i].annotation;
+    const double angle = std::abs(
+        std::remainder(static_cast<double>(annotation.direction) - azimuth, 2 * std::numbers::pi));
+    const std::pair far{annotation.target != threatened, angle};
+    if (far < least) {
+      least = far;
+      best = static_cast<int>(i);
+    }
+  }
+  return best;
+}
+
+// Reducing 64 bits by the few clips of a library favours none by more than one in 2^50.
+int random_allowed(std::span<const ClipSummary> clips, int idle, motion::Target threatened,
+                   std::uint64_t draw) {
+  const std::vector<bool> allowed = allowed_clips(clips, idle, threatened);
+  std::vector<int> choices;
+  for (std::size_t i = 0; i < allowed.size(); ++i) {
+    if (allowed[i]) {
+      choices.push_back(static_cast<int>(i));
+    }
+  }
+  return choices.empty() ? idle : choices[draw % choices.size()];
+}
+
+}  // namespace flinch::models

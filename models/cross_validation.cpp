@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: MIT
+#include "models/cross_validation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <exception>
+#include <map>
+#include <random>
+#include <string>
+#include <utility>
+
+#include "models/selector.h"
+#include "motion/error.h"
+
+namespace flinch::models {
+namespace {
+
+using Choices = std::vector<std::vector<int>>;
+
+/// One fold: the observations that it holds out, and a model's training set of all the others.
+struct Split {
+  std::vector<int> held_out;
+  TrainingSet others;
+};
+
+std::vector<Split> make_splits(const TrainingSet& set, std::span<const int> fold) {
+  const int count = fold.empty() ? 0 : *std::max_element(fold.begin(), fold.end()) + 1;
+  std::vector<Split> splits(static_cast<std::size_t>(count));
+  for (int f = 0; f < count; ++f) {
+    std::vector<int> others;
+    Split& split = splits[static_cast<std::size_t>(f)];
+    for (int i = 0; i < set.size(); ++i) {
+      (fold[static_cast<std::size_t>(i)] == f ? split.held_out : others).push_back(i);
+    }
+    split.others = subset(set, others);
+  }
+  return splits;
+}
+
+/// Runs task(0), …, task(count - 1) on OpenMP's threads, and throws what the first of them threw.
+template <typename Task>
+void in_parallel(std::size_t count, const Task& task) {
+  std::vector<std::exception_ptr> thrown(count);
+#pragma omp parallel for schedule(dynamic)
+  for (std::size_t i = 0; i < count; ++i) {
+    try {
+      task(i);
+    } catch (...) {
+      thrown[i] = std::current_exception();
+    }
+  }
+  for (const std::exception_ptr& exception : thrown) {
+    if (exception) {
+      std::rethrow_exception(exception);
+    }
+  }
+}
+
+Choices no_choices(const TrainingSet& set, std::size_t rows) {
+  return Choices(rows, std::vector<int>(set.label.size()));
+}
+
+/// The neighbours of held-out observations among a training set's allowed ones, one kd-tree a mask.
+class MaskedNeighbours {
+ public:
+  explicit MaskedNeighbours(const TrainingSet& set) {
+    for (const std::vector<bool>& mask : set.masks) {
+      std::vector<int> rows;
+      for (int i = 0; i < set.size(); ++i) {
+        if (mask[static_cast<std::size_t>(set.label[static_cast<std::size_t>(i)])]) {
+          rows.push_back(i);
+        }
+      }
+      TrainingSet allowed = subset(set, rows);
+      labels_.push_back(std::move(allowed.label));
+      trees_.emplace_back(std::move(allowed.points), set.feature_count);
+    }
+  }
+
+  std::vector<Neighbour> nearest(int mask, std::span<const double> scaled, int k) const {
+    return trees_[static_cast<std::size_t>(mask)].nearest(scaled, k);
+  }
+  std::span<const int> labels(int mask) const { return labels_[static_cast<std::size_t>(mask)]; }
+
+ private:
+  std::vector<std::vector<int>> labels_;
+  std::vector<NeighbourIndex> trees_;
+};
+
+/// The choices of every parameter set of the grid for one fold's observations: the most neighbours
+/// that any of them asks for are found once.
+void choose_for_fold(const TrainingSet& set, std::span<const KnnParameters> grid,
+                     const Split& split, Choices& choices) {
+  int most = 0;
+  for (const KnnParameters& parameters : grid) {
+    most = std::max(most, parameters.k);
+  }
+  const MaskedNeighbours neighbours(split.others);
+  for (const int observation : split.held_out) {
+    const auto i = static_cast<std::size_t>(observation);
+    const std::vector<Neighbour> found =
+        neighbours.nearest(set.mask[i], set.point(observation), most);
+    for (std::size_t row = 0; row < grid.size(); ++row) {
+      const auto k = std::min(static_cast<std::size_t>(grid[row].k), found.size());
+      const std::vector<Candidate> ranked =
+          count_votes(std::span(found).first(k), neighbours.labels(set.mask[i]), grid[row].vote);
+      choices[row][i] = ranked.empty() ? set.idle : ranked.front().clip;
+    }
+  }
+}
+
+template <typename Parameters>
+Chosen<Parameters> choose(const TrainingSet& set, std::span<const Parameters> grid,
+                          std::span<const int> fold, const Score& score) {
+  const std::vector<double> scores = mean_scores(held_out_choices(set, grid, fold), score);
+  const std::size_t best = best_of(scores);
+  return {grid[best], scores[best]};
+}
+
+}  // namespace
+
+std::vector<int> make_folds(std::span<const int> label, int fold_count, std::uint64_t seed) {
+  if (fold_count < 2 || static_cast<std::size_t>(fold_count) > label.size()) {
+    throw Error("", "cross-validation needs from 2 folds to as many as there are observations (" +
+                        std::to_string(label.size()) + "), not " + std::to_string(fold_count));
+  }
+  std::map<int, std::vector<std::size_t>> observations_of;
+  for (std::size_t i = 0; i < label.size(); ++i) {
+    observations_of[label[i]].push_back(i);
+  }
+  // The engine is the same everywhere by the standard; its distributions and std::shuffle are not.
+  std::mt19937_64 random(seed);
+  std::vector<int> fold(label.size());
+  int next = 0;
+  for (auto& [clip, observations] : observations_of) {
+    for (std::size_t i = observations.size(); i > 1; --i) {
+      std::swap(observations[i - 1], observations[random() % i]);
+    }
+    for (const std::size_t observation : observations) {
+      fold[observation] = next;
+      next = (next + 1) % fold_count;
+    }
+  }
+  return fold;
+}
+
+Choices held_out_choices(const TrainingSet& set, std::span<const SvmParameters> grid,
+                         std::span<const int> fold) {
+  check(set);
+  const std::vector<Split> splits = make_splits(set, fold);
+  Choices choices = no_choices(set, grid.size());
+  in_parallel(grid.size() * splits.size(), [&](std::size_t task) {
+    const std::size_t row = task / splits.size();
+    const Split& split = splits[task % splits.size()];
+    const SvmModel model = fit_svm(split.others, grid[row]);
+    for (const int i : split.held_out) {
+      choices[row][static_cast<std::size_t>(i)] =
+          candidates(model, set.point(i), set.allowed_clips(i), set.idle).front().clip;
+    }
+  });
+  return choices;
+}
+
+Choices held_out_choices(const TrainingSet& set, std::span<const KnnParameters> grid,
+                         std::span<const int> fold) {
+  check(set);
+  const std::vector<Split> splits = make_splits(set, fold);
+  Choices choices = no_choices(set, grid.size());
+  in_parallel(splits.size(),
+              [&](std::size_t f) { choose_for_fold(set, grid, splits[f], choices); });
+  return choices;
+}
+
+std::vector<double> mean_scores(std::span<const std::vector<int>> choices, const Score& score) {
+  std::vector<double> means;
+  for (const std::vector<int>& row : choices) {
+    double sum = 0;
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      sum += score(static_cast<int>(i), row[i]);
+    }
+    means.push_back(sum / static_cast<double>(row.size()));
+  }
+  return means;
+}
+
+std::size_t best_of(std::span<const double> scores) {
+  std::size_t best = 0;
+  for (std::size_t i = 1; i < scores.size(); ++i) {
+    if (scores[i] < scores[best] || (std::isnan(scores[best]) && !std::isnan(scores[i]))) {
+      best = i;
+    }
+  }
+  return best;
+}
+
+Chosen<SvmParameters> choose_parameters(const TrainingSet& set, std::span<const SvmParameters> grid,
+                                        std::span<const int> fold, const Score& score) {
+  return choose(set, grid, fold, score);
+}
+
+Chosen<KnnParameters> choose_parameters(const TrainingSet& set, std::span<const KnnParameters> grid,
+                                        std::span<const int> fold, const Score& score) {
+  return choose(set, grid, fold, score);
+}
+
+}  // namespace flinch::models

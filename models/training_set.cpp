@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#include "models/training_set.h"
+
+#include <cmath>
+#include <cstddef>
+#include <string>
+
+#include "motion/error.h"
+
+namespace flinch::models {
+namespace {
+
+void check_observation(const TrainingSet& set, int observation) {
+  const std::string which = "observation " + std::to_string(observation);
+  for (const double value : set.point(observation)) {
+    if (!std::isfinite(value)) {
+      throw Error("", which + " has a feature that is not a finite number; simulate it again");
+    }
+  }
+  const auto i = static_cast<std::size_t>(observation);
+  if (set.mask[i] < 0 || static_cast<std::size_t>(set.mask[i]) >= set.masks.size()) {
+    throw Error("", which + " names mask " + std::to_string(set.mask[i]) + " of " +
+                        std::to_string(set.masks.size()));
+  }
+  const std::vector<bool>& allowed = set.allowed_clips(observation);
+  const int label = set.label[i];
+  if (label < 0 || static_cast<std::size_t>(label) >= allowed.size() ||
+      !allowed[static_cast<std::size_t>(label)]) {
+    throw Error("", which + " is labelled with clip " + std::to_string(label) +
+                        ", which its target does not allow");
+  }
+}
+
+}  // namespace
+
+void check(const TrainingSet& set) {
+  const std::size_t count = set.label.size();
+  if (count < 2) {
+    throw Error("", "a model needs at least 2 observations and there are " + std::to_string(count) +
+                        "; simulate more");
+  }
+  if (set.feature_count < 1 || set.mask.size() != count ||
+      set.points.size() != count * static_cast<std::size_t>(set.feature_count)) {
+    throw Error("", "the training set's points, labels and masks differ in number");
+  }
+  for (int i = 0; i < set.size(); ++i) {
+    check_observation(set, i);
+  }
+}
+
+TrainingSet subset(const TrainingSet& set, std::span<const int> observations) {
+  TrainingSet chosen;
+  chosen.feature_count = set.feature_count;
+  chosen.masks = set.masks;
+  chosen.idle = set.idle;
+  for (const int observation : observations) {
+    const std::span<const double> point = set.point(observation);
+    chosen.points.insert(chosen.points.end(), point.begin(), point.end());
+    chosen.label.push_back(set.label[static_cast<std::size_t>(observation)]);
+    chosen.mask.push_back(set.mask[static_cast<std::size_t>(observation)]);
+  }
+  return chosen;
+}
+
+}  // namespace flinch::models

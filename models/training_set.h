@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <span>
+#include <vector>
+
+namespace flinch::models {
+
+/// Labelled observations that a model is fitted to.
+struct TrainingSet {
+  int feature_count = 0;
+  std::vector<double> points;  ///< row-major, scaled, one row of feature_count an observation
+  std::vector<int> label;      ///< clip index, one an observation
+  std::vector<int> mask;       ///< index into `masks`, one an observation
+  /// Which clips are allowed, by clip index: one mask a target.
+  std::vector<std::vector<bool>> masks;
+  int idle = 0;  ///< the library's idle clip
+
+  int size() const { return static_cast<int>(label.size()); }
+  std::span<const double> point(int observation) const {
+    const auto count = static_cast<std::size_t>(feature_count);
+    return {points.data() + static_cast<std::size_t>(observation) * count, count};
+  }
+  const std::vector<bool>& allowed_clips(int observation) const {
+    return masks[static_cast<std::size_t>(mask[static_cast<std::size_t>(observation)])];
+  }
+};
+
+/// Throws Error unless there are at least two observations, sizes agree, every number is finite and
+/// every observation's label is allowed by its mask.
+void check(const TrainingSet& set);
+
+/// The observations with these indices, in this order.
+TrainingSet subset(const TrainingSet& set, std::span<const int> observations);
+
+}  // namespace flinch::models
