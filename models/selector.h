@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -33,6 +34,11 @@ struct Selector {
   features::Scaling scaling;
   std::variant<SvmModel, KnnModel> model;
   double brawn = 0.1;  ///< that its labels were made with
+  /// Centres of the targets of the idling character, by Target, in the frame of the features, m:
+  /// where a threat described without a character aims.
+  std::array<Eigen::Vector3f, motion::kTargetCount> target_centres{
+      Eigen::Vector3f::Zero(), Eigen::Vector3f::Zero(), Eigen::Vector3f::Zero(),
+      Eigen::Vector3f::Zero()};
 };
 
 /// The allowed clips that the model votes among, best first. An SVM's are all its classes, ties by
