@@ -1,8 +1,44 @@
 # SPDX-License-Identifier: MIT
-# Installs the run time's libraries and headers as the CMake package `flinch`,
-# and the program.
+# Installs the run time's libraries and headers as the CMake package `flinch`, and the program.
+# The offline libraries stay behind: a game has no use for them, and the program does their work.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
-get_property(libraries GLOBAL PROPERTY FLINCH_LIBRARIES)
-get_property(runtime_libraries GLOBAL PROPERTY FLINCH_RUNTIME_LIBRARIES)
+if(NOT TARGET flinch_runtime)
+  return()
+endif()
+flinch_link_closure(runtime_libraries flinch_runtime)
+list(FILTER runtime_libraries INCLUDE REGEX "^flinch_")
+list(REMOVE_ITEM runtime_libraries flinch_flags)
+install(TARGETS ${runtime_libraries} EXPORT flinch ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+
+# Headers keep their room: `#include "runtime/response.h"`. A room's header belongs to its offline
+# library where that has a source of the same name.
+foreach(library IN LISTS runtime_libraries)
+  get_target_property(room ${library} SOURCE_DIR)
+  get_property(targets DIRECTORY ${room} PROPERTY BUILDSYSTEM_TARGETS)
+  list(REMOVE_ITEM targets ${library})
+  file(GLOB headers CONFIGURE_DEPENDS RELATIVE ${room} ${room}/*.h)
+  foreach(target IN LISTS targets)
+    get_target_property(sources ${target} SOURCES)
+    list(TRANSFORM sources REPLACE "\\.cpp$" ".h")
+    list(REMOVE_ITEM headers ${sources})
+  endforeach()
+  list(TRANSFORM headers PREPEND ${room}/)
+  get_filename_component(name ${room} NAME)
+  install(FILES ${headers} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/flinch/${name})
+endforeach()
+
+set(package_directory ${CMAKE_INSTALL_LIBDIR}/cmake/flinch)
+configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/flinchConfig.cmake.in
+  ${PROJECT_BINARY_DIR}/flinchConfig.cmake INSTALL_DESTINATION ${package_directory})
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/flinchConfigVersion.cmake
+  COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/flinchConfig.cmake
+  ${PROJECT_BINARY_DIR}/flinchConfigVersion.cmake DESTINATION ${package_directory})
+install(EXPORT flinch NAMESPACE flinch:: FILE flinchTargets.cmake DESTINATION ${package_directory})
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
+
+if(TARGET flinch)
+  install(TARGETS flinch RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+endif()

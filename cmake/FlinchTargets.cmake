@@ -14,19 +14,44 @@ if(FLINCH_SANITIZE)
 endif()
 
 # flinch_library(NAME SOURCES file... [DEPENDS target...] [PRIVATE_DEPENDS target...])
-# A static library that is installed with the package: DEPENDS are what its
-# headers need too, PRIVATE_DEPENDS only its sources.
+# A static library, flinch::NAME without its `flinch_`: DEPENDS are what its headers
+# need too, PRIVATE_DEPENDS only its sources.
 function(flinch_library name)
   cmake_parse_arguments(arg "" "" "SOURCES;DEPENDS;PRIVATE_DEPENDS" ${ARGN})
   add_library(${name} STATIC ${arg_SOURCES})
-  add_library(flinch::${name} ALIAS ${name})
+  string(REGEX REPLACE "^flinch_" "" exported ${name})
+  add_library(flinch::${exported} ALIAS ${name})
   target_include_directories(${name} PUBLIC
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:include/flinch>)
   target_compile_features(${name} PUBLIC cxx_std_20)
-  set_target_properties(${name} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+  set_target_properties(${name} PROPERTIES POSITION_INDEPENDENT_CODE ON EXPORT_NAME ${exported})
   target_link_libraries(${name} PUBLIC ${arg_DEPENDS}
     PRIVATE ${arg_PRIVATE_DEPENDS} $<BUILD_INTERFACE:flinch_flags>)
   set_property(GLOBAL APPEND PROPERTY FLINCH_LIBRARIES ${name})
+endfunction()
+
+# flinch_link_closure(VARIABLE TARGET)
+# TARGET and all that it links, directly or not, private or public; each once.
+function(flinch_link_closure variable target)
+  set(closure "")
+  set(waiting ${target})
+  while(waiting)
+    list(POP_FRONT waiting item)
+    string(REGEX REPLACE "^\\$<(BUILD_INTERFACE|LINK_ONLY):(.*)>$" "\\2" item "${item}")
+    if(item STREQUAL "" OR item IN_LIST closure)
+      continue()
+    endif()
+    list(APPEND closure ${item})
+    if(TARGET ${item})
+      foreach(property LINK_LIBRARIES INTERFACE_LINK_LIBRARIES)
+        get_target_property(links ${item} ${property})
+        if(links)
+          list(APPEND waiting ${links})
+        endif()
+      endforeach()
+    endif()
+  endwhile()
+  set(${variable} ${closure} PARENT_SCOPE)
 endfunction()
 
 # flinch_schema(TARGET file.fbs)
