@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#include "train/labels.h"
+
+namespace flinch::train {
+
+CostModel make_cost_model(const StoreHeader& header, const Vulnerability& vulnerability,
+                          double brawn) {
+  return {vulnerability, brawn, reference_damage_ns(vulnerability, header.reference_impulse_ns),
+          header.reference_work_j};
+}
+
+Labels label(std::span<const Observation> observations, const CostModel& model) {
+  Labels labels;
+  for (const Observation& observation : observations) {
+    labels.cost.push_back(costs_of(observation.trials, model));
+    const std::size_t best = best_trial(observation.trials, labels.cost.back());
+    labels.clip.push_back(observation.trials[best].clip);
+  }
+  return labels;
+}
+
+double cost_of_choice(std::span<const Observation> observations, const Labels& labels,
+                      std::size_t observation, int clip) {
+  return labels.cost[observation][trial_of(observations[observation], clip)];
+}
+
+features::Scaling scaling_of(std::span<const Observation> observations) {
+  std::vector<features::FeatureVector> rows;
+  rows.reserve(observations.size());
+  for (const Observation& observation : observations) rows.push_back(observation.features);
+  return features::make_scaling(rows);
+}
+
+models::TrainingSet make_training_set(const StoreHeader& header,
+                                      std::span<const Observation> observations,
+                                      const Labels& labels, const features::Scaling& scaling) {
+  models::TrainingSet set;
+  set.feature_count = features::kFeatureCount;
+  set.idle = header.idle;
+  for (int target = 0; target < motion::kTargetCount; ++target) {
+    set.masks.push_back(
+        models::allowed_clips(header.clips, header.idle, static_cast<motion::Target>(target)));
+  }
+  std::vector<double> scaled(features::kFeatureCount);
+  for (const Observation& observation : observations) {
+    scaling.apply(observation.features, scaled);
+    set.points.insert(set.points.end(), scaled.begin(), scaled.end());
+    set.mask.push_back(static_cast<int>(observation.scenario.target));
+  }
+  set.label = labels.clip;
+  return set;
+}
+
+}  // namespace flinch::train

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "features/feature_vector.h"
+#include "features/scenario.h"
+#include "motion/body.h"
+
+namespace flinch::train {
+
+/// What one clip did in one scenario.
+struct Trial {
+  int clip = 0;                    ///< the library's index
+  float work_j = 0;                ///< of the whole response, all bodies
+  motion::PerBody<float> impulse;  ///< N·s, unweighted
+};
+
+/// A scenario with the impulses and work of every clip that was tried on it: the allowed ones and
+/// the idle clip, by rising index.
+struct Observation {
+  std::uint64_t number = 0;  ///< of the scenario
+  features::Scenario scenario;
+  features::FeatureVector features{};
+  std::vector<Trial> trials;
+};
+
+/// Where the threat comes from, radians counter-clockwise from the character's facing, from the
+/// features' heading.
+float azimuth_of(const features::FeatureVector& features);
+
+/// Index of a clip's trial. Throws Error when the clip was not tried.
+std::size_t trial_of(const Observation& observation, int clip);
+
+}  // namespace flinch::train

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "models/selector.h"
+#include "train/cost.h"
+
+namespace flinch::train::program {
+
+/// JSON with its keys in the order that they were written in.
+using Json = nlohmann::ordered_json;
+
+/// Each adds one command with its options to the program; parsing a command line with it runs it.
+/// Commands throw Error for what a user can put right.
+void add_import(CLI::App& program);
+void add_info(CLI::App& program);
+void add_simulate(CLI::App& program);
+void add_train(CLI::App& program);
+void add_compare(CLI::App& program);
+void add_export(CLI::App& program);
+void add_select(CLI::App& program);
+
+/// The option that every command has.
+void add_json_option(CLI::App& command, bool& json);
+
+/// Writes the one document that --json prints.
+void print(const Json& document);
+
+/// How scenarios are labelled, as options say it.
+struct CostOptions {
+  double brawn = 0.1;
+  std::string vulnerability{vulnerability_profiles()[0].name};
+};
+void add_cost_options(CLI::App& command, CostOptions& options);
+const Vulnerability& vulnerability_of(const CostOptions& options);
+
+/// Degrees from radians, rounded to the millionth that floats leave sure.
+double degrees(double radians);
+
+/// A clip's annotation with its keys as in the design; empty without an annotation.
+Json to_json(const models::ClipSummary& clip);
+
+}  // namespace flinch::train::program

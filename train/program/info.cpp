@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: MIT
+#include <iostream>
+#include <memory>
+
+#include "database/library_writer.h"
+#include "motion/error.h"
+#include "train/program/command.h"
+#include "train/program/info_bvh.h"
+#include "train/program/load.h"
+#include "train/program/table.h"
+#include "train/store.h"
+
+namespace flinch::train::program {
+
+namespace {
+
+using enum Table::Align;
+
+struct Options {
+  std::string file;
+  std::string roles;
+  bool json = false;
+};
+
+Json clip_document(const motion::Clip& clip) {
+  Json document{{"name", clip.name},
+                {"purpose", motion::name_of(clip.purpose)},
+                {"kind", clip.kind},
+                {"duration_s", clip.motion.duration_s()},
+                {"source", clip.source}};
+  if (!clip.mirrored_from.empty()) document["mirrored_from"] = clip.mirrored_from;
+  document["annotation"] = to_json(models::ClipSummary{clip.name, clip.annotation});
+  return document;
+}
+
+Json library_document(const database::Library& library) {
+  Json clips = Json::array();
+  for (const motion::Clip& clip : library.clips) clips.push_back(clip_document(clip));
+  Json joints = Json::array();
+  for (const motion::Role role : motion::kRoles) joints.push_back(motion::name_of(role));
+  return {{"kind", "library"},
+          {"name", library.name},
+          {"hash", database::hash_text(library.hash)},
+          {"rate_hz", library.rate_hz},
+          {"mass_kg", library.character.mass_kg},
+          {"sex", motion::name_of(library.character.sex)},
+          {"idle", library.clips[static_cast<std::size_t>(library.idle)].name},
+          {"joints", joints},
+          {"clips", clips}};
+}
+
+std::vector<std::string> annotation_cells(const std::optional<motion::Annotation>& annotation) {
+  if (!annotation) return {"-", "-", "-", "-", "-", "-"};
+  return {std::string(motion::name_of(annotation->target)),
+          fixed(degrees(double{annotation->direction}), 0),
+          std::string(motion::name_of(annotation->degree)),
+          fixed(double{annotation->onset_s}, 2),
+          fixed(double{annotation->peak_s}, 2),
+          fixed(double{annotation->end_s}, 2)};
+}
+
+void print_library(const database::Library& library) {
+  Table table({{"clip"},
+               {"purpose"},
+               {"length, s", right},
+               {"target"},
+               {"direction", right},
+               {"degree"},
+               {"onset, s", right},
+               {"peak, s", right},
+               {"end, s", right}});
+  for (const motion::Clip& clip : library.clips) {
+    std::vector<std::string> cells{clip.name, std::string(motion::name_of(clip.purpose)),
+                                   fixed(double{clip.motion.duration_s()}, 2)};
+    const std::vector<std::string> annotation = annotation_cells(clip.annotation);
+    cells.insert(cells.end(), annotation.begin(), annotation.end());
+    table.add(cells);
+  }
+  std::cout << "library " << library.name << ", " << database::hash_text(library.hash) << '\n'
+            << library.clips.size() << " clips at " << library.rate_hz << " Hz, idle "
+            << library.clips[static_cast<std::size_t>(library.idle)].name << ", "
+            << motion::name_of(library.character.sex) << " of " << library.character.mass_kg
+            << " kg\n\n"
+            << table.text();
+}
+
+Json store_document(const StoreSummary& store) {
+  const StoreHeader& header = store.header;
+  Json clips = Json::array();
+  for (std::size_t i = 0; i < header.clips.size(); ++i) {
+    clips.push_back({{"name", header.clips[i].name},
+                     {"work_j", header.clip_work_j[i]},
+                     {"annotation", to_json(header.clips[i])}});
+  }
+  return {{"kind", "store"},
+          {"scenarios", store.observation_count},
+          {"seed", header.seed},
+          {"library", header.library_name},
+          {"library_hash", database::hash_text(header.library_hash)},
+          {"distribution", Json::parse(header.distribution)},
+          {"simulation", Json::parse(header.simulation)},
+          {"reference_impulse_ns", header.reference_impulse_ns},
+          {"reference_work_j", header.reference_work_j},
+          {"idle", header.clips[static_cast<std::size_t>(header.idle)].name},
+          {"clips", clips}};
+}
+
+void print_store(const StoreSummary& store) {
+  const StoreHeader& header = store.header;
+  Table table({{"clip"}, {"work, J", right}, {"target"}, {"direction", right}, {"degree"}});
+  for (std::size_t i = 0; i < header.clips.size(); ++i) {
+    const std::vector<std::string> annotation = annotation_cells(header.clips[i].annotation);
+    table.add({header.clips[i].name, fixed(header.clip_work_j[i], 1), annotation[0], annotation[1],
+               annotation[2]});
+  }
+  std::cout << "store of " << store.observation_count << " scenarios, seed " << header.seed
+            << ", of library " << header.library_name << ", "
+            << database::hash_text(header.library_hash) << "\ndistribution " << header.distribution
+            << "\nsimulation " << header.simulation << "\n\n"
+            << table.text();
+}
+
+Json selector_document(const models::Selector& selector) {
+  Json clips = Json::array();
+  for (const models::ClipSummary& clip : selector.clips)
+    clips.push_back({{"name", clip.name}, {"annotation", to_json(clip)}});
+  Json document{{"kind", "selector"},
+                {"library_hash", database::hash_text(selector.library_hash)},
+                {"brawn", selector.brawn},
+                {"features", selector.feature_names}};
+  if (const auto* svm = std::get_if<models::SvmModel>(&selector.model)) {
+    document["model"] = "svm";
+    document["classes"] = svm->class_count();
+    document["support_vectors"] = svm->vector_count();
+  } else {
+    const auto& knn = std::get<models::KnnModel>(selector.model);
+    document["model"] = "knn";
+    document["k"] = knn.k;
+    document["observations"] = knn.label.size();
+  }
+  document["idle"] = selector.clips[static_cast<std::size_t>(selector.idle)].name;
+  document["clips"] = clips;
+  return document;
+}
+
+void print_selector(const models::Selector& selector) {
+  const Json document = selector_document(selector);
+  std::cout << "selector for library " << document["library_hash"].get<std::string>();
+  for (const char* key : {"model", "classes", "support_vectors", "k", "observations", "brawn"})
+    if (document.contains(key))
+      std::cout << '\n'
+                << key << ": "
+                << (document[key].is_string() ? document[key].get<std::string>()
+                                              : document[key].dump());
+  std::cout << "\nclips: " << selector.clips.size() << '\n';
+}
+
+template <class Content, class Document, class Print>
+void show(const Options& options, const Content& content, Document document, Print print_text) {
+  if (options.json) {
+    print(document(content));
+  } else {
+    print_text(content);
+  }
+}
+
+void run(const Options& options) {
+  const FileKind kind = kind_of(options.file);
+  if (!options.roles.empty() && kind != FileKind::bvh)
+    throw Error(options.file, "--roles maps the joints of BVH files, and this is " +
+                                  describe(kind) + "; leave it out");
+  switch (kind) {
+    case FileKind::library:
+      return show(options, database::load_library(options.file), library_document, print_library);
+    case FileKind::store:
+      return show(options, summarise_store(options.file), store_document, print_store);
+    case FileKind::selector:
+      return show(options, load_selector(options.file), selector_document, print_selector);
+    case FileKind::bvh:
+      return show(options, read_mapped_bvh(options.file, options.roles), bvh_document, print_bvh);
+    default:
+      throw Error(options.file,
+                  describe(kind) + "; info reads libraries, stores, selectors and BVH");
+  }
+}
+
+}  // namespace
+
+void add_info(CLI::App& program) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command = program.add_subcommand(
+      "info",
+      "Tell what a library, store or selector holds, or how a BVH file's joints are mapped");
+  command->add_option("FILE", options->file, "a library, store, selector or BVH file")->required();
+  command->add_option("--roles", options->roles,
+                      "TOML file with a table [roles] of lines role = \"joint\", for BVH files");
+  add_json_option(*command, options->json);
+  command->footer("Example:\n  flinch info real.flinchlib");
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace flinch::train::program

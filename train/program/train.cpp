@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#include <iostream>
+#include <memory>
+
+#include "database/library.h"
+#include "train/labels.h"
+#include "train/program/command.h"
+#include "train/selector_writer.h"
+#include "train/store.h"
+#include "train/training.h"
+
+namespace flinch::train::program {
+
+namespace {
+
+struct Options {
+  std::string store;
+  std::string selector;
+  std::string model{"svm"};
+  CostOptions cost;
+  bool json = false;
+};
+
+Json parameters_of(const Training& training) {
+  if (const auto* svm = std::get_if<models::SvmParameters>(&training.parameters)) {
+    return {{"kernel", "polynomial"},
+            {"degree", svm->degree},
+            {"gamma", svm->gamma},
+            {"coef0", svm->coef0},
+            {"c", svm->cost}};
+  }
+  const auto& knn = std::get<models::KnnParameters>(training.parameters);
+  return {{"k", knn.k},
+          {"vote", knn.vote == models::KnnVote::majority ? "majority" : "inverse_distance"}};
+}
+
+Json summary_of(const Options& options, const Store& store, const Training& training) {
+  Json summary{{"kind", "selector"},
+               {"file", options.selector},
+               {"model", options.model},
+               {"library_hash", database::hash_text(store.header.library_hash)},
+               {"scenarios", store.observations.size()},
+               {"brawn", options.cost.brawn},
+               {"vulnerability", options.cost.vulnerability},
+               {"parameters", parameters_of(training)},
+               {"folds", training.fold_count},
+               {"cross_validated_regret_ns", training.cross_validated_regret_ns}};
+  if (const auto* svm = std::get_if<models::SvmModel>(&training.selector.model)) {
+    summary["classes"] = svm->class_count();
+    summary["support_vectors"] = svm->vector_count();
+  }
+  return summary;
+}
+
+void run(const Options& options) {
+  const Store store = read_store(options.store);
+  const CostModel cost_model =
+      make_cost_model(store.header, vulnerability_of(options.cost), options.cost.brawn);
+  const Training training = train_selector(store.header, store.observations, cost_model,
+                                           *model_kind_named(options.model), store.header.seed);
+  write_selector(training.selector, options.selector);
+  const Json summary = summary_of(options, store, training);
+  if (options.json) {
+    print(summary);
+    return;
+  }
+  std::cout << options.selector << ": " << options.model << " of " << store.observations.size()
+            << " scenarios of " << store.header.library_name << '\n';
+  std::cout << "parameters, chosen by " << training.fold_count << "-fold cross-validation:";
+  for (const auto& [name, value] : summary["parameters"].items())
+    std::cout << ' ' << name << ' '
+              << (value.is_string() ? value.get<std::string>() : value.dump());
+  std::cout << "\nmean regret in cross-validation: " << training.cross_validated_regret_ns
+            << " N s\n";
+}
+
+}  // namespace
+
+void add_train(CLI::App& program) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command =
+      program.add_subcommand("train", "Fit a selector to a store, parameters by cross-validation");
+  command->add_option("STORE", options->store, "store that flinch simulate made")->required();
+  command->add_option("--out", options->selector, "selector to write")->required();
+  command->add_option("--model", options->model, "what to fit")
+      ->check(CLI::IsMember({"svm", "knn"}))
+      ->capture_default_str();
+  add_cost_options(*command, options->cost);
+  add_json_option(*command, options->json);
+  command->footer("Example:\n  flinch train real.flinchobs --out real.flinch --model svm");
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace flinch::train::program

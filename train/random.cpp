@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#include "train/random.h"
+
+namespace flinch::train {
+
+std::array<std::uint32_t, 4> philox4x32(std::array<std::uint32_t, 4> counter,
+                                        std::array<std::uint32_t, 2> key) {
+  constexpr std::uint64_t kMultiplier0 = 0xD2511F53;
+  constexpr std::uint64_t kMultiplier1 = 0xCD9E8D57;
+  constexpr std::uint32_t kWeyl0 = 0x9E3779B9;  // golden ratio
+  constexpr std::uint32_t kWeyl1 = 0xBB67AE85;  // sqrt(3) - 1
+  for (int round = 0; round < 10; ++round) {
+    const std::uint64_t product0 = kMultiplier0 * counter[0];
+    const std::uint64_t product1 = kMultiplier1 * counter[2];
+    counter = {static_cast<std::uint32_t>(product1 >> 32) ^ counter[1] ^ key[0],
+               static_cast<std::uint32_t>(product1),
+               static_cast<std::uint32_t>(product0 >> 32) ^ counter[3] ^ key[1],
+               static_cast<std::uint32_t>(product0)};
+    key[0] += kWeyl0;
+    key[1] += kWeyl1;
+  }
+  return counter;
+}
+
+Random::Random(std::uint64_t seed, Purpose purpose, std::uint64_t stream)
+    : seed_(seed), purpose_(purpose), stream_(stream) {}
+
+std::uint64_t Random::bits() {
+  if (used_ == words_.size()) {
+    const auto block =
+        philox4x32({block_++, static_cast<std::uint32_t>(purpose_),
+                    static_cast<std::uint32_t>(stream_), static_cast<std::uint32_t>(stream_ >> 32)},
+                   {static_cast<std::uint32_t>(seed_), static_cast<std::uint32_t>(seed_ >> 32)});
+    words_ = {block[0] | std::uint64_t{block[1]} << 32, block[2] | std::uint64_t{block[3]} << 32};
+    used_ = 0;
+  }
+  return words_[used_++];
+}
+
+double Random::uniform() {
+  return static_cast<double>(bits() >> 11) * 0x1p-53;
+}
+
+double Random::uniform(double least, double most) {
+  return least + (most - least) * uniform();
+}
+
+std::uint64_t Random::index(std::uint64_t count) {
+  // Draws below 2^64 mod count would favour the low indices: draw again.
+  const std::uint64_t reject_below = (0 - count) % count;
+  std::uint64_t draw = bits();
+  while (draw < reject_below) draw = bits();
+  return draw % count;
+}
+
+}  // namespace flinch::train

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+namespace flinch::train {
+
+/// Philox4x32-10 of Salmon, Moraes, Dror and Shaw (2011), "Parallel random numbers: as easy as
+/// 1, 2, 3": a keyed bijection of 128-bit counters whose outputs pass for random. No state: the
+/// same counter and key give the same four words anywhere.
+std::array<std::uint32_t, 4> philox4x32(std::array<std::uint32_t, 4> counter,
+                                        std::array<std::uint32_t, 2> key);
+
+/// What numbers are drawn for. Draws for one purpose do not disturb those for another.
+enum class Purpose : std::uint32_t { scenario, baseline, bootstrap, cross_validation };
+
+/// The numbers of one (seed, purpose, stream), in order. For scenarios the stream is the scenario's
+/// number, so that a scenario does not depend on which others are drawn, or by whom. Uses no
+/// distribution of the standard library, whose results differ between implementations.
+class Random {
+ public:
+  Random(std::uint64_t seed, Purpose purpose, std::uint64_t stream);
+
+  /// Uniform over all 64 bits.
+  std::uint64_t bits();
+  /// Uniform in [0, 1): the upper 53 bits as a fraction, so every value is exact.
+  double uniform();
+  /// Uniform in [least, most).
+  double uniform(double least, double most);
+  /// Uniform in [0, count), without bias; count is positive.
+  std::uint64_t index(std::uint64_t count);
+
+ private:
+  std::uint64_t seed_;
+  Purpose purpose_;
+  std::uint64_t stream_;
+  std::uint32_t block_ = 0;  ///< number of the next block of four words
+  std::array<std::uint64_t, 2> words_{};
+  std::size_t used_ = 2;  ///< of words_
+};
+
+}  // namespace flinch::train

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+struct sqlite3;
+struct sqlite3_stmt;
+
+namespace flinch::train {
+
+/// A prepared SQL statement. Columns and parameters count from 0. Throws Error as Database does.
+class Statement {
+ public:
+  /// Each binds the next parameter.
+  Statement& bind(std::int64_t value);
+  Statement& bind(double value);
+  Statement& bind(const std::string& value);
+  Statement& bind(std::span<const std::byte> value);
+
+  /// Moves to the next row; false when there is none, after which the statement can be bound and
+  /// run again.
+  bool step();
+  /// Runs to the end.
+  void run();
+
+  std::int64_t integer(int column) const;
+  double real(int column) const;
+  std::string text(int column) const;
+  std::vector<std::byte> blob(int column) const;
+  bool is_null(int column) const;
+
+ private:
+  friend class Database;
+  Statement(sqlite3_stmt* statement, std::string path);
+  void check(int code) const;
+
+  struct Finalizer {
+    void operator()(sqlite3_stmt* statement) const;
+  };
+  std::unique_ptr<sqlite3_stmt, Finalizer> statement_;
+  std::string path_;
+  int bound_ = 0;
+};
+
+/// A SQLite file. Everything that fails throws Error with the file's name and what to do; a full
+/// disk, a lock held by another process and a file that is no database have messages of their own.
+class Database {
+ public:
+  enum class Mode : std::uint8_t { read, write, create };
+  Database(const std::string& path, Mode mode);
+
+  const std::string& path() const { return path_; }
+  Statement prepare(const std::string& sql);
+  void execute(const std::string& sql);
+
+ private:
+  struct Closer {
+    void operator()(sqlite3* database) const;
+  };
+  std::string path_;
+  std::unique_ptr<sqlite3, Closer> database_;
+};
+
+/// All that is done between its making and commit() happens, or nothing does.
+class Transaction {
+ public:
+  explicit Transaction(Database& database);
+  ~Transaction();
+  Transaction(const Transaction&) = delete;
+  Transaction& operator=(const Transaction&) = delete;
+  void commit();
+
+ private:
+  Database& database_;
+  bool open_ = true;
+};
+
+}  // namespace flinch::train
