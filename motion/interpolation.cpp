@@ -11,13 +11,18 @@ float ease_in_ease_out(float s) {
   return t * t * (3 - 2 * t);
 }
 
-// slerp(p, q, w) = (sin((1-w) a) p + sin(w a) q) / sin a  with cos a = |p . q|
-Eigen::Quaternionf slerp(const Eigen::Quaternionf& from, const Eigen::Quaternionf& to,
-                         float weight) {
+namespace {
+
+// q and -q are one rotation: which of them makes the shorter arc.
+float shorter_sign(const Eigen::Quaternionf& from, const Eigen::Quaternionf& to) {
+  return from.dot(to) < 0 ? -1.0F : 1.0F;
+}
+
+// slerp(p, q, w) = (sin((1-w) a) p + sin(w a) q) / sin a  with cos a = p . q
+Eigen::Quaternionf slerp_to(const Eigen::Quaternionf& from, const Eigen::Quaternionf& to,
+                            float sign, float weight) {
   constexpr float kNearlyParallel = 0.9995F;
-  const float dot = from.dot(to);
-  const float sign = dot < 0 ? -1.0F : 1.0F;  // q and -q are one rotation: take the nearer
-  const float cosine = std::min(std::abs(dot), 1.0F);
+  const float cosine = std::min(sign * from.dot(to), 1.0F);
   float from_weight = 1 - weight;
   float to_weight = weight;
   if (cosine < kNearlyParallel) {
@@ -30,11 +35,37 @@ Eigen::Quaternionf slerp(const Eigen::Quaternionf& from, const Eigen::Quaternion
   return result.normalized();
 }
 
+}  // namespace
+
+Eigen::Quaternionf slerp(const Eigen::Quaternionf& from, const Eigen::Quaternionf& to,
+                         float weight) {
+  return slerp_to(from, to, shorter_sign(from, to), weight);
+}
+
 Pose blend(const Pose& from, const Pose& to, float weight) {
   Pose result;
   result.root_position = (1 - weight) * from.root_position + weight * to.root_position;
   for (Role role : kRoles) {
     result.rotation[role] = slerp(from.rotation[role], to.rotation[role], weight);
+  }
+  return result;
+}
+
+Pose blend_on_first_arc(const Pose& from, const Pose& to, float weight, const Pose& from_at_start,
+                        const Pose& to_at_start) {
+  constexpr float kWholeTurn = -0.95F;  // cosine of half the arc: beyond, the arc has no direction
+  Pose result;
+  result.root_position = (1 - weight) * from.root_position + weight * to.root_position;
+  for (Role role : kRoles) {
+    const Eigen::Quaternionf& p = from.rotation[role];
+    const Eigen::Quaternionf& q = to.rotation[role];
+    const Eigen::Quaternionf& p_at_start = from_at_start.rotation[role];
+    const Eigen::Quaternionf& q_at_start = to_at_start.rotation[role];
+    // The stored signs mean nothing, so each rotation takes the sign nearest to its own start.
+    const float sign = shorter_sign(p, p_at_start) * shorter_sign(p_at_start, q_at_start) *
+                       shorter_sign(q_at_start, q);
+    result.rotation[role] =
+        sign * p.dot(q) < kWholeTurn ? slerp(p, q, weight) : slerp_to(p, q, sign, weight);
   }
   return result;
 }

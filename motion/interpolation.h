@@ -16,4 +16,11 @@ Eigen::Quaternionf slerp(const Eigen::Quaternionf& from, const Eigen::Quaternion
 /// Pose between two: the root linearly, every joint by slerp. `weight` 0 is `from`, 1 is `to`.
 Pose blend(const Pose& from, const Pose& to, float weight);
 
+/// The same between two poses that move while the weight changes, without the jump to the other
+/// side that a joint would make when the shorter arc between its two rotations changes sides: every
+/// joint keeps to the arc that is the shorter one between `from_at_start` and `to_at_start`, the
+/// poses when the blend begins. At the start it is the same as `blend`.
+Pose blend_on_first_arc(const Pose& from, const Pose& to, float weight, const Pose& from_at_start,
+                        const Pose& to_at_start);
+
 }  // namespace flinch::motion

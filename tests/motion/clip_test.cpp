@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+#include "motion/clip.h"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "motion/default_character.h"
+#include "motion/interpolation.h"
+#include "motion/mirror.h"
+#include "tests/motion/random_motion.h"
+
+namespace flinch::motion {
+namespace {
+
+using tests::random_pose;
+
+Motion smooth_motion(std::mt19937& random, int poses) {
+  const Pose from = random_pose(random, 1);
+  const Pose to = random_pose(random, 1);
+  Motion motion;
+  for (int i = 0; i < poses; ++i) {
+    motion.poses.push_back(blend(from, to, static_cast<float>(i) / static_cast<float>(poses - 1)));
+  }
+  return motion;
+}
+
+TEST(Sample, GivesThePosesAtTheirTimesAndClampsBeyond) {
+  std::mt19937 random(1);
+  const Motion motion = smooth_motion(random, 31);
+  for (int i = 0; i < 31; ++i) {
+    const Pose& expected = motion.poses[static_cast<std::size_t>(i)];
+    EXPECT_LT(tests::distance(sample(motion, static_cast<float>(i) / 60), expected), 1e-3F);
+  }
+  EXPECT_EQ(tests::distance(sample(motion, -1), motion.poses.front()), 0);
+  EXPECT_EQ(tests::distance(sample(motion, 99), motion.poses.back()), 0);
+}
+
+TEST(SamplePingPong, GoesToAndFroWithoutAJump) {
+  std::mt19937 random(2);
+  const Motion motion = smooth_motion(random, 31);
+  const float step_s = 0.001F;
+  const float most = tests::distance(motion.poses.front(), motion.poses.back()) * 0.01F;
+  Pose last = sample_ping_pong(motion, 0);
+  for (int i = 1; i < 3000; ++i) {
+    const Pose pose = sample_ping_pong(motion, static_cast<float>(i) * step_s);
+    EXPECT_LT(tests::distance(pose, last), most) << i;
+    last = pose;
+  }
+  const float duration = motion.duration_s();
+  EXPECT_LT(tests::distance(sample_ping_pong(motion, duration), motion.poses.back()), 1e-4F);
+  EXPECT_LT(tests::distance(sample_ping_pong(motion, 2 * duration), motion.poses.front()), 1e-4F);
+  EXPECT_LT(
+      tests::distance(sample_ping_pong(motion, 1.5F * duration), sample(motion, 0.5F * duration)),
+      1e-4F);
+}
+
+TEST(SamplePingPong, OfASinglePoseIsThatPose) {
+  std::mt19937 random(3);
+  Motion motion;
+  motion.poses = {random_pose(random)};
+  EXPECT_EQ(tests::distance(sample_ping_pong(motion, 1.3F), motion.poses.front()), 0);
+}
+
+TEST(Mirror, TwiceGivesTheSameBits) {
+  std::mt19937 random(4);
+  for (int i = 0; i < 100; ++i) {
+    const Pose pose = random_pose(random);
+    const Pose twice = mirrored(mirrored(pose));
+    EXPECT_EQ(twice.root_position, pose.root_position);
+    for (Role role : kRoles) EXPECT_EQ(twice.rotation[role].coeffs(), pose.rotation[role].coeffs());
+  }
+}
+
+TEST(Mirror, OfThePoseMovesEveryJointToItsImage) {
+  std::mt19937 random(5);
+  const Skeleton skeleton = tests::with_crooked_bones(default_character().skeleton, random);
+  for (int i = 0; i < 100; ++i) {
+    const Pose pose = random_pose(random);
+    const JointFrames frames = forward_kinematics(skeleton, pose);
+    const JointFrames images = forward_kinematics(skeleton, mirrored(pose));
+    for (Role role : kRoles) {
+      Eigen::Vector3f image = frames.position[role];
+      image.y() = -image.y();
+      EXPECT_LT((images.position[mirrored(role)] - image).norm(), 1e-5F);
+    }
+  }
+}
+
+TEST(Mirror, OfAClipTurnsItsDirectionAndSaysWhereItIsFrom) {
+  constexpr float kPi = std::numbers::pi_v<float>;
+  std::mt19937 random(6);
+  Clip clip;
+  clip.name = "duck";
+  clip.annotation =
+      Annotation{.direction = kPi / 4, .onset_s = 0.1F, .peak_s = 0.2F, .end_s = 0.4F};
+  clip.motion = smooth_motion(random, 31);
+  const Clip image = mirrored(clip);
+  EXPECT_EQ(image.name, "duck_mirrored");
+  EXPECT_EQ(image.mirrored_from, "duck");
+  EXPECT_EQ(image.annotation->direction, -kPi / 4);
+  EXPECT_EQ(image.annotation->peak_s, 0.2F);
+  clip.annotation->direction = kPi;  // behind is behind
+  EXPECT_EQ(mirrored(clip).annotation->direction, kPi);
+}
+
+}  // namespace
+}  // namespace flinch::motion

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+#include "motion/interpolation.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "motion/clip.h"
+#include "tests/motion/random_motion.h"
+
+namespace flinch::motion {
+namespace {
+
+using tests::random_pose;
+using tests::random_rotation;
+using tests::uniform;
+
+TEST(EaseInEaseOut, StartsAndEndsAtRest) {
+  EXPECT_EQ(ease_in_ease_out(0), 0);
+  EXPECT_EQ(ease_in_ease_out(1), 1);
+  EXPECT_EQ(ease_in_ease_out(-3), 0);
+  EXPECT_EQ(ease_in_ease_out(7), 1);
+  EXPECT_FLOAT_EQ(ease_in_ease_out(0.5F), 0.5F);
+  const float h = 1e-3F;
+  EXPECT_NEAR(ease_in_ease_out(h) / h, 0, 0.004F);
+  EXPECT_NEAR((1 - ease_in_ease_out(1 - h)) / h, 0, 0.004F);
+  EXPECT_NEAR((ease_in_ease_out(0.5F + h) - ease_in_ease_out(0.5F - h)) / (2 * h), 1.5F, 1e-3F);
+}
+
+TEST(Slerp, AgreesWithEigens) {
+  std::mt19937 random(1);
+  for (int i = 0; i < 1000; ++i) {
+    const Eigen::Quaternionf a = random_rotation(random);
+    const Eigen::Quaternionf b = random_rotation(random);
+    const float weight = uniform(random, 0, 1);
+    EXPECT_LT(slerp(a, b, weight).angularDistance(a.slerp(weight, b)), 2e-3F);
+  }
+}
+
+TEST(Slerp, TakesTheShorterArcWhateverTheSigns) {
+  const Eigen::Quaternionf a(Eigen::AngleAxisf(0.2F, Eigen::Vector3f::UnitZ()));
+  Eigen::Quaternionf b(Eigen::AngleAxisf(1.2F, Eigen::Vector3f::UnitZ()));
+  const Eigen::Quaternionf middle(Eigen::AngleAxisf(0.7F, Eigen::Vector3f::UnitZ()));
+  EXPECT_LT(slerp(a, b, 0.5F).angularDistance(middle), 1e-3F);
+  b.coeffs() = -b.coeffs();
+  EXPECT_LT(slerp(a, b, 0.5F).angularDistance(middle), 1e-3F);
+}
+
+TEST(Slerp, OfNearlyEqualRotationsIsUnit) {
+  const Eigen::Quaternionf a(Eigen::AngleAxisf(0.2F, Eigen::Vector3f::UnitZ()));
+  const Eigen::Quaternionf b(Eigen::AngleAxisf(0.20001F, Eigen::Vector3f::UnitZ()));
+  EXPECT_NEAR(slerp(a, b, 0.3F).norm(), 1, 1e-6F);
+  EXPECT_LT(slerp(a, a, 0.3F).angularDistance(a), 1e-3F);
+}
+
+TEST(Blend, IsEachPoseAtItsEnd) {
+  std::mt19937 random(2);
+  const Pose a = random_pose(random);
+  const Pose b = random_pose(random);
+  EXPECT_LT(tests::distance(blend(a, b, 0), a), 1e-5F);
+  EXPECT_LT(tests::distance(blend(a, b, 1), b), 1e-5F);
+}
+
+// A joint that turns on from 170 to 190 degrees against the other crosses the half turn, where the
+// shorter arc changes sides and a plain blend jumps by about 180 degrees.
+TEST(BlendOnFirstArc, DoesNotJumpWhereTheShorterArcChangesSides) {
+  const Pose still;
+  const auto turned = [](float degrees) {
+    Pose pose;
+    pose.rotation[Role::left_upper_arm] =
+        Eigen::AngleAxisf(degrees * 3.14159265F / 180, Eigen::Vector3f::UnitX());
+    return pose;
+  };
+  Pose last = still;
+  float jump = 0;
+  float plain_jump = 0;
+  Pose plain_last = still;
+  for (int i = 0; i <= 100; ++i) {
+    const float weight = 0.01F * static_cast<float>(i);
+    Pose to = turned(170 + 0.2F * static_cast<float>(i));
+    if (i % 2 == 1) to.rotation[Role::left_upper_arm].coeffs() *= -1;  // signs mean nothing
+    const Pose pose = blend_on_first_arc(still, to, weight, still, turned(170));
+    const Pose plain = blend(still, to, weight);
+    jump = std::max(jump, tests::distance(pose, last));
+    plain_jump = std::max(plain_jump, tests::distance(plain, plain_last));
+    last = pose;
+    plain_last = plain;
+  }
+  EXPECT_LT(jump, 0.05F);
+  EXPECT_GT(plain_jump, 1);
+  EXPECT_LT(tests::distance(last, turned(190)), 1e-3F);
+}
+
+TEST(BlendOnFirstArc, IsThePlainBlendAtItsStart) {
+  std::mt19937 random(3);
+  for (int i = 0; i < 100; ++i) {
+    const Pose a = random_pose(random);
+    const Pose b = random_pose(random);
+    const float weight = uniform(random, 0, 1);
+    EXPECT_LT(tests::distance(blend_on_first_arc(a, b, weight, a, b), blend(a, b, weight)), 1e-5F);
+  }
+}
+
+}  // namespace
+}  // namespace flinch::motion

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <random>
+
+#include "motion/clip.h"
+
+namespace flinch::tests {
+
+inline float uniform(std::mt19937& random, float least, float most) {
+  return std::uniform_real_distribution<float>(least, most)(random);
+}
+
+inline Eigen::Vector3f random_vector(std::mt19937& random, float reach) {
+  const float x = uniform(random, -reach, reach);
+  const float y = uniform(random, -reach, reach);
+  const float z = uniform(random, -reach, reach);
+  return {x, y, z};
+}
+
+inline Eigen::Vector3f random_direction(std::mt19937& random) {
+  Eigen::Vector3f vector = random_vector(random, 1);
+  while (vector.norm() < 0.1F || vector.norm() > 1) vector = random_vector(random, 1);
+  return vector.normalized();
+}
+
+inline Eigen::Quaternionf random_rotation(std::mt19937& random, float most_angle = 3.1F) {
+  const Eigen::Vector3f axis = random_direction(random);
+  return Eigen::Quaternionf(Eigen::AngleAxisf(uniform(random, 0, most_angle), axis));
+}
+
+inline motion::Pose random_pose(std::mt19937& random, float most_angle = 3.1F) {
+  motion::Pose pose;
+  pose.root_position = random_vector(random, 2);
+  for (motion::Role role : motion::kRoles) {
+    pose.rotation[role] = random_rotation(random, most_angle);
+  }
+  return pose;
+}
+
+/// Largest difference of any joint: of the root in m, of rotations in radians.
+inline float distance(const motion::Pose& a, const motion::Pose& b) {
+  float most = (a.root_position - b.root_position).norm();
+  for (motion::Role role : motion::kRoles) {
+    const float along = a.rotation[role].coeffs().dot(b.rotation[role].coeffs()) < 0 ? -1.0F : 1.0F;
+    const float chord = (a.rotation[role].coeffs() - along * b.rotation[role].coeffs()).norm();
+    most = std::max(most, 2 * chord);
+  }
+  return most;
+}
+
+/// The skeleton with bones that are not parallel to its axes, as recorded people's are; left and
+/// right stay mirror images.
+inline motion::Skeleton with_crooked_bones(motion::Skeleton skeleton, std::mt19937& random) {
+  const auto mirror = [](const Eigen::Vector3f& v) {
+    return Eigen::Vector3f(v.x(), -v.y(), v.z());
+  };
+  for (motion::Role role : motion::kRoles) {
+    const motion::Role other = motion::mirrored(role);
+    if (other <= role) continue;
+    skeleton.offset[role] += random_vector(random, 0.03F);
+    skeleton.offset[other] = mirror(skeleton.offset[role]);
+  }
+  return skeleton;
+}
+
+}  // namespace flinch::tests

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+#include "motion/support_polygon.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "motion/body.h"
+#include "motion/default_character.h"
+#include "tests/motion/random_motion.h"
+
+namespace flinch::motion {
+namespace {
+
+float area(const std::vector<Eigen::Vector2f>& polygon) {
+  float twice = 0;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Eigen::Vector2f& a = polygon[i];
+    const Eigen::Vector2f& b = polygon[(i + 1) % polygon.size()];
+    twice += a.x() * b.y() - a.y() * b.x();
+  }
+  return twice / 2;
+}
+
+std::vector<Eigen::Vector2f> standing(const Skeleton& skeleton) {
+  return support_polygon(skeleton, forward_kinematics(skeleton, rest_pose(skeleton)));
+}
+
+// Both feet of a man: 0.266 m long, 0.175 m between the ankles, so outer edges 0.175 + 0.19 * 2 *
+// 0.266 = 0.276 m apart at the balls. The hull is smaller than that rectangle and larger than the
+// part of it between the ankles' lines.
+TEST(SupportPolygon, OfTwoFeetSpansThem) {
+  const std::vector<Eigen::Vector2f> polygon = standing(default_character().skeleton);
+  const float length = 0.152F * 1.75F;
+  EXPECT_GT(area(polygon), 0.175F * length);
+  EXPECT_LT(area(polygon), (0.175F + 2 * 0.19F * length) * length);
+  float least_x = 1;
+  float most_x = -1;
+  for (const Eigen::Vector2f& point : polygon) {
+    least_x = std::min(least_x, point.x());
+    most_x = std::max(most_x, point.x());
+  }
+  EXPECT_NEAR(most_x - least_x, length, 1e-4F);
+  EXPECT_NEAR(least_x, -0.25F * length, 1e-4F);  // the heel
+}
+
+TEST(SupportPolygon, IsConvexCounterClockwiseAndMirrorSymmetric) {
+  const std::vector<Eigen::Vector2f> polygon = standing(default_character().skeleton);
+  ASSERT_GE(polygon.size(), 6U);
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Eigen::Vector2f a = polygon[i];
+    const Eigen::Vector2f b = polygon[(i + 1) % polygon.size()];
+    const Eigen::Vector2f c = polygon[(i + 2) % polygon.size()];
+    EXPECT_GT((b - a).x() * (c - b).y() - (b - a).y() * (c - b).x(), 0);
+    EXPECT_NEAR(signed_distance_inside(polygon, {a.x(), -a.y()}), 0, 1e-5F);
+  }
+}
+
+TEST(SupportPolygon, HoldsTheStandingMansCentreOfMass) {
+  const Character man = default_character();
+  const JointFrames rest = forward_kinematics(man.skeleton, rest_pose(man.skeleton));
+  const Eigen::Vector3f centre = centre_of_mass(make_body_model(man), rest);
+  const std::vector<Eigen::Vector2f> polygon = support_polygon(man.skeleton, rest);
+  EXPECT_GT(signed_distance_inside(polygon, centre.head<2>()), 0.03F);
+  EXPECT_LT(signed_distance_inside(polygon, {0.5F, 0}), 0);
+}
+
+TEST(SupportPolygon, LosesALiftedFootAndBoth) {
+  const Skeleton skeleton = default_character().skeleton;
+  Pose pose = rest_pose(skeleton);
+  pose.rotation[Role::left_thigh] = Eigen::AngleAxisf(-1, Eigen::Vector3f::UnitY());
+  for (const Eigen::Vector2f& point :
+       support_polygon(skeleton, forward_kinematics(skeleton, pose))) {
+    EXPECT_LT(point.y(), 0);  // the right foot alone
+  }
+  pose = rest_pose(skeleton);
+  pose.root_position.z() += 0.1F;
+  EXPECT_TRUE(support_polygon(skeleton, forward_kinematics(skeleton, pose)).empty());
+}
+
+TEST(SupportPolygon, OnTiptoeIsUnderTheToes) {
+  const Skeleton skeleton = default_character().skeleton;
+  Pose pose = rest_pose(skeleton);
+  for (auto [foot, toes] :
+       {std::pair{Role::left_foot, Role::left_toes}, {Role::right_foot, Role::right_toes}}) {
+    pose.rotation[foot] = Eigen::AngleAxisf(0.6F, Eigen::Vector3f::UnitY());
+    pose.rotation[toes] = Eigen::AngleAxisf(-0.6F, Eigen::Vector3f::UnitY());
+  }
+  const JointFrames lowered = forward_kinematics(skeleton, pose);
+  pose.root_position.z() -= lowered.position[Role::left_toes].z() - 0.012F * 1.75F;
+  const JointFrames frames = forward_kinematics(skeleton, pose);
+  const std::vector<Eigen::Vector2f> polygon = support_polygon(skeleton, frames);
+  ASSERT_GE(polygon.size(), 3U);
+  EXPECT_LT(area(polygon), 0.5F * area(standing(skeleton)));
+  for (const Eigen::Vector2f& point : polygon) EXPECT_GT(point.x(), 0.02F);
+}
+
+TEST(SignedDistance, OfTheUnitSquareIsKnown) {
+  const std::vector<Eigen::Vector2f> square{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  EXPECT_FLOAT_EQ(signed_distance_inside(square, {0.5F, 0.5F}), 0.5F);
+  EXPECT_FLOAT_EQ(signed_distance_inside(square, {0.1F, 0.5F}), 0.1F);
+  EXPECT_FLOAT_EQ(signed_distance_inside(square, {2, 0.5F}), -1);
+  EXPECT_FLOAT_EQ(signed_distance_inside(square, {4, 5}), -5);  // to the corner
+  EXPECT_FLOAT_EQ(signed_distance_inside({{0, 0}, {1, 0}}, {0.5F, 2}), -2);
+  EXPECT_EQ(signed_distance_inside({}, {0, 0}), -std::numeric_limits<float>::infinity());
+}
+
+}  // namespace
+}  // namespace flinch::motion
