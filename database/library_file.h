@@ -2,33 +2,33 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 
 #include "database/library.h"
+#include "database/sealed_file.h"
 
 namespace flinch::database {
 
-/// What was wrong with a file, or nothing.
-enum class LoadStatus : std::uint8_t {
-  ok,
-  cannot_open,
-  not_a_library,  ///< not this kind of file
-  other_version,  ///< written by another version of the format
-  damaged,        ///< fails verification or its content hash
-};
-const char* message_of(LoadStatus status);
-
-/// Reads a library from a file's bytes. The bytes are verified whole, against the schema, the
-/// content hash and the invariants of Library, before anything is used. On failure `library` is
-/// left as it was. Throws nothing.
+/// Reads a library from a file's bytes. The bytes are verified whole, against the content hash, the
+/// schema and the invariants below, before anything is used. On failure `library` is left as it
+/// was. Throws nothing.
 LoadStatus read_library(std::span<const std::byte> bytes, Library& library) noexcept;
 
 /// The same from a file.
 LoadStatus read_library(const std::string& path, Library& library) noexcept;
 
-/// FNV-1a, 64 bit, over the bytes: the content hash of library and selector files. Guards against
-/// accidents, not against intent.
-std::uint64_t content_hash(std::span<const std::byte> bytes);
+/// Why a library could not be used.
+struct LibraryFault {
+  std::optional<std::size_t> clip;  ///< index of the clip that is at fault, if one is
+  const char* what = "";
+};
+
+/// The first thing that breaks what the code relies on, if anything does: names that are not empty,
+/// those of clips all different; a rate and a mass above 0; an idle clip among the clips; at least
+/// one pose a clip, at the library's rate; finite numbers; unit rotations (to 1e-3); annotations in
+/// their ranges (times to 0.1 ms, see motion::Annotation).
+std::optional<LibraryFault> fault_of(const Library& library);
 
 }  // namespace flinch::database

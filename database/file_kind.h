@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace flinch::database {
+
+/// What a file's first bytes say that it is.
+enum class FileKind : std::uint8_t {
+  empty,
+  library,
+  selector,
+  store,  ///< or another SQLite database
+  bvh,
+  acclaim_skeleton,
+  acclaim_motion,
+  fbx,
+  gltf,
+  archive,  ///< zip, gzip, xz or tar
+  text,
+  unknown,
+};
+
+FileKind file_kind_of(std::string_view bytes);
+
+/// With its article, such as "a library" or "a BVH file".
+std::string_view name_of(FileKind kind);
+
+}  // namespace flinch::database

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+
+#include "motion/role.h"
+
+namespace flinch::database {
+
+/// Sizes of library.fbs' float vectors.
+inline constexpr std::size_t kFloatsAPose = 3 + 4 * static_cast<std::size_t>(motion::kRoleCount);
+inline constexpr std::size_t kFloatsASkeletonVector =
+    3 * static_cast<std::size_t>(motion::kRoleCount);
+
+}  // namespace flinch::database
