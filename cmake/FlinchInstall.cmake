@@ -4,9 +4,6 @@
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
-if(NOT TARGET flinch_runtime)
-  return()
-endif()
 flinch_link_closure(runtime_libraries flinch_runtime)
 list(FILTER runtime_libraries INCLUDE REGEX "^flinch_")
 list(REMOVE_ITEM runtime_libraries flinch_flags)

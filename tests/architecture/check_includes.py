@@ -6,8 +6,8 @@ Usage: check_includes.py ROOT TARGETS
 
 ROOT is the folder that holds the rooms. TARGETS names a file of lines `KIND TARGET SOURCE`, KIND
 being `runtime` or `offline`, one for each source (a path under ROOT) of each library and program.
-A header goes with the source of the same name; one that has none is run-time code unless offline
-code alone includes it.
+A header goes with the source of the same name; one that has none is run-time code unless its room
+has no such code or offline code alone includes it.
 """
 
 import re
@@ -24,6 +24,7 @@ ROOMS = {
     "sim": ["motion", "features"],
     "train": ["motion", "database", "features", "models", "runtime", "sim"],
 }
+OFFLINE_ROOMS = {"sim", "train"}
 # Third-party headers that all code of a room may include, then those that only its offline code
 # may. A name that ends in a slash stands for the folder.
 HEADERS = {
@@ -79,7 +80,8 @@ class Checker:
         for path in self.files:
             if path.endswith(".h") and path not in self.kind:
                 alone = path in by_offline and path not in by_runtime
-                self.kind[path] = "offline" if alone else "runtime"
+                offline = alone or path.split("/")[0] in OFFLINE_ROOMS
+                self.kind[path] = "offline" if offline else "runtime"
 
     def reached_from(self, kind: str):
         """The headers without a source that files of this kind include, through such headers."""

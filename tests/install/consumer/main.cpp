@@ -1,63 +1,98 @@
 // SPDX-License-Identifier: MIT
-// Plays a clip against a threat, then shows that a file that is not there gives a status.
+// A character that crouches under a ball, and a file that is not there.
 #include <cmath>
+#include <cstddef>
 #include <iostream>
 #include <numbers>
+#include <string>
 
+#include "database/library_file.h"
 #include "motion/default_character.h"
 #include "runtime/response.h"
 #include "runtime/selector_file.h"
 
+using namespace flinch;
+
 namespace {
 
-using flinch::motion::Role;
+struct GameCharacter {
+  database::Library library;
+  models::Selector selector;
+  runtime::Response response;  // refers to the library
 
-// Half a second down and half a second up: the head goes down with the pelvis.
-flinch::motion::Motion crouch(const flinch::motion::Pose& standing) {
-  flinch::motion::Motion motion;
-  for (int frame = 0; frame <= 60; ++frame) {
-    const float part = static_cast<float>(frame) / 60;
-    flinch::motion::Pose pose = standing;
-    pose.root_position.z() -= 0.3F * std::sin(std::numbers::pi_v<float> * part);
-    motion.poses.push_back(pose);
+  bool load(const std::string& library_file, const std::string& selector_file) {
+    return database::read_library(library_file, library) == database::LoadStatus::ok &&
+           runtime::read_selector(selector_file, selector) == database::LoadStatus::ok &&
+           selector.library_hash == library.hash;
   }
-  return motion;
+  void perceive(const features::Scenario& scenario) {
+    const auto& idle = library.clips[static_cast<std::size_t>(library.idle)].motion;
+    const auto x = features::to_vector(features::features_of(scenario, idle));
+    const int clip = models::select(selector, x, scenario.target);
+    response = runtime::make_response(library, scenario.state, clip, scenario.time_to_impact_s);
+  }
+  motion::Pose pose(float time_s) const { return runtime::pose_at(response, time_s); }
+};
+
+constexpr float kDepth = 0.3F;  // m, that the character crouches by
+constexpr int kFrames = 60;     // of its crouch, half down and half up
+
+motion::Clip crouch(const motion::Pose& standing) {
+  motion::Clip clip;
+  clip.name = "crouch";
+  clip.annotation = motion::Annotation{.onset_s = 0, .peak_s = 0.5F, .end_s = 1};
+  for (int frame = 0; frame <= kFrames; ++frame) {
+    const float phase = std::numbers::pi_v<float> * static_cast<float>(frame) / kFrames;
+    motion::Pose pose = standing;
+    pose.root_position.z() -= kDepth * std::sin(phase);
+    clip.motion.poses.push_back(pose);
+  }
+  return clip;
 }
 
-flinch::database::Library crouching_library() {
-  flinch::database::Library library;
-  library.character = flinch::motion::default_character();
-  const auto standing = flinch::motion::rest_pose(library.character.skeleton);
-  flinch::motion::Clip idle;
+// A character of two clips, whose selector has seen one threat and crouched.
+GameCharacter crouching_character() {
+  GameCharacter character;
+  character.library.character = motion::default_character();
+  const auto standing = motion::rest_pose(character.library.character.skeleton);
+  motion::Clip idle;
   idle.name = "stand";
-  idle.purpose = flinch::motion::Purpose::idle;
+  idle.purpose = motion::Purpose::idle;
   idle.motion.poses = {standing};
-  flinch::motion::Clip duck;
-  duck.name = "crouch";
-  duck.motion = crouch(standing);
-  duck.annotation = flinch::motion::Annotation{.onset_s = 0, .peak_s = 0.5F, .end_s = 1};
-  library.clips = {idle, duck};
-  return library;
+  character.library.clips = {idle, crouch(standing)};
+
+  for (const auto& clip : character.library.clips)
+    character.selector.clips.push_back({clip.name, clip.annotation});
+  character.selector.scaling.least.assign(features::kFeatureCount, -1);
+  character.selector.scaling.most.assign(features::kFeatureCount, 1);
+  models::KnnModel model;
+  model.feature_count = features::kFeatureCount;
+  model.points.assign(features::kFeatureCount, 0);
+  model.label = {1};
+  character.selector.model = model;
+  return character;
+}
+
+float head_height(const GameCharacter& character, float time_s) {
+  const auto& skeleton = character.library.character.skeleton;
+  const auto frames = motion::forward_kinematics(skeleton, character.pose(time_s));
+  return frames.position[motion::Role::head].z();
 }
 
 }  // namespace
 
 int main() {
-  const auto library = crouching_library();
-  const float time_to_impact_s = 0.8F;
-  const auto response = flinch::runtime::make_response(library, {}, 1, time_to_impact_s);
-  const auto head_height = [&](float time_s) {
-    const auto pose = flinch::runtime::pose_at(response, time_s);
-    const auto frames = flinch::motion::forward_kinematics(library.character.skeleton, pose);
-    return frames.position[Role::head].z();
-  };
-  const float drop = head_height(0) - head_height(time_to_impact_s);
+  GameCharacter character = crouching_character();
+  features::Scenario scenario;
+  scenario.threat.position = {16, 0, 1.7F};
+  scenario.threat.velocity = {-20, 0, 0};
+  scenario.time_to_impact_s = 0.8F;
+  character.perceive(scenario);
+  const float drop = head_height(character, 0) - head_height(character, scenario.time_to_impact_s);
   std::cout << "the head is " << drop << " m lower at the impact\n";
 
-  flinch::models::Selector selector;
-  const auto status = flinch::runtime::read_selector("no such file", selector);
-  std::cout << "no such file: " << flinch::database::message_of(status) << '\n';
-
-  const bool good = std::abs(drop - 0.3F) < 1e-3F && status == flinch::database::LoadStatus::cannot_open;
-  return good ? 0 : 1;
+  GameCharacter nobody;
+  const bool loaded = nobody.load("missing.flinchlib", "missing.flinch");
+  std::cout << "missing files are " << (loaded ? "loaded\n" : "refused\n");
+  return std::abs(drop - kDepth) < 1e-3F && !loaded ? 0 : 1;
 }
