@@ -3,7 +3,6 @@
 
 #include <limits>
 #include <memory>
-#include <span>
 
 #include "motion/body.h"
 #include "motion/clip.h"
@@ -20,7 +19,7 @@ struct Ball {
 
 /// How to simulate. The defaults are what is shipped; docs/simulation.md has the study behind them.
 struct SimulationOptions {
-  double free_step_s = 1.0 / 120;      ///< while the ball can touch nothing
+  double free_step_s = 1.0 / 60;      ///< while the ball can touch nothing
   double contact_step_s = 1.0 / 1000;  ///< while it can
   double restitution = 0.7;            ///< of ball against body and ground
   double gravity_mps2 = 9.81;
@@ -37,9 +36,10 @@ struct SimulationResult {
   double tracking_error_m = 0;
 };
 
-/// Simulates a figure of 17 bodies that tracks a motion while a ball flies at it. Holds one ODE
-/// world, so one simulator serves one thread at a time; results do not depend on what it simulated
-/// before.
+/// Simulates a figure of 17 bodies that tracks a motion while a ball flies at it.
+///
+/// Holds nothing that a simulation changes: each makes its own ODE world, so that results do not
+/// depend on what was simulated before, and one simulator may serve several threads at a time.
 class Simulator {
  public:
   Simulator(const motion::Character& character, const SimulationOptions& options);
@@ -48,12 +48,13 @@ class Simulator {
   Simulator& operator=(Simulator&&) noexcept;
 
   /// Tracks `reference` (poses at its rate, from time 0) for `duration_s`; beyond its last pose it
-  /// holds still. Without a ball nothing can hit.
-  SimulationResult simulate(const motion::Motion& reference, const Ball* ball, double duration_s);
+  /// holds still. Without a ball nothing can hit. Throws Error if the physics engine fails.
+  SimulationResult simulate(const motion::Motion& reference, const Ball* ball,
+                            double duration_s) const;
 
  private:
-  struct World;
-  std::unique_ptr<World> world_;
+  struct Plan;
+  std::unique_ptr<const Plan> plan_;
 };
 
 }  // namespace flinch::sim

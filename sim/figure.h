@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "motion/body.h"
+#include "sim/contacts.h"
+#include "sim/joint_limits.h"
+#include "sim/ode_world.h"
+#include "sim/reference.h"
+#include "sim/sweep.h"
+
+namespace flinch::sim {
+
+/// A spring and damper.
+struct Gains {
+  double stiffness = 0;  ///< N·m/rad or N/m
+  double damping = 0;    ///< N·m·s/rad or N·s/m
+};
+
+/// What a figure is made of: all that does not change from one simulation to the next.
+struct FigurePlan {
+  explicit FigurePlan(const motion::Character& character);
+
+  motion::Skeleton skeleton;
+  motion::BodyModel model;
+  motion::PerBody<MovingShape> outline;         ///< in the frame of the centre of mass, at rest
+  motion::PerBody<Eigen::Matrix3d> inertia;     ///< about the centre of mass, kg·m²
+  motion::PerBody<Gains> gains;                 ///< of the joint to the parent; pelvis: its turning
+  Gains pelvis_gains;                           ///< of the pelvis' place
+  double mass_kg = 0;                           ///< of the whole figure
+  motion::PerBody<JointKind> kinds;
+  motion::PerBody<JointLimits> limits;
+  /// Pairs that can push each other: neither jointed nor overlapping in the rest pose.
+  motion::PerBody<motion::PerBody<bool>> may_touch;
+};
+
+/// The 17 bodies in a world, tracking a reference.
+class Figure {
+ public:
+  /// Placed exactly at `start`, with its velocities. `plan` must outlive the figure.
+  Figure(const FigurePlan& plan, dWorldID world, const ReferenceState& start);
+
+  /// Sets the motors of the next step, of `step_s`, at whose end `target` is wanted.
+  void drive(const ReferenceState& target, double step_s);
+  /// Adds the ground's support of the feet in that step.
+  void stand(Contacts& contacts, const ReferenceState& target, double step_s) const;
+
+  dBodyID body(motion::Body body) const { return bodies_[body]; }
+  /// The outlines where they are now, as they move now.
+  motion::PerBody<MovingShape> shapes() const;
+
+ private:
+  void drive_joint(motion::Body body, const ReferenceState& target, double step_s);
+  void drive_pelvis(const BodyState& target, double step_s);
+
+  const FigurePlan& plan_;
+  motion::PerBody<dBodyID> bodies_;
+  motion::PerBody<dJointID> joints_;  // the pelvis has a linear motor in place of a joint
+  motion::PerBody<dJointID> motors_;
+};
+
+/// How near two parts are: spheres that fill either against the exact other; where each is nearest.
+/// The normal points from `second` to `first`.
+Approach approach(const MovingShape& first, const MovingShape& second);
+
+}  // namespace flinch::sim

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "motion/body.h"
+
+namespace flinch::sim {
+
+/// How far a joint goes, in angles about the axes of its parent's frame, radians, from the rest
+/// pose: the rotation is a turn of the bone (the two components across its axis) after a twist (the
+/// component along it).
+struct JointLimits {
+  Eigen::Vector3d bone = Eigen::Vector3d::UnitZ();  ///< axis of the bone in the rest pose, unit
+  Eigen::Vector3d low = Eigen::Vector3d::Zero();
+  Eigen::Vector3d high = Eigen::Vector3d::Zero();
+};
+
+/// The limits of the joint between a body and its parent; the pelvis has none (all zero).
+JointLimits limits_of(motion::Body body);
+
+/// How a joint turns: a ball joint about all axes; a hinge about one, across the bone; an elbow
+/// about that one and, as the forearm's two bones do, along the bone.
+enum class JointKind { ball, elbow, hinge };
+JointKind kind_of(motion::Body body);
+
+/// The angles of a rotation of the child in its parent's frame.
+Eigen::Vector3d joint_angles(const Eigen::Quaterniond& rotation, const Eigen::Vector3d& bone);
+/// The rotation that has these angles: the inverse.
+Eigen::Quaterniond joint_rotation(const Eigen::Vector3d& angles, const Eigen::Vector3d& bone);
+
+/// The rotation vector, in the parent's frame, that takes the joint back to its limits; zero within
+/// them. What the reference does is allowed even beyond them, as its actor could do it.
+Eigen::Vector3d beyond_limits(const JointLimits& limits, const Eigen::Quaterniond& rotation,
+                              const Eigen::Quaterniond& reference);
+
+}  // namespace flinch::sim

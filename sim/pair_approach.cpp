@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#include <array>
+
+#include "sim/figure.h"
+
+namespace flinch::sim {
+namespace {
+
+struct Sphere {
+  Eigen::Vector3d centre;
+  double radius;
+};
+
+constexpr int kMostSpheres = 9;
+
+/// Spheres within a part that reach its surface: along a capsule's axis; a box's corners and the
+/// largest in its middle.
+class Filling {
+ public:
+  explicit Filling(const MovingShape& shape) {
+    if (shape.kind == motion::Shape::Kind::capsule) {
+      const Eigen::Vector3d axis = shape.orientation * Eigen::Vector3d::UnitZ();
+      for (int i = -2; i <= 2; ++i) {
+        add({shape.centre + 0.5 * i * shape.half_length * axis, shape.radius});
+      }
+      return;
+    }
+    add({shape.centre, shape.half_extents.minCoeff()});
+    for (int corner = 0; corner < 8; ++corner) {
+      const Eigen::Vector3d side(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1);
+      add({shape.centre + shape.orientation * shape.half_extents.cwiseProduct(side), 0});
+    }
+  }
+
+  const Sphere* begin() const { return spheres_.data(); }
+  const Sphere* end() const { return spheres_.data() + count_; }
+
+ private:
+  void add(const Sphere& sphere) { spheres_[count_++] = sphere; }
+
+  std::array<Sphere, kMostSpheres> spheres_;
+  std::size_t count_ = 0;
+};
+
+Approach nearest(const Filling& spheres, const MovingShape& shape) {
+  Approach best;
+  best.gap = std::numeric_limits<double>::infinity();
+  for (const Sphere& sphere : spheres) {
+    const Approach near = approach(sphere.centre, sphere.radius, shape);
+    if (near.gap < best.gap) best = near;
+  }
+  return best;
+}
+
+}  // namespace
+
+Approach approach(const MovingShape& first, const MovingShape& second) {
+  const Approach on_second = nearest(Filling(first), second);
+  Approach on_first = nearest(Filling(second), first);
+  if (on_second.gap <= on_first.gap) return on_second;
+  on_first.normal = -on_first.normal;
+  return on_first;
+}
+
+}  // namespace flinch::sim

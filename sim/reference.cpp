@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#include "sim/reference.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace flinch::sim {
+namespace {
+
+using motion::Body;
+
+motion::PerBody<BodyState> places(const motion::BodyModel& model,
+                                  const motion::JointFrames& frames) {
+  motion::PerBody<BodyState> result;
+  for (Body body : motion::kBodies) {
+    const motion::Role role = role_of(body);
+    // In double from here on: the sum of the links must fit the joints to better than float.
+    result[body].orientation = frames.orientation[role].cast<double>().normalized();
+    result[body].position = frames.position[role].cast<double>() +
+                            result[body].orientation * model[body].centre_of_mass.cast<double>();
+  }
+  return result;
+}
+
+}  // namespace
+
+Reference::Reference(const motion::Skeleton& skeleton, const motion::BodyModel& model,
+                     const motion::Motion& motion)
+    : skeleton_(skeleton), model_(model), motion_(motion) {
+  std::vector<motion::PerBody<BodyState>> states;
+  states.reserve(motion.poses.size());
+  for (const motion::Pose& pose : motion.poses) {
+    states.push_back(places(model, forward_kinematics(skeleton, pose)));
+  }
+  velocities_.resize(states.size());
+  const std::size_t last = states.size() - 1;
+  for (std::size_t k = 0; k <= last && last > 0; ++k) {
+    const std::size_t before = k > 0 ? k - 1 : k;
+    const std::size_t after = std::min(k + 1, last);
+    const double rate_hz =
+        static_cast<double>(motion.rate_hz) / static_cast<double>(after - before);
+    for (Body body : motion::kBodies) {
+      const BodyState& from = states[before][body];
+      const BodyState& to = states[after][body];
+      velocities_[k].linear[body] = rate_hz * (to.position - from.position);
+      velocities_[k].angular[body] =
+          rate_hz * rotation_vector(to.orientation * from.orientation.conjugate());
+    }
+  }
+}
+
+ReferenceState Reference::at(double time_s) const {
+  const motion::Pose pose = sample(motion_, static_cast<float>(time_s));
+  const motion::JointFrames frames = forward_kinematics(skeleton_, pose);
+  ReferenceState state;
+  state.body = places(model_, frames);
+  for (Body body : motion::kBodies) {
+    if (const auto parent = parent_of(body)) {
+      const BodyState& holder = state.body[*parent];
+      state.socket[body] =
+          holder.orientation.conjugate() *
+          (frames.position[role_of(body)].cast<double>() - holder.position);
+    }
+  }
+
+  const double position = std::max(time_s * static_cast<double>(motion_.rate_hz), 0.0);
+  const auto index = static_cast<std::size_t>(position);
+  if (index + 1 >= velocities_.size()) return state;  // at rest at and beyond the end
+  const double weight = position - std::floor(position);
+  const Velocities& from = velocities_[index];
+  const Velocities& to = velocities_[index + 1];
+  for (Body body : motion::kBodies) {
+    state.body[body].velocity = (1 - weight) * from.linear[body] + weight * to.linear[body];
+    state.body[body].angular_velocity =
+        (1 - weight) * from.angular[body] + weight * to.angular[body];
+  }
+  return state;
+}
+
+Eigen::Vector3d rotation_vector(const Eigen::Quaterniond& rotation) {
+  const double sine = rotation.vec().norm();
+  if (sine < 1e-12) return (rotation.w() < 0 ? -2.0 : 2.0) * rotation.vec();
+  // atan2 with |w| takes the shorter of the two ways round.
+  const double angle = 2 * std::atan2(sine, std::abs(rotation.w()));
+  return (rotation.w() < 0 ? -angle : angle) / sine * rotation.vec();
+}
+
+Eigen::Quaterniond rotation_by(const Eigen::Vector3d& vector) {
+  const double angle = vector.norm();
+  if (angle < 1e-12) return Eigen::Quaterniond::Identity();
+  return Eigen::Quaterniond(Eigen::AngleAxisd(angle, vector / angle));
+}
+
+}  // namespace flinch::sim

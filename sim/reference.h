@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "motion/body.h"
+#include "motion/clip.h"
+#include "sim/ode_world.h"
+
+namespace flinch::sim {
+
+/// Where a reference motion has the figure at one time, and how fast it moves.
+struct ReferenceState {
+  motion::PerBody<BodyState> body;
+  /// The joint to the parent, from the parent's centre of mass in the parent's frame, m. Those of
+  /// the upper arms move: the clavicles belong to the chest. The pelvis has none.
+  motion::PerBody<Eigen::Vector3d> socket;
+};
+
+/// A motion as the controller wants it. Velocities are central differences over two frames,
+/// interpolated; beyond the last pose the figure holds still.
+class Reference {
+ public:
+  /// Keeps references to all three, which must outlive it.
+  Reference(const motion::Skeleton& skeleton, const motion::BodyModel& model,
+            const motion::Motion& motion);
+
+  ReferenceState at(double time_s) const;
+
+ private:
+  struct Velocities {
+    motion::PerBody<Eigen::Vector3d> linear;
+    motion::PerBody<Eigen::Vector3d> angular;
+  };
+  const motion::Skeleton& skeleton_;
+  const motion::BodyModel& model_;
+  const motion::Motion& motion_;
+  std::vector<Velocities> velocities_;  // a pose
+};
+
+/// The rotation vector (axis times angle in [0, pi]) of a unit quaternion, radians.
+Eigen::Vector3d rotation_vector(const Eigen::Quaterniond& rotation);
+/// The rotation of a rotation vector: the inverse.
+Eigen::Quaterniond rotation_by(const Eigen::Vector3d& vector);
+
+}  // namespace flinch::sim

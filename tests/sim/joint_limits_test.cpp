@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+#include "sim/joint_limits.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "sim/reference.h"
+
+namespace flinch::sim {
+namespace {
+
+using motion::Body;
+
+constexpr double kDegree = std::numbers::pi / 180;
+
+Eigen::Quaterniond about(const Eigen::Vector3d& axis, double degrees) {
+  return Eigen::Quaterniond(Eigen::AngleAxisd(degrees * kDegree, axis));
+}
+
+Eigen::Quaterniond random_rotation(std::mt19937& generator) {
+  std::normal_distribution<double> normal;
+  return Eigen::Quaterniond(normal(generator), normal(generator), normal(generator),
+                            normal(generator))
+      .normalized();
+}
+
+TEST(JointAngles, GiveTheRotationBack) {
+  std::mt19937 generator(3);
+  for (Body body : motion::kBodies) {
+    const Eigen::Vector3d bone = limits_of(body).bone;
+    for (int i = 0; i < 50; ++i) {
+      const Eigen::Quaterniond rotation = random_rotation(generator);
+      const Eigen::Quaterniond back = joint_rotation(joint_angles(rotation, bone), bone);
+      EXPECT_LT(back.angularDistance(rotation), 1e-9);
+    }
+  }
+}
+
+TEST(JointAngles, OfTwistAndSwingAreTheirComponents) {
+  const Eigen::Vector3d bone = -Eigen::Vector3d::UnitZ();
+  const Eigen::Quaterniond rotation =
+      about(Eigen::Vector3d::UnitY(), -70) * about(Eigen::Vector3d::UnitZ(), 20);
+  const Eigen::Vector3d angles = joint_angles(rotation, bone) / kDegree;
+  EXPECT_TRUE(angles.isApprox(Eigen::Vector3d(0, -70, 20), 1e-9)) << angles.transpose();
+}
+
+// What the signs of the table mean, by where the bone goes.
+TEST(JointLimits, LetTheBodyDoWhatBodiesDo) {
+  const auto within = [](Body body, const Eigen::Quaterniond& rotation) {
+    return beyond_limits(limits_of(body), rotation, Eigen::Quaterniond::Identity()).norm() < 1e-12;
+  };
+  const Eigen::Vector3d x = Eigen::Vector3d::UnitX();
+  const Eigen::Vector3d y = Eigen::Vector3d::UnitY();
+  const Eigen::Vector3d z = Eigen::Vector3d::UnitZ();
+  const Eigen::Vector3d down = -z;
+
+  const Eigen::Quaterniond heel_back = about(y, 120);
+  EXPECT_LT((heel_back * down).x(), 0);
+  EXPECT_TRUE(within(Body::left_shin, heel_back));
+  EXPECT_FALSE(within(Body::left_shin, about(y, -30)));
+  EXPECT_FALSE(within(Body::right_shin, about(x, 20)));
+
+  const Eigen::Quaterniond knee_up = about(y, -110);
+  EXPECT_GT((knee_up * down).x(), 0);
+  EXPECT_TRUE(within(Body::left_thigh, knee_up));
+  EXPECT_FALSE(within(Body::left_thigh, about(y, 60)));
+  const Eigen::Quaterniond leg_out = about(x, 40);
+  EXPECT_GT((leg_out * down).y(), 0);
+  EXPECT_TRUE(within(Body::left_thigh, leg_out));
+  EXPECT_FALSE(within(Body::right_thigh, leg_out));
+  EXPECT_TRUE(within(Body::right_thigh, about(x, -40)));
+
+  const Eigen::Quaterniond forearm_forward = about(z, -140);
+  EXPECT_GT((about(z, -90) * y).x(), 0.99);
+  EXPECT_TRUE(within(Body::left_forearm, forearm_forward));
+  EXPECT_FALSE(within(Body::left_forearm, about(z, 30)));
+  EXPECT_TRUE(within(Body::right_forearm, about(z, 140)));
+  EXPECT_FALSE(within(Body::right_forearm, about(z, -30)));
+
+  EXPECT_TRUE(within(Body::head, about(y, 20)));
+  EXPECT_FALSE(within(Body::head, about(y, 60)));
+}
+
+TEST(JointLimits, LeadBackToTheLimit) {
+  const JointLimits knee = limits_of(Body::left_shin);
+  const Eigen::Vector3d back =
+      beyond_limits(knee, about(Eigen::Vector3d::UnitY(), 150), Eigen::Quaterniond::Identity());
+  EXPECT_TRUE(back.isApprox(-15 * kDegree * Eigen::Vector3d::UnitY(), 1e-9)) << back.transpose();
+}
+
+TEST(JointLimits, GiveWayToTheReference) {
+  const JointLimits knee = limits_of(Body::left_shin);
+  const Eigen::Quaterniond reference = about(Eigen::Vector3d::UnitY(), 150);
+  EXPECT_EQ(beyond_limits(knee, about(Eigen::Vector3d::UnitY(), 148), reference).norm(), 0);
+  EXPECT_NEAR(beyond_limits(knee, about(Eigen::Vector3d::UnitY(), 155), reference).norm(),
+              5 * kDegree, 1e-9);
+}
+
+TEST(RotationVector, TakesTheShorterWayAndComesBack) {
+  std::mt19937 generator(4);
+  for (int i = 0; i < 200; ++i) {
+    const Eigen::Quaterniond rotation = random_rotation(generator);
+    const Eigen::Vector3d vector = rotation_vector(rotation);
+    EXPECT_LE(vector.norm(), std::numbers::pi + 1e-12);
+    EXPECT_LT(rotation_by(vector).angularDistance(rotation), 1e-9);
+  }
+}
+
+}  // namespace
+}  // namespace flinch::sim
