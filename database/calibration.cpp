@@ -94,11 +94,12 @@ std::optional<Vector3f> hinge_in_motion(const SourceMotion& motion, Limb limb) {
 void set_ground(SourceMotion& motion) {
   motion.ankle_height_m =
       planted_heights(motion, [](const SourceFoot& foot) { return foot.ankle.z(); });
-  const std::array<float, 2> ball_height =
+  motion.ball_height_m =
       planted_heights(motion, [](const SourceFoot& foot) { return foot.ball.z(); });
-  const float ground = std::min(
-      {motion.ankle_height_m[0], motion.ankle_height_m[1], ball_height[0], ball_height[1]});
+  const float ground = std::min({motion.ankle_height_m[0], motion.ankle_height_m[1],
+                                 motion.ball_height_m[0], motion.ball_height_m[1]});
   for (float& height : motion.ankle_height_m) height -= ground;
+  for (float& height : motion.ball_height_m) height -= ground;
   for (SourceFrame& frame : motion.frames) {
     frame.hip_centre.z() -= ground;
     for (SourceFoot& foot : frame.foot) {

@@ -6,8 +6,8 @@
 namespace flinch::database {
 
 /// Puts the ground at 0: below the point of the feet that is lowest while they stand flat. Sets
-/// ankle_height_m, of each foot on its own: markers and bone lengths are a centimetre off as often
-/// as not. Lying feet and single glitches do not count.
+/// ankle_height_m and ball_height_m, of each foot on its own: markers and bone lengths are a
+/// centimetre off as often as not. Lying feet and single glitches do not count.
 void set_ground(SourceMotion& motion);
 
 /// Turns each foot, by a constant in its own frame, so that it is flat on the ground while its

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "database/foot_placement.h"
 #include "motion/interpolation.h"
 #include "motion/limb_ik.h"
 #include "motion/support_polygon.h"
@@ -73,28 +74,6 @@ Pose transferred(const Target& target, const SourceFrame& frame) {
   return motion::pose_from_frames(frames);
 }
 
-float lowest_point(const std::vector<Vector3f>& points, const Quaternionf& orientation) {
-  float lowest = 0;
-  for (const Vector3f& point : points) lowest = std::min(lowest, (orientation * point).z());
-  return lowest;
-}
-
-// Where a foot's ankle must be: so that its ball is where the source's is, at the height that the
-// source's ankle and ball have above their planted heights, and no point of the sole is under the
-// ground.
-Vector3f ankle_goal(const Target& target, const SourceFrame& frame, std::size_t side) {
-  const Leg& leg = kLegs[side];
-  const SourceFoot& foot = frame.foot[side];
-  const Quaternionf& orientation = frame.orientation[leg.foot];
-  const Vector3f to_ball = orientation * target.skeleton.offset[leg.toes];
-  Vector3f goal = target.scale * foot.ankle;
-  if (target.source.has_ball[side]) goal = target.scale * foot.ball - to_ball;
-  goal.z() = target.scale * (foot.ankle.z() - target.source.ankle_height_m[side]) +
-             target.rest.position[leg.foot].z();
-  goal.z() = std::max(goal.z(), -lowest_point(target.sole[side].foot, orientation));
-  return goal;
-}
-
 // How much lower the pelvis must be for a leg to reach, m. A hip at horizontal distance d from the
 // ankle can be at most sqrt(L^2 - d^2) above it.
 float sinking_needed(const Target& target, const Vector3f& hip, const Vector3f& ankle,
@@ -114,7 +93,7 @@ float groundedness(const Target& target, const Vector3f& ankle, std::size_t side
   return 1 - motion::ease_in_ease_out((lift - kDown) / (kUp - kDown));
 }
 
-void sink_pelvis(const Target& target, const std::array<Vector3f, 2>& goals, Pose& pose) {
+void sink_pelvis(const Target& target, const AnkleGoals& goals, Pose& pose) {
   const JointFrames frames = forward_kinematics(target.skeleton, pose);
   float sinking = 0;
   for (std::size_t side = 0; side < 2; ++side) {
@@ -140,9 +119,8 @@ void keep_toes_up(const Target& target, std::size_t side, Pose& pose) {
   pose.rotation[leg.toes] = (pose.rotation[leg.toes] * Quaternionf(bend)).normalized();
 }
 
-Pose retargeted(const Target& target, const SourceFrame& frame) {
+Pose retargeted(const Target& target, const SourceFrame& frame, const AnkleGoals& goals) {
   Pose pose = transferred(target, frame);
-  const std::array<Vector3f, 2> goals{ankle_goal(target, frame, 0), ankle_goal(target, frame, 1)};
   sink_pelvis(target, goals, pose);
   for (std::size_t side = 0; side < 2; ++side) {
     const Leg& leg = kLegs[side];
@@ -224,12 +202,17 @@ motion::Motion retarget(const SourceMotion& source, const Skeleton& skeleton,
   const Placement placement = placement_of(source, skeleton, segment);
   const auto intervals = static_cast<std::size_t>(
       std::lround((segment.end_s - segment.start_s) * static_cast<double>(rate_hz)));
-  motion::Motion motion;
-  motion.rate_hz = rate_hz;
-  motion.poses.reserve(intervals + 1);
+  std::vector<SourceFrame> frames;
   for (std::size_t k = 0; k <= intervals; ++k) {
     const double time_s = segment.start_s + static_cast<double>(k) / static_cast<double>(rate_hz);
-    const Pose pose = retargeted(target, sample(source, std::min(time_s, segment.end_s)));
+    frames.push_back(sample(source, std::min(time_s, segment.end_s)));
+  }
+  const std::vector<AnkleGoals> goals =
+      place_feet(source, skeleton, frames, 1 / rate_hz, target.scale);
+  motion::Motion motion;
+  motion.rate_hz = rate_hz;
+  for (std::size_t k = 0; k <= intervals; ++k) {
+    const Pose pose = retargeted(target, frames[k], goals[k]);
     motion.poses.push_back(motion::placed(pose, placement.yaw, placement.shift));
   }
   make_continuous(motion);

@@ -18,8 +18,8 @@ struct Segment {
 /// Puts a segment of a source on a skeleton, at a fixed rate.
 ///
 /// Joint orientations are the source's relative to its reference pose. The middle of the hips moves
-/// as the source's, scaled by the ratio of the leg lengths. The balls of the feet are where the
-/// source's are, scaled likewise, so that planted feet stay planted; the legs reach them by IK, for
+/// as the source's, scaled by the ratio of the leg lengths. The feet follow the source's, scaled
+/// likewise, so that planted feet stay planted (see place_feet); the legs reach them by IK, for
 /// which the pelvis may sink a little. Elbows and knees turn about their hinges only, which leaves
 /// every joint where it was. Feet and toes do not go below the ground.
 ///

@@ -40,6 +40,7 @@ struct SourceMotion {
   std::vector<SourceFrame> frames;
   float leg_length_m = 0;                 ///< hip to knee to ankle, mean of both
   std::array<float, 2> ankle_height_m{};  ///< of each ankle while its foot is flat on the ground
+  std::array<float, 2> ball_height_m{};   ///< of each ball, likewise
   std::array<bool, 2> has_ball{};         ///< false: SourceFoot::ball is the ankle
 
   double duration_s() const { return static_cast<double>(frames.size() - 1) * frame_time_s; }
