@@ -26,6 +26,8 @@ const char* message_of(LoadStatus status) noexcept {
       return "was written by another version of Flinch";
     case LoadStatus::damaged:
       return "is damaged or cut short";
+    case LoadStatus::other_layout:
+      return "was trained on other features than this version of Flinch computes";
     case LoadStatus::out_of_memory:
       return "does not fit into memory";
   }

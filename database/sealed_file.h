@@ -18,6 +18,7 @@ enum class LoadStatus : std::uint8_t {
   not_a_library,  ///< not the kind of file that was asked for
   other_version,  ///< written by another version of the format
   damaged,        ///< fails verification or its content hash
+  other_layout,   ///< a selector of other features than this build computes
   out_of_memory,
 };
 /// What it means, for people; never null.

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+#include <set>
+#include <span>
+
+#include "runtime/selector_file.h"
+
+namespace flinch::runtime {
+namespace {
+
+constexpr auto kFeatures = static_cast<std::size_t>(features::kFeatureCount);
+
+bool all_finite(std::span<const double> numbers) {
+  return std::all_of(numbers.begin(), numbers.end(), [](double x) { return std::isfinite(x); });
+}
+
+bool are_clips(std::span<const int> labels, std::size_t clip_count) {
+  return std::all_of(labels.begin(), labels.end(), [clip_count](int label) {
+    return label >= 0 && static_cast<std::size_t>(label) < clip_count;
+  });
+}
+
+bool is_sound(const models::ClipSummary& clip) {
+  if (!clip.annotation) return true;
+  const motion::Annotation& annotation = *clip.annotation;
+  return static_cast<int>(annotation.target) < motion::kTargetCount &&
+         annotation.degree <= motion::Degree::exaggerated && std::isfinite(annotation.direction) &&
+         std::isfinite(annotation.onset_s) && std::isfinite(annotation.peak_s) &&
+         std::isfinite(annotation.end_s);
+}
+
+bool is_sound(const features::Scaling& scaling) {
+  return scaling.least.size() == kFeatures && scaling.most.size() == kFeatures &&
+         all_finite(scaling.least) && all_finite(scaling.most) &&
+         std::equal(scaling.least.begin(), scaling.least.end(), scaling.most.begin(),
+                    [](double least, double most) { return least <= most; });
+}
+
+bool is_sound(const models::SvmModel& model, std::size_t clip_count) {
+  const std::size_t classes = model.label.size();
+  const std::set<int> different(model.label.begin(), model.label.end());
+  const std::vector<int>& counts = model.vectors_of_class;
+  if (classes == 0 || different.size() != classes || !are_clips(model.label, clip_count) ||
+      counts.size() != classes ||
+      std::any_of(counts.begin(), counts.end(), [](int count) { return count < 0; })) {
+    return false;
+  }
+  const auto vectors = std::accumulate(
+      counts.begin(), counts.end(), std::size_t{0},
+      [](std::size_t sum, int count) { return sum + static_cast<std::size_t>(count); });
+  return model.feature_count == features::kFeatureCount && model.degree >= 0 &&
+         all_finite(std::array{model.gamma, model.coef0, model.cost}) &&
+         model.support_vectors.size() == vectors * kFeatures &&
+         model.coefficients.size() == vectors * (classes - 1) &&
+         model.rho.size() == classes * (classes - 1) / 2 && all_finite(model.support_vectors) &&
+         all_finite(model.coefficients) && all_finite(model.rho);
+}
+
+bool is_sound(const models::KnnModel& model, std::size_t clip_count) {
+  return model.k >= 1 && model.vote <= models::KnnVote::inverse_distance &&
+         model.feature_count == features::kFeatureCount && !model.label.empty() &&
+         are_clips(model.label, clip_count) &&
+         model.points.size() == model.label.size() * kFeatures && all_finite(model.points);
+}
+
+}  // namespace
+
+bool is_sound(const models::Selector& selector) {
+  const std::size_t clip_count = selector.clips.size();
+  const auto is_clip_sound = [](const models::ClipSummary& clip) { return is_sound(clip); };
+  const auto is_finite = [](const Eigen::Vector3f& vector) { return vector.allFinite(); };
+  return selector.idle >= 0 && static_cast<std::size_t>(selector.idle) < clip_count &&
+         std::all_of(selector.clips.begin(), selector.clips.end(), is_clip_sound) &&
+         is_sound(selector.scaling) && selector.brawn >= 0 && selector.brawn <= 1 &&
+         std::all_of(selector.target_centres.begin(), selector.target_centres.end(), is_finite) &&
+         std::visit([clip_count](const auto& model) { return is_sound(model, clip_count); },
+                    selector.model);
+}
+
+}  // namespace flinch::runtime

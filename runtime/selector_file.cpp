@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+#include "runtime/selector_file.h"
+
+#include <algorithm>
+#include <new>
+#include <utility>
+#include <vector>
+
+#include "selector_generated.h"
+
+namespace flinch::runtime {
+namespace {
+
+using database::LoadStatus;
+
+template <typename T>
+std::vector<T> to_vector(const flatbuffers::Vector<T>& stored) {
+  return std::vector<T>(stored.begin(), stored.end());
+}
+
+models::ClipSummary read_clip(const schema::Clip& stored) {
+  models::ClipSummary clip{stored.name()->str(), std::nullopt};
+  if (const schema::Annotation* annotation = stored.annotation()) {
+    clip.annotation =
+        motion::Annotation{.target = static_cast<motion::Target>(annotation->target()),
+                           .direction = annotation->direction(),
+                           .degree = static_cast<motion::Degree>(annotation->degree()),
+                           .onset_s = annotation->onset_s(),
+                           .peak_s = annotation->peak_s(),
+                           .end_s = annotation->end_s()};
+  }
+  return clip;
+}
+
+models::SvmModel read_model(const schema::Svm& stored) {
+  return {.degree = stored.degree(),
+          .gamma = stored.gamma(),
+          .coef0 = stored.coef0(),
+          .cost = stored.cost(),
+          .feature_count = features::kFeatureCount,
+          .label = to_vector(*stored.label()),
+          .vectors_of_class = to_vector(*stored.vectors_of_class()),
+          .support_vectors = to_vector(*stored.support_vectors()),
+          .coefficients = to_vector(*stored.coefficients()),
+          .rho = to_vector(*stored.rho())};
+}
+
+models::KnnModel read_model(const schema::Knn& stored) {
+  return {.k = stored.k(),
+          .vote = static_cast<models::KnnVote>(stored.vote()),
+          .feature_count = features::kFeatureCount,
+          .points = to_vector(*stored.points()),
+          .label = to_vector(*stored.label())};
+}
+
+/// Whether the features are those of this build, in its order.
+bool has_our_layout(const schema::Selector& stored) {
+  const auto& names = *stored.feature_names();
+  return std::equal(names.begin(), names.end(), features::kFeatureNames.begin(),
+                    features::kFeatureNames.end(),
+                    [](const flatbuffers::String* name, std::string_view ours) {
+                      return name->string_view() == ours;
+                    });
+}
+
+/// False for what the schema's own verification leaves open.
+bool read_stored(const schema::Selector& stored, models::Selector& selector) {
+  selector.library_hash = stored.library_hash();
+  for (const schema::Clip* clip : *stored.clips()) selector.clips.push_back(read_clip(*clip));
+  selector.idle = stored.idle();
+  for (const auto* name : *stored.feature_names()) selector.feature_names.push_back(name->str());
+  selector.scaling = {to_vector(*stored.least()), to_vector(*stored.most())};
+  selector.brawn = stored.brawn();
+  const auto& centres = *stored.target_centres();
+  if (centres.size() != 3 * selector.target_centres.size()) return false;
+  for (flatbuffers::uoffset_t i = 0; i < centres.size(); ++i) {
+    selector.target_centres[i / 3][i % 3] = centres.Get(i);
+  }
+  if (const schema::Svm* svm = stored.model_as_Svm()) {
+    selector.model = read_model(*svm);
+  } else if (const schema::Knn* knn = stored.model_as_Knn()) {
+    selector.model = read_model(*knn);
+  } else {
+    return false;
+  }
+  return is_sound(selector);
+}
+
+}  // namespace
+
+LoadStatus read_selector(std::span<const std::byte> bytes, models::Selector& selector) noexcept
+    try {
+  // FlatBuffers reads in place and wants its numbers aligned; the caller's bytes need not be.
+  const std::vector<std::byte> aligned(bytes.begin(), bytes.end());
+  const database::Unsealed file = database::unseal(database::kSelectorKind, aligned);
+  if (file.status != LoadStatus::ok) return file.status;
+  flatbuffers::Verifier verifier(reinterpret_cast<const std::uint8_t*>(file.content.data()),
+                                 file.content.size());
+  if (!schema::VerifySelectorBuffer(verifier)) return LoadStatus::damaged;
+  const schema::Selector& stored = *schema::GetSelector(file.content.data());
+  if (!has_our_layout(stored)) return LoadStatus::other_layout;
+  models::Selector read;
+  if (!read_stored(stored, read)) return LoadStatus::damaged;
+  selector = std::move(read);
+  return LoadStatus::ok;
+} catch (const std::bad_alloc&) {
+  return LoadStatus::out_of_memory;
+}
+
+LoadStatus read_selector(const std::string& path, models::Selector& selector) noexcept {
+  std::vector<std::byte> bytes;
+  const LoadStatus status = database::read_bytes(path, bytes);
+  return status == LoadStatus::ok ? read_selector(bytes, selector) : status;
+}
+
+}  // namespace flinch::runtime

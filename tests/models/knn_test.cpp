@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: MIT
+#include "models/knn.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <flann/flann.hpp>
+#include <random>
+#include <vector>
+
+#include "models/knn_fit.h"
+#include "motion/error.h"
+#include "tests/models/training_sets.h"
+
+namespace flinch::models {
+namespace {
+
+/// Every observation sorted by distance and then by index.
+std::vector<Neighbour> all_sorted(const KnnModel& model, std::span<const double> query,
+                                  const std::vector<bool>& allowed) {
+  std::vector<Neighbour> all;
+  const auto count = static_cast<std::size_t>(model.feature_count);
+  for (std::size_t i = 0; i < model.label.size(); ++i) {
+    if (!allowed.empty() && !allowed[static_cast<std::size_t>(model.label[i])]) {
+      continue;
+    }
+    double distance = 0;
+    for (std::size_t f = 0; f < count; ++f) {
+      const double difference = query[f] - model.points[i * count + f];
+      distance += difference * difference;
+    }
+    all.push_back({static_cast<int>(i), distance});
+  }
+  std::stable_sort(all.begin(), all.end(), [](const Neighbour& a, const Neighbour& b) {
+    return a.squared_distance < b.squared_distance;
+  });
+  return all;
+}
+
+void expect_same(const std::vector<Neighbour>& found, const std::vector<Neighbour>& sorted, int k) {
+  ASSERT_EQ(found.size(), std::min(sorted.size(), static_cast<std::size_t>(k)));
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    ASSERT_EQ(found[i].observation, sorted[i].observation) << "neighbour " << i;
+    ASSERT_EQ(found[i].squared_distance, sorted[i].squared_distance) << "neighbour " << i;
+  }
+}
+
+KnnModel random_model(std::uint64_t seed, int count, int features) {
+  return fit_knn(random_clouds(seed, count, 8, features), {3, KnnVote::majority});
+}
+
+/// Points with few different coordinates: most distances are tied, many points are the same.
+KnnModel model_of_ties(std::uint64_t seed, int count, int features) {
+  KnnModel model = random_model(seed, count, features);
+  for (double& value : model.points) {
+    value = std::round(value);
+  }
+  return model;
+}
+
+TEST(Knn, FindsTheNearestAllowedObservations) {
+  std::mt19937_64 random(1);
+  for (const KnnModel& model : {random_model(2, 700, 5), model_of_ties(3, 700, 5)}) {
+    for (int i = 0; i < 300; ++i) {
+      const std::vector<double> query = random_point(random, 5);
+      std::vector<bool> allowed(16);
+      for (std::size_t clip = 0; clip < allowed.size(); ++clip) {
+        allowed[clip] = random() % 3 == 0;
+      }
+      const int k = 1 + static_cast<int>(random() % 30);
+      expect_same(nearest(model, query, k, {}), all_sorted(model, query, {}), k);
+      expect_same(nearest(model, query, k, allowed), all_sorted(model, query, allowed), k);
+    }
+  }
+}
+
+TEST(Knn, FindsFewerWhereThereAreFewer) {
+  const KnnModel model = random_model(4, 20, 3);
+  const std::vector<double> query{0, 0, 0};
+  EXPECT_EQ(nearest(model, query, 50, {}).size(), 20U);
+  EXPECT_TRUE(nearest(model, query, 3, std::vector<bool>(16, false)).empty());
+  EXPECT_TRUE(nearest(model, query, 0, {}).empty());
+}
+
+TEST(NeighbourIndex, FindsWhatBruteForceFinds) {
+  std::mt19937_64 random(5);
+  KnnModel same = random_model(6, 200, 4);
+  std::fill(same.points.begin(), same.points.end(), 0.25);
+  for (const KnnModel& model :
+       {random_model(7, 1500, 16), random_model(8, 300, 1), model_of_ties(9, 1500, 4), same}) {
+    const NeighbourIndex index(model.points, model.feature_count);
+    for (int i = 0; i < 300; ++i) {
+      std::vector<double> query = random_point(random, model.feature_count);
+      if (i % 3 == 0) {  // on the grid of the ties, exactly between points of it
+        for (double& value : query) {
+          value = std::round(2 * value) / 2;
+        }
+      }
+      const int k = 1 + static_cast<int>(random() % 30);
+      expect_same(index.nearest(query, k), all_sorted(model, query, {}), k);
+    }
+    EXPECT_EQ(index.nearest(random_point(random, model.feature_count), 5000).size(),
+              model.label.size());
+  }
+}
+
+TEST(NeighbourIndex, FindsNothingInNothing) {
+  EXPECT_TRUE(NeighbourIndex({}, 3).nearest(std::vector<double>{0, 0, 0}, 5).empty());
+}
+
+// FLANN used as its manual has it, with none of our code: the distances are those that we find.
+TEST(Knn, DistancesAreFlanns) {
+  KnnModel model = random_model(10, 1000, 16);
+  const flann::Matrix<double> points(model.points.data(), 1000, 16);
+  flann::Index<flann::L2<double>> index(points, flann::LinearIndexParams());
+  index.buildIndex();
+  std::mt19937_64 random(11);
+  for (int i = 0; i < 200; ++i) {
+    std::vector<double> query = random_point(random, 16);
+    std::vector<std::vector<int>> indices;
+    std::vector<std::vector<double>> distances;
+    index.knnSearch(flann::Matrix<double>(query.data(), 1, 16), indices, distances, 10,
+                    flann::SearchParams(flann::FLANN_CHECKS_UNLIMITED));
+    const std::vector<Neighbour> found = nearest(model, query, 10, {});
+    for (std::size_t n = 0; n < 10; ++n) {
+      ASSERT_EQ(found[n].observation, indices[0][n]);
+      ASSERT_NEAR(found[n].squared_distance, distances[0][n], 1e-12);
+    }
+  }
+}
+
+std::vector<int> clips_of(const std::vector<Candidate>& candidates) {
+  std::vector<int> clips;
+  for (const Candidate& candidate : candidates) {
+    clips.push_back(candidate.clip);
+  }
+  return clips;
+}
+
+TEST(KnnVotes, MajorityCountsHeads) {
+  const std::vector<int> label{4, 9, 9, 2};
+  const std::vector<Neighbour> neighbours{{0, 0.01}, {1, 4}, {2, 9}, {3, 16}};
+  const auto ranked = count_votes(neighbours, label, KnnVote::majority);
+  EXPECT_THAT(clips_of(ranked), testing::ElementsAre(9, 4, 2));  // 4 is nearer than 2
+  EXPECT_FLOAT_EQ(ranked[0].vote, 0.5F);
+  EXPECT_FLOAT_EQ(ranked[1].vote, 0.25F);
+}
+
+TEST(KnnVotes, InverseDistanceWeighsTheNear) {
+  const std::vector<int> label{4, 9, 9, 2};
+  const std::vector<Neighbour> neighbours{{0, 0.25}, {1, 4}, {2, 16}, {3, 16}};
+  const auto ranked = count_votes(neighbours, label, KnnVote::inverse_distance);
+  // 1/0.5 = 2 for clip 4; 1/2 + 1/4 = 0.75 for clip 9; 0.25 for clip 2.
+  EXPECT_THAT(clips_of(ranked), testing::ElementsAre(4, 9, 2));
+  EXPECT_NEAR(ranked[0].vote, 2.0 / 3.0, 1e-5);
+  EXPECT_NEAR(ranked[1].vote, 0.25, 1e-5);
+  EXPECT_NEAR(ranked[2].vote, 0.25 / 3.0, 1e-5);
+}
+
+TEST(KnnVotes, TheSamePointWinsOverAllOthers) {
+  const std::vector<int> label{1, 2, 2, 2};
+  const std::vector<Neighbour> neighbours{{0, 0}, {1, 1e-4}, {2, 1e-4}, {3, 1e-4}};
+  EXPECT_EQ(count_votes(neighbours, label, KnnVote::inverse_distance).front().clip, 1);
+}
+
+TEST(KnnFit, RefusesWhatCannotBeUsed) {
+  const TrainingSet set = random_clouds(12, 10, 2, 3);
+  EXPECT_THROW(fit_knn(set, {0, KnnVote::majority}), Error);
+  EXPECT_THROW(fit_knn(make_set(1, {1}, {0}, 1), {1, KnnVote::majority}), Error);
+}
+
+}  // namespace
+}  // namespace flinch::models

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <libsvm/svm.h>
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "models/svm_fit.h"
+#include "models/training_set.h"
+
+namespace flinch::models {
+
+/// libsvm itself, trained and asked without any of our code between.
+class LibsvmOracle {
+ public:
+  LibsvmOracle(const TrainingSet& set, const SvmParameters& parameters) {
+    svm_set_print_string_function([](const char*) {});
+    for (int i = 0; i < set.size(); ++i) {
+      rows_.push_back(sparse(set.point(i)));
+    }
+    std::vector<svm_node*> pointers;
+    for (std::vector<svm_node>& row : rows_) {
+      pointers.push_back(row.data());
+    }
+    std::vector<double> labels(set.label.begin(), set.label.end());
+    const svm_problem problem{set.size(), labels.data(), pointers.data()};
+    svm_parameter converted{};
+    converted.svm_type = C_SVC;
+    converted.kernel_type = POLY;
+    converted.degree = parameters.degree;
+    converted.gamma = parameters.gamma;
+    converted.coef0 = parameters.coef0;
+    converted.C = parameters.cost;
+    converted.cache_size = 100;
+    converted.eps = 0.001;
+    converted.shrinking = 1;
+    model_.reset(svm_train(&problem, &converted));
+  }
+
+  int predict(std::span<const double> point) const {
+    return static_cast<int>(svm_predict(model_.get(), sparse(point).data()));
+  }
+
+  /// Votes of the pairwise machines whose two classes are allowed, from libsvm's decision values.
+  std::vector<int> votes(std::span<const double> point, std::span<const char> allowed) const {
+    const auto classes = static_cast<std::size_t>(model_->nr_class);
+    std::vector<double> decision(classes * classes);
+    svm_predict_values(model_.get(), sparse(point).data(), decision.data());
+    std::vector<int> votes(classes);
+    std::size_t pair = 0;
+    for (std::size_t i = 0; i < classes; ++i) {
+      for (std::size_t j = i + 1; j < classes; ++j) {
+        const bool first = decision[pair++] > 0;
+        if (allowed[i] && allowed[j]) {
+          votes[first ? i : j] += 1;
+        }
+      }
+    }
+    return votes;
+  }
+
+ private:
+  struct Deleter {
+    void operator()(svm_model* model) const { svm_free_and_destroy_model(&model); }
+  };
+
+  /// Without its zeros, as libsvm's text format has it.
+  static std::vector<svm_node> sparse(std::span<const double> point) {
+    std::vector<svm_node> nodes;
+    for (std::size_t i = 0; i < point.size(); ++i) {
+      if (point[i] != 0) {
+        nodes.push_back({static_cast<int>(i) + 1, point[i]});
+      }
+    }
+    nodes.push_back({-1, 0});
+    return nodes;
+  }
+
+  std::vector<std::vector<svm_node>> rows_;
+  std::unique_ptr<svm_model, Deleter> model_;
+};
+
+}  // namespace flinch::models

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: MIT
+#include "models/selector.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace flinch::models {
+namespace {
+
+using motion::Target;
+
+/// Three classes on a line of one feature, whose machines decide by hand-made numbers: class 0
+/// (clip 5) for x > 0 against class 1 (clip 3); class 2 (clip 1) beats class 0 where x < 2 and
+/// always loses against class 1.
+SvmModel hand_made_svm() {
+  SvmModel model;
+  model.degree = 1;
+  model.gamma = 1;
+  model.coef0 = 0;
+  model.feature_count = 1;
+  model.label = {5, 3, 1};
+  model.vectors_of_class = {1, 0, 1};
+  model.support_vectors = {1, 1};
+  // Vector of class 0: machines (0,1) and (0,2); vector of class 2: machines (0,2) and (1,2).
+  model.coefficients = {1, 1, 0, 0};
+  model.rho = {0, 2, -1};
+  return model;
+}
+
+TEST(SvmCandidates, RankByVotesThenByTheModelsOrder) {
+  const SvmModel model = hand_made_svm();
+  const std::vector<bool> all(6, true);
+  // x = 3: (0,1) -> 0, (0,2) -> 0, (1,2) -> 1.
+  auto ranked = candidates(model, std::vector<double>{3}, all, 0);
+  ASSERT_EQ(ranked.size(), 3U);
+  EXPECT_EQ(ranked[0].clip, 5);
+  EXPECT_FLOAT_EQ(ranked[0].vote, 2.0F / 3);
+  EXPECT_EQ(ranked[1].clip, 3);
+  EXPECT_FLOAT_EQ(ranked[1].vote, 1.0F / 3);
+  EXPECT_EQ(ranked[2].clip, 1);
+  EXPECT_FLOAT_EQ(ranked[2].vote, 0);
+  // x = 1: (0,1) -> 0, (0,2) -> 2, (1,2) -> 1: a circle, one vote each.
+  ranked = candidates(model, std::vector<double>{1}, all, 0);
+  EXPECT_EQ(ranked[0].clip, 5);
+  EXPECT_EQ(ranked[1].clip, 3);
+  EXPECT_EQ(ranked[2].clip, 1);
+}
+
+TEST(SvmCandidates, ForbiddenClipsNeitherVoteNorStand) {
+  std::vector<bool> allowed(6, true);
+  allowed[3] = false;
+  const auto ranked = candidates(hand_made_svm(), std::vector<double>{1}, allowed, 0);
+  ASSERT_EQ(ranked.size(), 2U);
+  EXPECT_EQ(ranked[0].clip, 1);
+  EXPECT_FLOAT_EQ(ranked[0].vote, 1);
+  EXPECT_EQ(ranked[1].clip, 5);
+}
+
+TEST(SvmCandidates, AnOnlyChoiceHasAllVotes) {
+  std::vector<bool> allowed(6, false);
+  allowed[3] = true;
+  const auto ranked = candidates(hand_made_svm(), std::vector<double>{1}, allowed, 0);
+  ASSERT_EQ(ranked.size(), 1U);
+  EXPECT_EQ(ranked[0].clip, 3);
+  EXPECT_FLOAT_EQ(ranked[0].vote, 1);
+}
+
+TEST(Candidates, IdleIsTheLastResort) {
+  std::vector<bool> allowed(6, false);
+  allowed[0] = allowed[4] = true;
+  auto ranked = candidates(hand_made_svm(), std::vector<double>{1}, allowed, 4);
+  ASSERT_EQ(ranked.size(), 1U);
+  EXPECT_EQ(ranked[0].clip, 4);
+  EXPECT_EQ(ranked[0].vote, 0);
+
+  const KnnModel knn{1, KnnVote::majority, 1, {0.0, 1.0}, {5, 3}};
+  ranked = candidates(knn, std::vector<double>{1}, allowed, 4);
+  ASSERT_EQ(ranked.size(), 1U);
+  EXPECT_EQ(ranked[0].clip, 4);
+  EXPECT_EQ(ranked[0].vote, 0);
+}
+
+TEST(KnnCandidates, AreTheNeighboursAllowedLabels) {
+  const KnnModel knn{3, KnnVote::majority, 1, {0.0, 1.0, 2.0, 3.0, 4.0}, {5, 3, 5, 1, 1}};
+  std::vector<bool> allowed(6, true);
+  auto ranked = candidates(knn, std::vector<double>{0.9}, allowed, 0);
+  ASSERT_EQ(ranked.size(), 2U);
+  EXPECT_EQ(ranked[0].clip, 5);
+  EXPECT_FLOAT_EQ(ranked[0].vote, 2.0F / 3);
+  EXPECT_EQ(ranked[1].clip, 3);
+  allowed[5] = false;
+  ranked = candidates(knn, std::vector<double>{0.9}, allowed, 0);
+  ASSERT_EQ(ranked.size(), 2U);
+  EXPECT_EQ(ranked[0].clip, 1);  // two of the three that are left
+  EXPECT_EQ(ranked[1].clip, 3);
+}
+
+ClipSummary clip_for(Target target) {
+  return {std::string(name_of(target)), motion::Annotation{.target = target}};
+}
+
+TEST(AllowedClips, AreThoseOfTheTargetAndItsNeighboursAndIdle) {
+  const std::vector<ClipSummary> clips{{"idle", {}},
+                                       clip_for(Target::head),
+                                       clip_for(Target::trunk),
+                                       clip_for(Target::pelvis),
+                                       clip_for(Target::legs),
+                                       {"unannotated", {}}};
+  using testing::ElementsAre;
+  EXPECT_THAT(allowed_clips(clips, 0, Target::head), ElementsAre(1, 1, 1, 0, 0, 0));
+  EXPECT_THAT(allowed_clips(clips, 0, Target::trunk), ElementsAre(1, 1, 1, 1, 0, 0));
+  EXPECT_THAT(allowed_clips(clips, 0, Target::pelvis), ElementsAre(1, 0, 1, 1, 1, 0));
+  EXPECT_THAT(allowed_clips(clips, 0, Target::legs), ElementsAre(1, 0, 0, 1, 1, 0));
+}
+
+TEST(Selector, ScalesAndMasksBeforeItAsksItsModel) {
+  Selector selector;
+  selector.clips = {
+      {"idle", {}}, clip_for(Target::head), clip_for(Target::head), clip_for(Target::legs)};
+  selector.scaling.least.assign(features::kFeatureCount, 0);
+  selector.scaling.most.assign(features::kFeatureCount, 10);
+  KnnModel knn{1, KnnVote::majority, features::kFeatureCount, {}, {1, 2, 3}};
+  for (const double value : {-1.0, 0.0, 1.0}) {  // raw 0, 5 and 10
+    knn.points.insert(knn.points.end(), features::kFeatureCount, value);
+  }
+  selector.model = knn;
+  features::FeatureVector x;
+  x.fill(5.5F);
+  EXPECT_EQ(select(selector, x, Target::head), 2);
+  x.fill(1);
+  EXPECT_EQ(select(selector, x, Target::head), 1);
+  x.fill(9);
+  EXPECT_EQ(select(selector, x, Target::head), 2);  // the legs' clip is nearer but not allowed
+  EXPECT_EQ(select(selector, x, Target::legs), 3);
+  EXPECT_EQ(candidates(selector, x, Target::pelvis).front().clip, 3);
+}
+
+}  // namespace
+}  // namespace flinch::models
