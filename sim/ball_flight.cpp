@@ -86,6 +86,10 @@ StepAhead step_ahead(const FreeFlight& ball, std::span<const MovingShape> shapes
   if (!bounce) return ahead;
   if (*bounce <= kLeastStep_s) {
     ahead.on_ground = true;
+    // Within the step of a bounce the ball falls the wrong way: short, unless it lies or rolls.
+    if (-ball.velocity.z() > kRestSpeed_mps) {
+      ahead.step_s = std::min(ahead.step_s, options.contact_step_s);
+    }
   } else {
     ahead.step_s = *bounce;
   }
@@ -93,8 +97,7 @@ StepAhead step_ahead(const FreeFlight& ball, std::span<const MovingShape> shapes
 }
 
 bool hits(const FreeFlight& ball, const MovingShape& shape, const Approach& near) {
-  return near.gap <= kTouch_m &&
-         near.normal.dot(ball.velocity - shape.velocity_at(near.point)) < 0;
+  return near.gap <= kTouch_m && near.normal.dot(ball.velocity - shape.velocity_at(near.point)) < 0;
 }
 
 }  // namespace flinch::sim

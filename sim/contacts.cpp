@@ -7,9 +7,8 @@
 namespace flinch::sim {
 namespace {
 
-constexpr double kFriction = 0.5;            // of ball and body or ground
-constexpr double kRestSpeed_mps = 0.2;       // slower balls do not bounce
-constexpr double kGroundFrequency_hz = 20;   // of the figure on its feet
+constexpr double kFriction = 0.5;           // of ball and body or ground
+constexpr double kGroundFrequency_hz = 20;  // of the figure on its feet
 
 dContact contact_at(const Eigen::Vector3d& point, const Eigen::Vector3d& normal) {
   dContact contact{};

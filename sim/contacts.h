@@ -10,6 +10,9 @@
 
 namespace flinch::sim {
 
+/// A slower ball does not bounce, m/s.
+inline constexpr double kRestSpeed_mps = 0.2;
+
 /// The contact joints of one step.
 class Contacts {
  public:

@@ -22,11 +22,11 @@ struct FigurePlan {
 
   motion::Skeleton skeleton;
   motion::BodyModel model;
-  motion::PerBody<MovingShape> outline;         ///< in the frame of the centre of mass, at rest
-  motion::PerBody<Eigen::Matrix3d> inertia;     ///< about the centre of mass, kg·m²
-  motion::PerBody<Gains> gains;                 ///< of the joint to the parent; pelvis: its turning
-  Gains pelvis_gains;                           ///< of the pelvis' place
-  double mass_kg = 0;                           ///< of the whole figure
+  motion::PerBody<MovingShape> outline;      ///< in the frame of the centre of mass, at rest
+  motion::PerBody<Eigen::Matrix3d> inertia;  ///< about the centre of mass, kg·m²
+  motion::PerBody<Gains> gains;              ///< of the joint to the parent; pelvis: its turning
+  Gains pelvis_gains;                        ///< of the pelvis' place
+  double mass_kg = 0;                        ///< of the whole figure
   motion::PerBody<JointKind> kinds;
   motion::PerBody<JointLimits> limits;
   /// Pairs that can push each other: neither jointed nor overlapping in the rest pose.

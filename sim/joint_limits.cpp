@@ -116,8 +116,7 @@ Eigen::Vector3d beyond_limits(const JointLimits& limits, const Eigen::Quaternion
   };
   if (within(limits.low, limits.high) == angles) return Eigen::Vector3d::Zero();
   const Eigen::Vector3d wanted = joint_angles(reference, limits.bone);
-  const Eigen::Vector3d nearest =
-      within(limits.low.cwiseMin(wanted), limits.high.cwiseMax(wanted));
+  const Eigen::Vector3d nearest = within(limits.low.cwiseMin(wanted), limits.high.cwiseMax(wanted));
   if (nearest == angles) return Eigen::Vector3d::Zero();
   return rotation_vector(joint_rotation(nearest, limits.bone) * rotation.conjugate());
 }

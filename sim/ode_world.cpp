@@ -26,7 +26,8 @@ void count_message(int, const char*, va_list) {
   char text[256];
   std::vsnprintf(text, sizeof text, format, arguments);
   throw Error("simulation", "the physics engine failed with error " + std::to_string(number) +
-                                " (" + text + "); this is a fault of the program, please report it");
+                                " (" + text +
+                                "); this is a fault of the program, please report it");
 }
 
 // ODE stays initialised until the process ends: closing it would need every thread to be done.
@@ -57,8 +58,8 @@ OdeWorld::OdeWorld() {
   prepare_this_thread();
   threading_.reset(dThreadingAllocateSelfThreadedImplementation());
   world_.reset(dWorldCreate());
-  dWorldSetStepThreadingImplementation(
-      id(), dThreadingImplementationGetFunctions(threading_.get()), threading_.get());
+  dWorldSetStepThreadingImplementation(id(), dThreadingImplementationGetFunctions(threading_.get()),
+                                       threading_.get());
   dWorldSetAutoDisableFlag(id(), 0);
 }
 

@@ -44,10 +44,10 @@ Eigen::Vector3d angular_velocity_of(dBodyID body);  ///< rad/s, world
 
 /// Where a body is and how it moves: its centre of mass, world.
 struct BodyState {
-  Eigen::Vector3d position = Eigen::Vector3d::Zero();                   ///< m
-  Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();      ///< unit
-  Eigen::Vector3d velocity = Eigen::Vector3d::Zero();                   ///< m/s
-  Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero();           ///< rad/s
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();               ///< m
+  Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();  ///< unit
+  Eigen::Vector3d velocity = Eigen::Vector3d::Zero();               ///< m/s
+  Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero();       ///< rad/s
 };
 void set_state(dBodyID body, const BodyState& state);
 BodyState state_of(dBodyID body);

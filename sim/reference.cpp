@@ -57,9 +57,8 @@ ReferenceState Reference::at(double time_s) const {
   for (Body body : motion::kBodies) {
     if (const auto parent = parent_of(body)) {
       const BodyState& holder = state.body[*parent];
-      state.socket[body] =
-          holder.orientation.conjugate() *
-          (frames.position[role_of(body)].cast<double>() - holder.position);
+      state.socket[body] = holder.orientation.conjugate() *
+                           (frames.position[role_of(body)].cast<double>() - holder.position);
     }
   }
 

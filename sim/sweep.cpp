@@ -8,7 +8,8 @@ namespace flinch::sim {
 namespace {
 
 /// From the nearest point of a capsule's axis.
-Approach approach_capsule(const Eigen::Vector3d& centre, double radius, const MovingShape& capsule) {
+Approach approach_capsule(const Eigen::Vector3d& centre, double radius,
+                          const MovingShape& capsule) {
   const Eigen::Vector3d axis = capsule.orientation * Eigen::Vector3d::UnitZ();
   const Eigen::Vector3d offset = centre - capsule.centre;
   const double along = std::clamp(offset.dot(axis), -capsule.half_length, capsule.half_length);

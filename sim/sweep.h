@@ -37,8 +37,8 @@ struct MovingShape {
 
 /// Where two surfaces are closest.
 struct Approach {
-  double gap = 0;  ///< m, negative where they overlap
-  Eigen::Vector3d point = Eigen::Vector3d::Zero();   ///< on the shape's surface
+  double gap = 0;                                     ///< m, negative where they overlap
+  Eigen::Vector3d point = Eigen::Vector3d::Zero();    ///< on the shape's surface
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< unit, from the shape to the ball
 };
 

@@ -20,7 +20,8 @@ struct LowPass {
 
 // Butterworth by the bilinear transform: with K = tan(pi fc / fs) and the poles' 1/Q = sqrt(2),
 //
-//   n = 1 + sqrt(2) K + K^2,  b = K^2/n (1, 2, 1),  a1 = 2 (K^2 - 1)/n,  a2 = (1 - sqrt(2) K + K^2)/n
+//   n = 1 + sqrt(2) K + K^2,  b = K^2/n (1, 2, 1),  a1 = 2 (K^2 - 1)/n,  a2 = (1 - sqrt(2) K +
+//   K^2)/n
 LowPass butterworth(double cutoff_hz, double rate_hz) {
   const double k = std::tan(std::numbers::pi * cutoff_hz / rate_hz);
   const double n = 1 + std::numbers::sqrt2 * k + k * k;
@@ -79,8 +80,7 @@ std::vector<Eigen::Vector3d> low_passed(const std::vector<Eigen::Vector3d>& path
   if (path.size() < 2 || rate_hz <= 2 * kCutoffHz) return path;  // nothing above the cut-off
   const LowPass pass = butterworth(kCutoffHz, rate_hz);
   // Half a second is six periods of the cut-off: transients are gone.
-  const auto reach =
-      std::min<std::ptrdiff_t>(std::lround(rate_hz / 2), std::ssize(path) - 1);
+  const auto reach = std::min<std::ptrdiff_t>(std::lround(rate_hz / 2), std::ssize(path) - 1);
   Path smooth = extended(path, reach);
   filter(pass, smooth.begin(), smooth.end());
   filter(pass, smooth.rbegin(), smooth.rend());

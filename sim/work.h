@@ -17,9 +17,9 @@ std::vector<Eigen::Vector3d> low_passed(const std::vector<Eigen::Vector3d>& path
 ///
 ///     W_i = sum over poses |m_i a_i . ds_i|
 ///
-/// with a_i and ds_i by central differences of the body's centre of mass after low_passed. Signed, the sum would telescope to the
-/// change of kinetic energy, which is nothing from rest to rest. Motions of fewer than four poses
-/// do no work.
+/// with a_i and ds_i by central differences of the body's centre of mass after low_passed. Signed,
+/// the sum would telescope to the change of kinetic energy, which is nothing from rest to rest.
+/// Motions of fewer than four poses do no work.
 motion::PerBody<double> mechanical_work(const motion::Character& character,
                                         const motion::Motion& motion);
 

@@ -51,8 +51,9 @@ inline motion::Pose guarding(const motion::Skeleton& skeleton) {
   for (const auto& [upper_arm, forearm, side] :
        {std::tuple{motion::Role::left_upper_arm, motion::Role::left_forearm, 1.0F},
         {motion::Role::right_upper_arm, motion::Role::right_forearm, -1.0F}}) {
-    turn(pose, upper_arm, Eigen::Vector3f::UnitZ(), -side * 80);
-    turn(pose, forearm, Eigen::Vector3f::UnitX(), side * 100);
+    turn(pose, upper_arm, Eigen::Vector3f::UnitZ(), -side * 85);
+    turn(pose, upper_arm, Eigen::Vector3f::UnitX(), -side * 40);
+    turn(pose, forearm, Eigen::Vector3f::UnitX(), side * 135);
     turn(pose, forearm, Eigen::Vector3f::UnitZ(), -side * 20);
   }
   return pose;

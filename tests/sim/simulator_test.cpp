@@ -59,8 +59,7 @@ std::vector<Ball> many_balls(const motion::Pose& pose) {
     const double azimuth = 0.55 * i;
     const Body body = motion::kBodies[static_cast<std::size_t>(i * 5 % motion::kBodyCount)];
     const Eigen::Vector3d direction(std::cos(azimuth), std::sin(azimuth), 0.1 * (i % 3));
-    balls.push_back(
-        scenes::aimed_ball(middle_of(body, pose), -(10.0 + 1.5 * i) * direction, 0.3));
+    balls.push_back(scenes::aimed_ball(middle_of(body, pose), -(10.0 + 1.5 * i) * direction, 0.3));
   }
   return balls;
 }
@@ -101,8 +100,8 @@ TEST(Simulator, ChargesNothingForAMiss) {
 TEST(Simulator, ChestTakesNearlyWhatAWallWould) {
   const motion::Motion motion = standing_still();
   for (double speed_mps : {10.0, 20.0, 30.0}) {
-    const Ball ball = scenes::aimed_ball(middle_of(Body::chest, motion.poses.front()),
-                                         {-speed_mps, 0, 0}, 0.3);
+    const Ball ball =
+        scenes::aimed_ball(middle_of(Body::chest, motion.poses.front()), {-speed_mps, 0, 0}, 0.3);
     const auto result = simulate(motion, &ball);
     const double wall = (1 + kRestitution) * kVolleyball_kg * speed_mps;
     EXPECT_LT(result.impulse[Body::chest], 1.01 * wall);
@@ -128,9 +127,8 @@ TEST(Simulator, FirstContactIsWhenTheBallsFlightMeetsTheBody) {
   const Ball ball = scenes::aimed_ball(chest, {-20, 0, 0}, 0.3);
   const auto result = simulate(motion, &ball);
   // From the surface of the chest's box, along X.
-  const motion::Shape& box = make_body_model(character())[Body::chest].shape;
-  const motion::JointFrames frames =
-      forward_kinematics(character().skeleton, motion.poses.front());
+  const motion::Shape box = make_body_model(character())[Body::chest].shape;
+  const motion::JointFrames frames = forward_kinematics(character().skeleton, motion.poses.front());
   const double front = static_cast<double>(frames.position[motion::Role::chest].x() +
                                            box.centre.x() + box.half_extents.x());
   EXPECT_NEAR(result.first_contact_s, 0.3 - (front + ball.radius - chest.x()) / 20, 5e-4);
@@ -147,7 +145,9 @@ TEST(Simulator, ChargesBothWhenAHandIsDrivenIntoTheFace) {
   int driven = 0;
   for (Body hand : {Body::left_hand, Body::right_hand, Body::left_forearm, Body::right_forearm}) {
     const Eigen::Vector3d place = middle_of(hand, motion.poses.front());
-    const Ball ball = scenes::aimed_ball(place, 25 * (head - place).normalized(), 0.3);
+    Eigen::Vector3d level = head - place;
+    level.z() = 0;
+    const Ball ball = scenes::aimed_ball(place, 25 * level.normalized(), 0.3);
     const auto result = simulate(motion, &ball);
     EXPECT_GT(result.impulse[hand], 1) << name_of(hand);
     if (result.impulse[Body::head] > 0.1) ++driven;

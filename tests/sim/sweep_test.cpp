@@ -30,9 +30,8 @@ class RandomScene {
     shape.half_length = number(0, 0.3);
     shape.half_extents = {number(0.01, 0.2), number(0.01, 0.2), number(0.01, 0.2)};
     shape.centre = vector(0.3);
-    shape.orientation = Eigen::Quaterniond(number(-1, 1), number(-1, 1), number(-1, 1),
-                                           number(-1, 1))
-                            .normalized();
+    shape.orientation =
+        Eigen::Quaterniond(number(-1, 1), number(-1, 1), number(-1, 1), number(-1, 1)).normalized();
     shape.velocity = vector(5);
     shape.angular_velocity = vector(15);
     return shape;

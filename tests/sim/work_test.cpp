@@ -58,7 +58,7 @@ TEST(MechanicalWork, OfConstantVelocityIsNothing) {
 TEST(MechanicalWork, OfStandingStillIsNothing) {
   const motion::Character character = motion::default_character();
   const auto still = moved_rest_pose(character, 60, 120, [](double) { return 0.0; });
-  EXPECT_EQ(total(mechanical_work(character, still)), 0);
+  EXPECT_LT(total(mechanical_work(character, still)), 1e-12);
 }
 
 TEST(MechanicalWork, OfTooFewPosesIsNothing) {
@@ -85,8 +85,8 @@ double amplitude_after(double frequency_hz, double rate_hz) {
   }
   const auto smooth = low_passed(path, rate_hz);
   double squares = 0;
-  for (std::size_t k = 1000; k < 3000; ++k) squares += smooth[k].squaredNorm();
-  return std::sqrt(2 * squares / 2000);
+  for (std::size_t k = 800; k < 3200; ++k) squares += smooth[k].squaredNorm();
+  return std::sqrt(2 * squares / 2400);
 }
 
 TEST(LowPass, HalvesAmplitudeAtTheCutOff) {

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: MIT
+// Prints the tables of docs/simulation.md:
+//
+//     simulation_study [LIBRARY]
+//
+// over the motions by rule and, where a library is given, over each of its clips as well.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <ctime>
+#include <numeric>
+
+#include "database/library_file.h"
+#include "tests/sim/random_hits.h"
+
+namespace flinch {
+namespace {
+
+constexpr std::size_t kHits = 600;
+
+struct Study {
+  motion::Character character;
+  std::vector<scenes::NamedMotion> motions;
+};
+
+double quantile(std::vector<double> values, double share) {
+  if (values.empty()) return 0;
+  std::sort(values.begin(), values.end());
+  const double place = share * static_cast<double>(values.size() - 1);
+  return values[static_cast<std::size_t>(std::lround(place))];
+}
+
+double sum_of(const motion::PerBody<double>& impulse) {
+  return std::accumulate(impulse.begin(), impulse.end(), 0.0);
+}
+
+sim::SimulationOptions with_steps(double free_hz, double contact_hz) {
+  sim::SimulationOptions options;
+  options.free_step_s = 1 / free_hz;
+  options.contact_step_s = 1 / contact_hz;
+  return options;
+}
+
+std::vector<double> tracking_errors_mm(const Study& study, const sim::SimulationOptions& options) {
+  const sim::Simulator simulator(study.character, options);
+  std::vector<double> errors;
+  for (const auto& [name, motion] : study.motions) {
+    const double duration_s = static_cast<double>(motion.duration_s());
+    errors.push_back(1e3 * simulator.simulate(motion, nullptr, duration_s).tracking_error_m);
+  }
+  return errors;
+}
+
+void print_tracking(const Study& study) {
+  std::printf("\n### Tracking: RMS distance of hands, feet and head, mm\n\n");
+  std::printf("| free step | median | p90 | worst | of |\n| --- | --- | --- | --- | --- |\n");
+  for (double free_hz : {30.0, 60.0, 120.0, 240.0}) {
+    const auto errors = tracking_errors_mm(study, with_steps(free_hz, 1000));
+    const auto worst = std::max_element(errors.begin(), errors.end());
+    std::printf("| 1/%.0f s | %.1f | %.1f | %.1f | %s |\n", free_hz, quantile(errors, 0.5),
+                quantile(errors, 0.9), *worst,
+                study.motions[static_cast<std::size_t>(worst - errors.begin())].name.c_str());
+  }
+  const auto shipped = tracking_errors_mm(study, {});
+  const auto within =
+      std::count_if(shipped.begin(), shipped.end(), [](double e) { return e <= 50; });
+  std::printf("\nWithin 50 mm as shipped: %td of %zu.\n", within, shipped.size());
+  for (std::size_t i = 0; i < shipped.size(); ++i) {
+    if (shipped[i] > 50) std::printf("- %s: %.1f mm\n", study.motions[i].name.c_str(), shipped[i]);
+  }
+}
+
+struct Outcome {
+  std::vector<sim::SimulationResult> results;
+  double cpu_s = 0;
+  double steps = 0;
+  int messages = 0;
+};
+
+Outcome outcome_of(const Study& study, const std::vector<scenes::Hit>& hits,
+                   const sim::SimulationOptions& options) {
+  const sim::Simulator simulator(study.character, options);
+  Outcome outcome;
+  const std::clock_t begin = std::clock();
+  for (const scenes::Hit& hit : hits) {
+    const motion::Motion& motion = study.motions[hit.motion].motion;
+    const double duration_s = static_cast<double>(motion.duration_s());
+    outcome.results.push_back(simulator.simulate(motion, &hit.ball, duration_s));
+    outcome.steps += outcome.results.back().steps;
+    outcome.messages += outcome.results.back().solver_messages;
+  }
+  outcome.cpu_s = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+  return outcome;
+}
+
+/// sum over bodies |J - J'| / sum J', of the hits.
+std::vector<double> changes_percent(const Outcome& from, const Outcome& to) {
+  std::vector<double> changes;
+  for (std::size_t i = 0; i < to.results.size(); ++i) {
+    const double whole = std::max(sum_of(from.results[i].impulse), sum_of(to.results[i].impulse));
+    if (whole == 0) continue;
+    double change = 0;
+    for (motion::Body body : motion::kBodies) {
+      change += std::abs(from.results[i].impulse[body] - to.results[i].impulse[body]);
+    }
+    changes.push_back(100 * change / whole);
+  }
+  return changes;
+}
+
+void print_steps(const Study& study, const std::vector<scenes::Hit>& hits) {
+  std::printf("\n### Steps: change of the impulses when both steps are halved\n\n");
+  std::printf(
+      "Of %zu balls; the change is the sum over the bodies of the differences, over the whole.\n\n"
+      "| free, contact step | hits | change median | p90 | p95 | steps | us a step | ms a "
+      "simulation | a second and core | messages |\n"
+      "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n",
+      hits.size());
+  const auto runs = static_cast<double>(hits.size());
+  for (double free_hz : {60.0, 120.0}) {
+    for (double contact_hz : {500.0, 1000.0, 2000.0}) {
+      const Outcome here = outcome_of(study, hits, with_steps(free_hz, contact_hz));
+      const Outcome half = outcome_of(study, hits, with_steps(2 * free_hz, 2 * contact_hz));
+      const auto changes = changes_percent(here, half);
+      std::printf(
+          "| 1/%.0f, 1/%.0f s | %zu | %.2f %% | %.1f %% | %.1f %% | %.1f | %.0f | %.2f | "
+          "%.0f | %d |\n",
+          free_hz, contact_hz, changes.size(), quantile(changes, 0.5), quantile(changes, 0.9),
+          quantile(changes, 0.95), here.steps / runs, 1e6 * here.cpu_s / here.steps,
+          1e3 * here.cpu_s / runs, runs / here.cpu_s, here.messages);
+    }
+  }
+}
+
+void print_restitution(const Study& study, const std::vector<scenes::Hit>& hits) {
+  std::printf("\n### Law: mean impulse of a hit by restitution\n\n");
+  std::printf(
+      "| restitution | mean impulse, N s | on bodies that the ball did not reach first |\n"
+      "| --- | --- | --- |\n");
+  for (double restitution : {0.5, 0.6, 0.7, 0.8}) {
+    sim::SimulationOptions options;
+    options.restitution = restitution;
+    const Outcome outcome = outcome_of(study, hits, options);
+    double whole = 0;
+    double largest = 0;
+    double hit = 0;
+    for (const auto& result : outcome.results) {
+      whole += sum_of(result.impulse);
+      largest += *std::max_element(result.impulse.begin(), result.impulse.end());
+      if (sum_of(result.impulse) > 0) ++hit;
+    }
+    std::printf("| %.1f | %.2f | %.1f %% |\n", restitution, whole / hit,
+                100 * (whole - largest) / whole);
+  }
+}
+
+void print(const char* title, const Study& study) {
+  std::printf("\n## %s: %zu motions\n", title, study.motions.size());
+  const auto hits = scenes::random_hits(study.character, study.motions, kHits, 1);
+  print_tracking(study);
+  print_steps(study, hits);
+  print_restitution(study, hits);
+}
+
+int run(int count, char** arguments) {
+  const motion::Character man = motion::default_character();
+  print("Motions by rule", {man, scenes::motions_by_rule(man.skeleton)});
+  if (count < 2) return 0;
+  database::Library library;
+  const auto status = database::read_library(std::string(arguments[1]), library);
+  if (status != database::LoadStatus::ok) {
+    std::fprintf(stderr, "%s: %s\n", arguments[1], database::message_of(status));
+    return 1;
+  }
+  Study study{library.character, {}};
+  for (const motion::Clip& clip : library.clips) study.motions.push_back({clip.name, clip.motion});
+  print("The library's clips", study);
+  return 0;
+}
+
+}  // namespace
+}  // namespace flinch
+
+int main(int count, char** arguments) {
+  return flinch::run(count, arguments);
+}
