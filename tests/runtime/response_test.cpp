@@ -4,36 +4,19 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <limits>
-#include <new>
 
 #include "motion/default_character.h"
 #include "motion/interpolation.h"
 #include "tests/motion/random_motion.h"
-
-namespace {
-// Of this program's calls of operator new, which is replaced below.
-std::size_t allocation_count = 0;
-}  // namespace
-
-void* operator new(std::size_t size) {
-  ++allocation_count;
-  if (void* memory = std::malloc(size)) return memory;
-  throw std::bad_alloc();
-}
-void operator delete(void* memory) noexcept {
-  std::free(memory);
-}
-void operator delete(void* memory, std::size_t) noexcept {
-  std::free(memory);
-}
+#include "tests/runtime/allocation_count.h"
 
 namespace flinch::runtime {
 namespace {
 
 using motion::Pose;
 using motion::Role;
+using tests::allocation_count;
 using tests::distance;
 
 constexpr int kIdle = 0;
@@ -305,16 +288,16 @@ TEST(Response, TakesTimesThatAreNoTimesAsPerception) {
 
 TEST(Response, AllocatesNothing) {
   const database::Library library = make_library();
-  const std::size_t before_copy = allocation_count;
+  const std::size_t before_copy = allocation_count();
   const database::Library copy = library;
-  ASSERT_GT(allocation_count, before_copy);  // the count counts
-  const std::size_t before = allocation_count;
+  ASSERT_GT(allocation_count(), before_copy);  // the count counts
+  const std::size_t before = allocation_count();
   float sum = 0;
   for (int i = 0; i < 20; ++i) {
     const Response response = make_response(library, kState, i % 3, 0.6F);
     for (float t = 0; t < 2; t += 0.01F) sum += pose_at(response, t).root_position.x();
   }
-  EXPECT_EQ(allocation_count, before);
+  EXPECT_EQ(allocation_count(), before);
   EXPECT_TRUE(std::isfinite(sum));
 }
 

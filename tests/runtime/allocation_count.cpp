@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// In a file of its own: where the compiler sees only one of the operators inlined it takes free()
+// for a mismatch.
+#include "tests/runtime/allocation_count.h"
+
+#include <cstdlib>
+#include <new>
+
+namespace {
+std::size_t count = 0;
+}  // namespace
+
+void* operator new(std::size_t size) {
+  ++count;
+  if (void* memory = std::malloc(size)) return memory;
+  throw std::bad_alloc();
+}
+
+void operator delete(void* memory) noexcept {
+  std::free(memory);
+}
+
+void operator delete(void* memory, std::size_t) noexcept {
+  std::free(memory);
+}
+
+std::size_t flinch::tests::allocation_count() {
+  return count;
+}
