@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "train/simulate.h"
 
-#include <omp.h>
-
 #include <algorithm>
 #include <cmath>
 #include <exception>
@@ -10,7 +8,6 @@
 #include <mutex>
 #include <nlohmann/json.hpp>
 #include <numbers>
-#include <optional>
 #include <utility>
 
 #include "motion/error.h"
@@ -112,16 +109,19 @@ class FirstException {
 
 }  // namespace
 
-SimulationSubject::SimulationSubject(const database::Library& simulated)
-    : library(simulated), body_model(motion::make_body_model(simulated.character)) {}
+SimulationSubject::SimulationSubject(const database::Library& simulated,
+                                     const SimulationPlan& planned)
+    : library(simulated),
+      plan(planned),
+      body_model(motion::make_body_model(simulated.character)),
+      simulator(simulated.character, planned.options) {}
 
-Observation pose_scenario(const SimulationSubject& subject, const SimulationPlan& plan,
-                          std::uint64_t number) {
+Observation pose_scenario(const SimulationSubject& subject, std::uint64_t number) {
   const database::Library& library = subject.library;
   Observation observation;
   observation.number = number;
-  observation.scenario =
-      sample_scenario(library, subject.body_model, plan.distribution, plan.seed, number);
+  observation.scenario = sample_scenario(library, subject.body_model, subject.plan.distribution,
+                                         subject.plan.seed, number);
   observation.features = features::to_vector(features::features_of(
       observation.scenario, library.clips[static_cast<std::size_t>(library.idle)].motion));
   for (const int clip : clips_to_try(library, observation.scenario.target)) {
@@ -143,16 +143,15 @@ std::vector<int> clips_to_try(const database::Library& library, motion::Target t
   return clips;
 }
 
-Trial try_clip(const SimulationSubject& subject, const SimulationPlan& plan,
-               sim::Simulator& simulator, const features::Scenario& scenario, int clip) {
+Trial try_clip(const SimulationSubject& subject, const features::Scenario& scenario, int clip) {
   const runtime::Response response =
       runtime::make_response(subject.library, scenario.state, clip, scenario.time_to_impact_s);
-  const double simulated_s = double{scenario.time_to_impact_s} + plan.tail_s;
+  const double simulated_s = double{scenario.time_to_impact_s} + subject.plan.tail_s;
   const motion::Motion reference =
       sampled(response, subject.library.rate_hz,
               std::max(simulated_s, double{runtime::duration_s(response)}));
   const sim::Ball ball = ball_of(scenario.threat);
-  const sim::SimulationResult result = simulator.simulate(reference, &ball, simulated_s);
+  const sim::SimulationResult result = subject.simulator.simulate(reference, &ball, simulated_s);
   Trial trial;
   trial.clip = clip;
   trial.work_j = static_cast<float>(response_work_j(subject, response, reference));
@@ -172,16 +171,17 @@ double reference_work_j(const SimulationSubject& subject, int clip) {
   return response_work_j(subject, response, reference);
 }
 
-StoreHeader make_store_header(const SimulationSubject& subject, const SimulationPlan& plan) {
+StoreHeader make_store_header(const SimulationSubject& subject) {
   const database::Library& library = subject.library;
   StoreHeader header;
   header.library_hash = library.hash;
   header.library_name = library.name;
-  header.seed = plan.seed;
-  header.distribution = describe(plan.distribution);
-  header.simulation = describe(plan);
-  header.reference_impulse_ns =
-      (1 + plan.options.restitution) * plan.distribution.mass_kg * plan.distribution.most_speed_mps;
+  header.seed = subject.plan.seed;
+  header.distribution = describe(subject.plan.distribution);
+  header.simulation = describe(subject.plan);
+  header.reference_impulse_ns = (1 + subject.plan.options.restitution) *
+                                subject.plan.distribution.mass_kg *
+                                subject.plan.distribution.most_speed_mps;
   header.idle = library.idle;
   for (int clip = 0; clip < static_cast<int>(library.clips.size()); ++clip) {
     const motion::Clip& source = library.clips[static_cast<std::size_t>(clip)];
@@ -200,41 +200,34 @@ StoreHeader make_store_header(const SimulationSubject& subject, const Simulation
   return header;
 }
 
-bool simulate_batch(const SimulationSubject& subject, const SimulationPlan& plan, int threads,
-                    std::uint64_t first, std::vector<Observation>& observations,
-                    const std::atomic<bool>& stop) {
+bool simulate_batch(const SimulationSubject& subject, int threads, std::uint64_t first,
+                    std::vector<Observation>& observations, const std::atomic<bool>& stop) {
   // Single trials, not scenarios, are shared out, so that no thread waits long for the last one.
   std::vector<std::pair<std::size_t, std::size_t>> trials;
   for (std::size_t i = 0; i < observations.size(); ++i) {
-    observations[i] = pose_scenario(subject, plan, first + i);
+    observations[i] = pose_scenario(subject, first + i);
     for (std::size_t j = 0; j < observations[i].trials.size(); ++j) trials.emplace_back(i, j);
   }
   FirstException failure;
-#pragma omp parallel num_threads(threads)
-  {
-    std::optional<sim::Simulator> simulator;
-#pragma omp for schedule(dynamic)
-    for (std::size_t k = 0; k < trials.size(); ++k) {
-      if (stop || failure.thrown()) continue;
-      try {
-        if (!simulator) simulator.emplace(subject.library.character, plan.options);
-        Observation& observation = observations[trials[k].first];
-        Trial& trial = observation.trials[trials[k].second];
-        trial = try_clip(subject, plan, *simulator, observation.scenario, trial.clip);
-      } catch (...) {
-        failure.keep_current();
-      }
+#pragma omp parallel for num_threads(threads) schedule(dynamic)
+  for (std::size_t k = 0; k < trials.size(); ++k) {
+    if (stop || failure.thrown()) continue;
+    try {
+      Observation& observation = observations[trials[k].first];
+      Trial& trial = observation.trials[trials[k].second];
+      trial = try_clip(subject, observation.scenario, trial.clip);
+    } catch (...) {
+      failure.keep_current();
     }
   }
   failure.rethrow();
   return !stop;
 }
 
-bool simulate_store(const SimulationSubject& subject, const SimulationPlan& plan,
-                    const std::string& path, std::uint64_t scenarios, int threads,
-                    const std::atomic<bool>& stop,
+bool simulate_store(const SimulationSubject& subject, const std::string& path,
+                    std::uint64_t scenarios, int threads, const std::atomic<bool>& stop,
                     const std::function<void(const SimulationProgress&)>& report) {
-  const StoreHeader header = make_store_header(subject, plan);
+  const StoreHeader header = make_store_header(subject);
   SimulationProgress progress;
   progress.of = scenarios;
   if (std::filesystem::is_regular_file(path)) {
@@ -254,7 +247,7 @@ bool simulate_store(const SimulationSubject& subject, const SimulationPlan& plan
     // Batches begin at multiples of their size, wherever an earlier run was stopped.
     const std::uint64_t end = std::min(scenarios, (first / kBatch + 1) * kBatch);
     std::vector<Observation> observations(end - first);
-    if (!simulate_batch(subject, plan, threads, first, observations, stop)) return false;
+    if (!simulate_batch(subject, threads, first, observations, stop)) return false;
     writer.append(observations);
     progress.scenarios = writer.count();
     for (const Observation& observation : observations)

@@ -23,17 +23,19 @@ struct SimulationPlan {
   std::uint64_t seed = 1;
 };
 
-/// A library made ready for simulation: what is the same in every scenario.
+/// A library made ready for a plan: what is the same in every scenario. Refers to the library,
+/// which must outlive it.
 struct SimulationSubject {
-  explicit SimulationSubject(const database::Library& simulated);
+  SimulationSubject(const database::Library& simulated, const SimulationPlan& planned);
 
   const database::Library& library;
+  SimulationPlan plan;
   motion::BodyModel body_model;
+  sim::Simulator simulator;
 };
 
 /// Scenario `number` with its features, before any trial.
-Observation pose_scenario(const SimulationSubject& subject, const SimulationPlan& plan,
-                          std::uint64_t number);
+Observation pose_scenario(const SimulationSubject& subject, std::uint64_t number);
 
 /// The clips that are tried on a threat at this target: the allowed and the idle one, by rising
 /// index.
@@ -41,22 +43,20 @@ std::vector<int> clips_to_try(const database::Library& library, motion::Target t
 
 /// Simulates the response with one clip, from perception to the plan's tail after the predicted
 /// impact, and takes the work of the whole response.
-Trial try_clip(const SimulationSubject& subject, const SimulationPlan& plan,
-               sim::Simulator& simulator, const features::Scenario& scenario, int clip);
+Trial try_clip(const SimulationSubject& subject, const features::Scenario& scenario, int clip);
 
 /// Work of a clip's response as it is when there is all the time in the world, J: begun at once
 /// from the idle clip's start, played at its own rate. 0 for the idle clip.
 double reference_work_j(const SimulationSubject& subject, int clip);
 
 /// What the store of this plan says of itself. Throws Error if no clip of the library is annotated.
-StoreHeader make_store_header(const SimulationSubject& subject, const SimulationPlan& plan);
+StoreHeader make_store_header(const SimulationSubject& subject);
 
 /// Simulates scenarios first, first + 1, …, one a slot of `observations`, on `threads` threads. The
 /// result does not depend on how many. Returns false, with `observations` unusable, when `stop`
 /// became true meanwhile. What a thread throws is thrown here.
-bool simulate_batch(const SimulationSubject& subject, const SimulationPlan& plan, int threads,
-                    std::uint64_t first, std::vector<Observation>& observations,
-                    const std::atomic<bool>& stop);
+bool simulate_batch(const SimulationSubject& subject, int threads, std::uint64_t first,
+                    std::vector<Observation>& observations, const std::atomic<bool>& stop);
 
 /// How a simulation stands.
 struct SimulationProgress {
@@ -68,9 +68,8 @@ struct SimulationProgress {
 /// Fills the store at `path` up to `scenarios` scenarios, going on from what is there. Returns
 /// false when `stop` became true first: what was finished by then is kept and the next call goes
 /// on. `report` is called after each batch, from this thread.
-bool simulate_store(const SimulationSubject& subject, const SimulationPlan& plan,
-                    const std::string& path, std::uint64_t scenarios, int threads,
-                    const std::atomic<bool>& stop,
+bool simulate_store(const SimulationSubject& subject, const std::string& path,
+                    std::uint64_t scenarios, int threads, const std::atomic<bool>& stop,
                     const std::function<void(const SimulationProgress&)>& report);
 
 }  // namespace flinch::train

@@ -47,12 +47,12 @@ void run(const Options& options) {
   const database::Library library = database::load_library(options.library);
   SimulationPlan plan;
   plan.seed = options.seed;
-  const SimulationSubject subject(library);
+  const SimulationSubject subject(library, plan);
   SimulationProgress last;
   {
     ProgressDisplay display(options.json);
     const bool finished =
-        simulate_store(subject, plan, options.store, options.scenarios, thread_count(options),
+        simulate_store(subject, options.store, options.scenarios, thread_count(options),
                        catch_interrupts(), [&](const SimulationProgress& progress) {
                          last = progress;
                          display.show(progress);

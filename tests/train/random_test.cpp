@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#include "train/random.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+#include <vector>
+
+namespace flinch::train {
+namespace {
+
+using Words = std::array<std::uint32_t, 4>;
+
+// The known answers for philox4x32 with 10 rounds that Random123's authors publish (kat_vectors).
+TEST(Philox, GivesThePublishedAnswers) {
+  EXPECT_EQ(philox4x32({0, 0, 0, 0}, {0, 0}),
+            (Words{0x6627e8d5, 0xe169c58d, 0xbc57ac4c, 0x9b00dbd8}));
+  EXPECT_EQ(philox4x32({0xffffffff, 0xffffffff, 0xffffffff, 0xffffffff}, {0xffffffff, 0xffffffff}),
+            (Words{0x408f276d, 0x41c83b0e, 0xa20bc7c6, 0x6d5451fd}));
+  EXPECT_EQ(philox4x32({0x243f6a88, 0x85a308d3, 0x13198a2e, 0x03707344}, {0xa4093822, 0x299f31d0}),
+            (Words{0xd16cfe09, 0x94fdcceb, 0x5001e420, 0x24126ea1}));
+}
+
+TEST(Random, BeginsWithTheBlockOfItsSeedPurposeAndStream) {
+  const Words block = philox4x32({0, 0, 7, 1}, {3, 2});
+  Random random((std::uint64_t{2} << 32) | 3, Purpose::scenario, (std::uint64_t{1} << 32) | 7);
+  EXPECT_EQ(random.bits(), block[0] | std::uint64_t{block[1]} << 32);
+  EXPECT_EQ(random.bits(), block[2] | std::uint64_t{block[3]} << 32);
+}
+
+TEST(Random, StreamsSeedsAndPurposesDiffer) {
+  std::set<std::uint64_t> first;
+  for (std::uint64_t stream = 0; stream < 100; ++stream) {
+    first.insert(Random(1, Purpose::scenario, stream).bits());
+    first.insert(Random(2, Purpose::scenario, stream).bits());
+    first.insert(Random(1, Purpose::bootstrap, stream).bits());
+  }
+  EXPECT_EQ(first.size(), 300U);
+}
+
+TEST(Random, UniformStaysInItsRangeWithTheRightMeanAndVariance) {
+  Random random(1, Purpose::scenario, 0);
+  constexpr int kCount = 100'000;
+  double sum = 0;
+  double squares = 0;
+  for (int i = 0; i < kCount; ++i) {
+    const double value = random.uniform();
+    ASSERT_GE(value, 0);
+    ASSERT_LT(value, 1);
+    sum += value;
+    squares += value * value;
+  }
+  const double mean = sum / kCount;
+  EXPECT_NEAR(mean, 0.5, 0.004);  // 4 standard errors
+  EXPECT_NEAR(squares / kCount - mean * mean, 1.0 / 12, 0.002);
+}
+
+TEST(Random, IndexGivesEveryValueItsShare) {
+  Random random(1, Purpose::scenario, 0);
+  constexpr int kDraws = 70'000;
+  std::vector<int> count(7);
+  for (int i = 0; i < kDraws; ++i) ++count[random.index(7)];
+  for (const int c : count) EXPECT_NEAR(c, kDraws / 7, 400);  // 4 standard deviations
+}
+
+}  // namespace
+}  // namespace flinch::train

@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: MIT
+#include "train/store.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <functional>
+
+#include "motion/error.h"
+#include "tests/train/made_up_store.h"
+#include "train/sqlite.h"
+#include "train/store_schema.h"
+
+namespace flinch::train {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+std::string message_of(const std::function<void()>& action) {
+  try {
+    action();
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+void write_store(const std::string& path, const StoreHeader& header, std::uint64_t count) {
+  StoreWriter writer(path, header);
+  while (writer.count() < count)
+    writer.append(
+        made_up_observations(header, writer.count(), std::min(count, writer.count() + 16)));
+  writer.finish();
+}
+
+TEST(Store, ReadsBackEveryBitThatWasWritten) {
+  const TemporaryFolder folder;
+  const StoreHeader header = made_up_header();
+  write_store(folder / "a.flinchobs", header, 40);
+  const Store store = read_store(folder / "a.flinchobs");
+  EXPECT_EQ(store.header.library_hash, header.library_hash);
+  EXPECT_EQ(store.header.library_name, header.library_name);
+  EXPECT_EQ(store.header.seed, header.seed);
+  EXPECT_EQ(store.header.reference_impulse_ns, header.reference_impulse_ns);
+  EXPECT_EQ(store.header.reference_work_j, header.reference_work_j);
+  EXPECT_EQ(store.header.clip_work_j, header.clip_work_j);
+  ASSERT_EQ(store.header.clips.size(), header.clips.size());
+  for (std::size_t i = 0; i < header.clips.size(); ++i) {
+    EXPECT_EQ(store.header.clips[i].name, header.clips[i].name);
+    ASSERT_EQ(store.header.clips[i].annotation.has_value(), header.clips[i].annotation.has_value());
+    if (!header.clips[i].annotation) continue;
+    EXPECT_EQ(store.header.clips[i].annotation->target, header.clips[i].annotation->target);
+    EXPECT_NEAR(store.header.clips[i].annotation->direction, header.clips[i].annotation->direction,
+                1e-6F);
+    EXPECT_EQ(store.header.clips[i].annotation->peak_s, header.clips[i].annotation->peak_s);
+  }
+  EXPECT_EQ(store.header.idle_target_centres[3], header.idle_target_centres[3]);
+  ASSERT_EQ(store.observations.size(), 40U);
+  for (std::uint64_t number = 0; number < 40; ++number) {
+    const Observation expected = made_up_observation(header, number);
+    const Observation& found = store.observations[number];
+    EXPECT_EQ(found.number, number);
+    EXPECT_EQ(found.scenario.target, expected.scenario.target);
+    EXPECT_EQ(found.scenario.threat.position, expected.scenario.threat.position);
+    EXPECT_EQ(found.scenario.threat.velocity, expected.scenario.threat.velocity);
+    EXPECT_EQ(found.scenario.state.idle_time_s, expected.scenario.state.idle_time_s);
+    EXPECT_EQ(found.features, expected.features);
+    EXPECT_EQ(encode_trials(found.trials), encode_trials(expected.trials));
+  }
+}
+
+TEST(Store, InterruptedAnywhereEndsWithTheSameBytes) {
+  const TemporaryFolder folder;
+  const StoreHeader header = made_up_header();
+  write_store(folder / "whole", header, 70);
+  for (const std::uint64_t stop : {0U, 16U, 21U, 64U}) {
+    const std::string path = folder / ("stopped-at-" + std::to_string(stop));
+    {
+      StoreWriter writer(path, header);
+      if (stop > 0) writer.append(made_up_observations(header, 0, stop));
+      EXPECT_FALSE(std::filesystem::exists(path)) << "nothing stands under the final name yet";
+    }
+    write_store(path, header, 70);
+    EXPECT_EQ(bytes_of(path), bytes_of(folder / "whole")) << "stopped after " << stop;
+    EXPECT_FALSE(std::filesystem::exists(path + ".partial"));
+  }
+}
+
+TEST(Store, KilledInTheMiddleOfATransactionKeepsWhatWasCommitted) {
+  const TemporaryFolder folder;
+  const StoreHeader header = made_up_header();
+  write_store(folder / "whole", header, 32);
+  const std::string path = folder / "killed";
+  const pid_t child = fork();
+  if (child == 0) {
+    StoreWriter writer(path, header);
+    writer.append(made_up_observations(header, 0, 16));
+    // The next transaction reaches the file, its journal is hot, and then the lights go out.
+    raise(SIGSTOP);
+    writer.append(made_up_observations(header, 16, 32));
+    _exit(0);
+  }
+  int status = 0;
+  ASSERT_EQ(waitpid(child, &status, WUNTRACED), child);
+  ASSERT_TRUE(WIFSTOPPED(status));
+  EXPECT_THAT(message_of([&] { StoreWriter(path, header); }), HasSubstr("another process"));
+  kill(child, SIGKILL);
+  waitpid(child, &status, 0);
+  {
+    const StoreWriter writer(path, header);
+    EXPECT_EQ(writer.count(), 16U);
+  }
+  write_store(path, header, 32);
+  EXPECT_EQ(bytes_of(path), bytes_of(folder / "whole"));
+}
+
+TEST(Store, AFinishedStoreGoesOnAndEndsWithTheSameBytes) {
+  const TemporaryFolder folder;
+  const StoreHeader header = made_up_header();
+  write_store(folder / "whole", header, 50);
+  write_store(folder / "grown", header, 21);
+  write_store(folder / "grown", header, 50);
+  EXPECT_EQ(bytes_of(folder / "grown"), bytes_of(folder / "whole"));
+}
+
+TEST(Store, OfAnotherRunIsRefusedAndLeftAlone) {
+  const TemporaryFolder folder;
+  const StoreHeader header = made_up_header();
+  const std::string path = folder / "a.flinchobs";
+  write_store(path, header, 10);
+  const std::string before = bytes_of(path);
+  StoreHeader other = header;
+  other.library_hash = 1;
+  EXPECT_THAT(message_of([&] { StoreWriter(path, other); }), HasSubstr("another library"));
+  other = header;
+  other.seed = 6;
+  EXPECT_THAT(message_of([&] { StoreWriter(path, other); }), HasSubstr("--seed 5"));
+  other = header;
+  other.distribution = "{}";
+  EXPECT_THAT(message_of([&] { StoreWriter(path, other); }), HasSubstr("scenario distribution"));
+  other = header;
+  other.simulation = "{}";
+  EXPECT_THAT(message_of([&] { StoreWriter(path, other); }), HasSubstr("another simulation"));
+  EXPECT_EQ(bytes_of(path), before);
+}
+
+TEST(Store, FilesThatAreNoStoreAreRefusedByName) {
+  const TemporaryFolder folder;
+  const auto write = [&](const std::string& name, const std::string& bytes) {
+    std::ofstream(folder / name, std::ios::binary) << bytes;
+    return folder / name;
+  };
+  EXPECT_THAT(message_of([&] { read_store(folder / "none"); }), HasSubstr("none: no such file"));
+  EXPECT_THAT(message_of([&] { read_store(write("empty", "")); }), HasSubstr("empty"));
+  EXPECT_THAT(message_of([&] { read_store(write("text", "HIERARCHY")); }),
+              HasSubstr("not a store"));
+  {
+    Database database(folder / "other.db", Database::Mode::create);
+    database.execute("CREATE TABLE t(x)");
+  }
+  EXPECT_THAT(message_of([&] { read_store(folder / "other.db"); }), HasSubstr("not a store"));
+  write_store(folder / "a", made_up_header(), 30);
+  const std::string whole = bytes_of(folder / "a");
+  for (const std::size_t length : {100UL, 5000UL, whole.size() / 2, whole.size() - 1}) {
+    const std::string message =
+        message_of([&] { read_store(write("cut", whole.substr(0, length))); });
+    EXPECT_THAT(message, HasSubstr("cut: ")) << length;
+    EXPECT_THAT(message, Not(HasSubstr("\n"))) << length;
+  }
+  Database database(folder / "a", Database::Mode::write);
+  database.execute("PRAGMA user_version = 99");
+  EXPECT_THAT(message_of([&] { read_store(folder / "a"); }), HasSubstr("format 99"));
+}
+
+TEST(Store, DamagedRowsAreRefused) {
+  const TemporaryFolder folder;
+  for (const char* damage : {"UPDATE observation SET trials = x'0000' WHERE number = 3",
+                             "UPDATE observation SET target = 'nose' WHERE number = 3",
+                             "UPDATE observation SET speed_mps = 1e999 WHERE number = 3",
+                             "UPDATE meta SET value = 999 WHERE key = 'idle_clip'",
+                             "DELETE FROM meta", "DELETE FROM clip"}) {
+    const std::string path = folder / "damaged";
+    std::filesystem::remove(path);
+    write_store(path, made_up_header(), 5);
+    Database(path, Database::Mode::write).execute(damage);
+    EXPECT_THAT(message_of([&] { read_store(path); }), HasSubstr("damaged")) << damage;
+  }
+}
+
+TEST(Store, AFullDiskIsToldAndKeepsWhatWasCommitted) {
+  const TemporaryFolder folder;
+  const StoreHeader header = made_up_header();
+  write_store(folder / "whole", header, 64);
+  const std::string path = folder / "full";
+  {
+    StoreWriter writer(path, header);
+    writer.append(made_up_observations(header, 0, 16));
+    // No file of this process may grow any more: the same as a full disk to whoever writes.
+    signal(SIGXFSZ, SIG_IGN);
+    rlimit before{};
+    getrlimit(RLIMIT_FSIZE, &before);
+    rlimit small = before;
+    small.rlim_cur = std::filesystem::file_size(writer.partial_path());
+    ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &small), 0);
+    const std::string message =
+        message_of([&] { writer.append(made_up_observations(header, 16, 64)); });
+    ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &before), 0);
+    EXPECT_THAT(message, HasSubstr("full.partial: "));
+    EXPECT_THAT(message, HasSubstr("make room"));
+  }
+  EXPECT_FALSE(std::filesystem::exists(path));
+  EXPECT_EQ(StoreWriter(path, header).count(), 16U);
+  write_store(path, header, 64);
+  EXPECT_EQ(bytes_of(path), bytes_of(folder / "whole"));
+}
+
+TEST(Sqlite, AFullDatabaseIsAFullDisk) {
+  const TemporaryFolder folder;
+  Database database(folder / "small", Database::Mode::create);
+  database.execute("CREATE TABLE t(x)");
+  database.execute("PRAGMA max_page_count = 3");
+  const std::string message = message_of([&] {
+    Transaction transaction(database);
+    database.execute("INSERT INTO t VALUES(zeroblob(100000))");
+    transaction.commit();
+  });
+  EXPECT_THAT(message, HasSubstr("the disk is full"));
+}
+
+}  // namespace
+}  // namespace flinch::train
