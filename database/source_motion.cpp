@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "database/calibration.h"
+#include "database/ground_contact.h"
 #include "motion/interpolation.h"
 
 namespace flinch::database {
@@ -157,6 +158,7 @@ SourceMotion source_motion(const Source& source) {
   set_ground(motion);
   level_feet(motion);
   align_hinges(motion);
+  settle_feet(motion);
   return motion;
 }
 

@@ -79,8 +79,8 @@ struct Source {
 Source understand(Bvh bvh, const SourceOptions& options = {});
 
 /// All frames of a source in the library's terms, calibrated by the motion itself (see
-/// calibration.h): the ground is where the feet are lowest, planted feet are flat, and elbows and
-/// knees bend about their hinges.
+/// calibration.h and ground_contact.h): the ground is where the feet are lowest, planted feet are
+/// flat and on it, and elbows and knees bend about their hinges.
 SourceMotion source_motion(const Source& source);
 
 }  // namespace flinch::database
