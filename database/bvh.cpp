@@ -142,6 +142,7 @@ class HierarchyParser {
                   " come after its children, which leaves the order of the columns open");
     }
     const long long declared = lexer_.next_whole_number("the number of channels");
+    const std::size_t line = lexer_.line();
     std::vector<BvhChannel>& channels = joint().channels;
     while (const auto channel = channel_named(lexer_.peek_word())) {
       if (is_position(*channel) &&
@@ -153,9 +154,9 @@ class HierarchyParser {
     }
     if (std::cmp_not_equal(declared, channels.size())) {
       const std::string found = quoted(lexer_.peek_word());
-      lexer_.fail("CHANNELS says " + std::to_string(declared) + ", but " +
-                  std::to_string(channels.size()) +
-                  " known names follow (Xposition to Zrotation), then " + found);
+      lexer_.fail_at(line, "CHANNELS says " + std::to_string(declared) + ", but " +
+                               std::to_string(channels.size()) +
+                               " known names follow (Xposition to Zrotation), then " + found);
     }
     bvh_.channel_count += static_cast<int>(channels.size());
   }

@@ -85,8 +85,8 @@ Declared parse_motion_header(BvhLexer& lexer, Bvh& bvh) {
                                 plural(declared.channels, "value") + " a frame");
 }
 
-[[noreturn]] void fail_with_too_few(const BvhLexer& lexer, std::size_t values,
-                                    const Declared& declared) {
+[[noreturn]] void fail_with_too_few(const BvhLexer& lexer, std::size_t last_line,
+                                    std::size_t values, const Declared& declared) {
   const std::size_t whole = values / declared.channels;
   const std::size_t rest = values % declared.channels;
   std::string what = "the file ends after " + plural(whole, "frame");
@@ -94,7 +94,7 @@ Declared parse_motion_header(BvhLexer& lexer, Bvh& bvh) {
   what += " of " + plural(declared.channels, "value") + ", but line " +
           std::to_string(declared.frames_line) + " declares " + plural(declared.frames, "frame") +
           "; get the whole file or correct that line";
-  lexer.fail(what);
+  lexer.fail_at(last_line, what);
 }
 
 [[noreturn]] void fail_with_too_many(const BvhLexer& lexer, std::size_t line,
@@ -135,7 +135,7 @@ void parse_bvh_motion(BvhLexer& lexer, Bvh& bvh) {
     bvh.warnings.push_back(lexer.where(lines.crossing().line) +
                            ": lines break without regard to frames; read as one run of values");
   }
-  if (found < expected) fail_with_too_few(lexer, found, declared);
+  if (found < expected) fail_with_too_few(lexer, last_line, found, declared);
   if (found > expected) fail_with_too_many(lexer, first_line_too_many, declared);
 }
 

@@ -20,10 +20,6 @@ constexpr std::array kOpenings{
     Opening{kSelectorKind.mark, FileKind::selector},
     Opening{std::string_view("SQLite format 3\0", 16), FileKind::store},
     Opening{"HIERARCHY", FileKind::bvh},
-    Opening{":version", FileKind::acclaim_skeleton},
-    Opening{":FULLY-SPECIFIED", FileKind::acclaim_motion},
-    Opening{"Kaydara FBX", FileKind::fbx},
-    Opening{"; FBX", FileKind::fbx},
     Opening{"glTF", FileKind::gltf},
     Opening{"PK\x03\x04", FileKind::archive},
     Opening{"\x1F\x8B", FileKind::archive},
@@ -50,10 +46,15 @@ FileKind file_kind_of(std::string_view bytes) {
 }
 
 std::string_view name_of(FileKind kind) {
-  constexpr std::array<std::string_view, 12> kNames{
-      "an empty file",      "a library",   "a selector",  "a store or other SQLite database",
-      "a BVH file",         "an ASF file", "an AMC file", "an FBX file",
-      "a binary glTF file", "an archive",  "a text file", "no file that Flinch knows"};
+  constexpr std::array<std::string_view, 9> kNames{"an empty file",
+                                                   "a library",
+                                                   "a selector",
+                                                   "a store or other SQLite database",
+                                                   "a BVH file",
+                                                   "a binary glTF file",
+                                                   "an archive",
+                                                   "a text file",
+                                                   "no file that Flinch knows"};
   return kNames[static_cast<std::size_t>(kind)];
 }
 

@@ -14,11 +14,8 @@ enum class FileKind : std::uint8_t {
   selector,
   store,  ///< or another SQLite database
   bvh,
-  acclaim_skeleton,
-  acclaim_motion,
-  fbx,
   gltf,
-  archive,  ///< zip, gzip, xz or tar
+  archive,  ///< zip, gzip or xz
   text,
   unknown,
 };
