@@ -10,7 +10,7 @@ namespace {
 // fast block's hand has half of it.
 constexpr double kMostAcceleration_mps2 = 400;
 constexpr double kNear_m = 2e-3;
-constexpr double kLeastStep_s = 1e-7;
+constexpr double kLeastStep_s = 1e-5;
 
 /// The first time within `horizon_s` at which the ball may touch one of the shapes.
 std::optional<double> first_touch(const FreeFlight& ball, std::span<const MovingShape> shapes,

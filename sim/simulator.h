@@ -20,7 +20,7 @@ struct Ball {
 /// How to simulate. The defaults are what is shipped; docs/simulation.md has the study behind them.
 struct SimulationOptions {
   double free_step_s = 1.0 / 60;       ///< while the ball can touch nothing
-  double contact_step_s = 1.0 / 1000;  ///< while it can
+  double contact_step_s = 1.0 / 2000;  ///< while it can
   double restitution = 0.7;            ///< of ball against body and ground
   double gravity_mps2 = 9.81;
 };

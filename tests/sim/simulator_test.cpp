@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <numeric>
@@ -10,7 +11,7 @@
 
 #include "motion/error.h"
 #include "sim/ode_world.h"
-#include "tests/sim/figure_motions.h"
+#include "tests/sim/random_hits.h"
 
 namespace flinch::sim {
 namespace {
@@ -153,6 +154,40 @@ TEST(Simulator, ChargesBothWhenAHandIsDrivenIntoTheFace) {
     if (result.impulse[Body::head] > 0.1) ++driven;
   }
   EXPECT_GE(driven, 2);
+}
+
+// docs/simulation.md has the study; this keeps what it found.
+TEST(Simulator, ImpulsesHardlyChangeWhenBothStepsAreHalved) {
+  const auto motions = scenes::motions_by_rule(character().skeleton);
+  const auto hits = scenes::random_hits(character(), motions, 48, 7);
+  SimulationOptions half;
+  half.free_step_s /= 2;
+  half.contact_step_s /= 2;
+  const Simulator shipped(character(), {});
+  const Simulator halved(character(), half);
+  std::vector<double> changes;
+  for (const scenes::Hit& hit : hits) {
+    const motion::Motion& motion = motions[hit.motion].motion;
+    const double coarse = total(shipped.simulate(motion, &hit.ball, 1));
+    const double fine = total(halved.simulate(motion, &hit.ball, 1));
+    if (fine > 0) changes.push_back(std::abs(coarse - fine) / fine);
+  }
+  ASSERT_GT(changes.size(), hits.size() / 2);
+  std::sort(changes.begin(), changes.end());
+  EXPECT_LT(changes[changes.size() / 2], 0.02);
+  EXPECT_LT(changes[changes.size() * 9 / 10], 0.10);
+}
+
+TEST(Simulator, FigureRecoversFromAnyHit) {
+  const auto motions = scenes::motions_by_rule(character().skeleton);
+  const Simulator simulator(character(), {});
+  for (const scenes::Hit& hit : scenes::random_hits(character(), motions, 48, 9)) {
+    const auto result = simulator.simulate(motions[hit.motion].motion, &hit.ball, 1);
+    EXPECT_LT(result.tracking_error_m, 0.1);
+    EXPECT_EQ(result.solver_messages, 0);
+    EXPECT_LT(result.steps, 300);
+    for (double impulse : result.impulse) EXPECT_TRUE(impulse >= 0 && impulse < 50) << impulse;
+  }
 }
 
 TEST(Simulator, MirroredScenesTakeMirroredImpulses) {
