@@ -89,6 +89,18 @@ std::optional<Vector3f> hinge_in_motion(const SourceMotion& motion, Limb limb) {
   return sum.normalized();
 }
 
+// For legs that hardly bend: the knee's axis is across the foot, on the mean.
+Vector3f hinge_across_foot(const SourceMotion& motion, std::size_t side) {
+  const Limb leg = side == 0 ? Limb::left_leg : Limb::right_leg;
+  Vector3f sum = Vector3f::Zero();
+  for (const SourceFrame& frame : motion.frames) {
+    const Vector3f across = frame.orientation[kFeet[side].lower] * Vector3f::UnitY();
+    sum += frame.orientation[motion::roles_of(leg).upper].conjugate() * across;
+  }
+  sum.z() = 0;  // square to the bone
+  return sum;
+}
+
 }  // namespace
 
 void set_ground(SourceMotion& motion) {
@@ -130,7 +142,9 @@ void level_feet(SourceMotion& motion) {
 
 void align_hinges(SourceMotion& motion) {
   for (Limb limb : motion::kLimbs) {
-    const std::optional<Vector3f> found = hinge_in_motion(motion, limb);
+    std::optional<Vector3f> found = hinge_in_motion(motion, limb);
+    if (!found && limb == Limb::left_leg) found = hinge_across_foot(motion, 0);
+    if (!found && limb == Limb::right_leg) found = hinge_across_foot(motion, 1);
     if (!found) continue;
     const Quaternionf correction = Quaternionf::FromTwoVectors(motion::hinge_axis(limb), *found);
     const Role upper = motion::roles_of(limb).upper;

@@ -17,7 +17,8 @@ void level_feet(SourceMotion& motion);
 
 /// Turns each upper arm and thigh, by a constant about its own bone, so that elbow and knee bend
 /// about their hinge (see motion::hinge_axis). A reference pose does not show how a straight limb
-/// will bend; the motion does. Limbs that bend too little, or not about one axis, are left alone.
+/// will bend; the motion does. Legs that bend too little to tell take the direction of the foot,
+/// arms are left alone. Needs level feet.
 void align_hinges(SourceMotion& motion);
 
 }  // namespace flinch::database

@@ -78,7 +78,7 @@ Pose transferred(const Target& target, const SourceFrame& frame) {
 // ankle can be at most sqrt(L^2 - d^2) above it.
 float sinking_needed(const Target& target, const Vector3f& hip, const Vector3f& ankle,
                      std::size_t side) {
-  constexpr float kNearlyStraight = 0.9999F;  // of the leg's length: within the knee's hinge limit
+  constexpr float kNearlyStraight = 0.99998F;  // of the leg's length: within the hinge's limit
   const float reach = kNearlyStraight * length_of_leg(target.skeleton, kLegs[side]);
   const float across = (ankle - hip).head<2>().norm();
   if (across >= reach) return 0;  // sinking does not help
@@ -119,8 +119,21 @@ void keep_toes_up(const Target& target, std::size_t side, Pose& pose) {
   pose.rotation[leg.toes] = (pose.rotation[leg.toes] * Quaternionf(bend)).normalized();
 }
 
+// Of a leg that is nearly straight, bow legs and noise decide where its knee sticks out. There it
+// bends by as much, but about the hinge; in between one goes over into the other.
+void straighten_bow_leg(Limb limb, Pose& pose) {
+  constexpr float kStraight = 0.17F;  // radians, 10 degrees
+  constexpr float kBent = 0.52F;      // 30 degrees
+  Quaternionf& knee = pose.rotation[motion::roles_of(limb).lower];
+  const float bend = std::acos(std::clamp((knee * Vector3f::UnitZ()).z(), -1.0F, 1.0F));
+  const Quaternionf about_hinge(Eigen::AngleAxisf(bend, motion::hinge_axis(limb)));
+  const float weight = motion::ease_in_ease_out((bend - kStraight) / (kBent - kStraight));
+  knee = motion::slerp(about_hinge, knee, weight);
+}
+
 Pose retargeted(const Target& target, const SourceFrame& frame, const AnkleGoals& goals) {
   Pose pose = transferred(target, frame);
+  for (const Leg& leg : kLegs) straighten_bow_leg(leg.limb, pose);
   sink_pelvis(target, goals, pose);
   for (std::size_t side = 0; side < 2; ++side) {
     const Leg& leg = kLegs[side];

@@ -242,9 +242,11 @@ class Mapper {
     if (fork == kNone) return;
     int taken = kNone;
     for (int candidate : between(fork, chest)) {
-      if (used_[index(candidate)]) continue;
-      taken = candidate;  // a joint without length still turns: better than none
-      if (!coincide(candidate, pelvis) && !coincide(candidate, chest)) break;
+      if (used_[index(candidate)] || coincide(candidate, chest)) continue;
+      // A joint without length still turns: better than none. Of several at one place the last has
+      // the turns of all.
+      const bool is_better = taken == kNone || coincide(taken, pelvis);
+      if (is_better || coincide(candidate, taken)) taken = candidate;
     }
     if (taken != kNone) assign(Role::abdomen, taken, RoleSource::topology);
   }
@@ -262,12 +264,14 @@ class Mapper {
       if (!coincide(joint(Role::neck), joint(Role::chest))) return;
       release(Role::neck);
     }
+    int taken = kNone;
     for (int candidate : between(joint(Role::chest), joint(Role::head))) {
-      if (coincide(candidate, joint(Role::chest)) || coincide(candidate, joint(Role::head)))
-        continue;
-      assign(Role::neck, candidate, RoleSource::topology);
-      return;
+      const bool has_length =
+          !coincide(candidate, joint(Role::chest)) && !coincide(candidate, joint(Role::head));
+      // As with the abdomen, the last of several at one place.
+      if (has_length && (taken == kNone || coincide(candidate, taken))) taken = candidate;
     }
+    if (taken != kNone) assign(Role::neck, taken, RoleSource::topology);
   }
 
   std::vector<int> all() const {
