@@ -19,9 +19,9 @@ namespace {
     case SQLITE_LOCKED:
       throw Error(path, "another process is using it; wait for that to end, or stop it");
     case SQLITE_NOTADB:
-      throw Error(path, "not a store (not a SQLite file); make one with flinch simulate");
+      throw Error(path, "not a store (not a SQLite file); `flinch simulate` makes one");
     case SQLITE_CORRUPT:
-      throw Error(path, "the store is damaged; delete it and run flinch simulate again");
+      throw Error(path, "the store is damaged; delete it and run `flinch simulate` again");
     case SQLITE_CANTOPEN:
       throw Error(path, "cannot open; check the path and its permissions");
     case SQLITE_READONLY:

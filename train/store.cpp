@@ -4,14 +4,13 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-#include <array>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <optional>
 
 #include "motion/error.h"
+#include "train/file_opening.h"
 #include "train/sqlite.h"
 #include "train/store_schema.h"
 
@@ -22,13 +21,10 @@ namespace {
 namespace fs = std::filesystem;
 
 Database open_for_reading(const std::string& path) {
-  std::error_code ignored;
-  if (!fs::exists(path, ignored))
-    throw Error(path, "no such file; check the path, or make a store with flinch simulate");
-  if (fs::is_directory(path, ignored)) throw Error(path, "is a folder, not a store");
-  if (fs::file_size(path, ignored) == 0)
-    throw Error(path, "empty, not a store; make one with flinch simulate");
-  if (!looks_like_store(path)) throw Error(path, "not a store; make one with flinch simulate");
+  const database::FileKind kind = file_kind_at(path);
+  if (kind != database::FileKind::store)
+    throw Error(path,
+                "is " + std::string(name_of(kind)) + ", not a store; `flinch simulate` makes one");
   return Database(path, Database::Mode::read);
 }
 
@@ -67,13 +63,6 @@ bool is_empty(Database& database) {
 }
 
 }  // namespace
-
-bool looks_like_store(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::array<char, 16> magic{};
-  file.read(magic.data(), magic.size());
-  return file && std::memcmp(magic.data(), "SQLite format 3", magic.size()) == 0;
-}
 
 void require_same_run(const StoreHeader& stored, const StoreHeader& wanted,
                       const std::string& path) {

@@ -54,9 +54,6 @@ struct StoreSummary {
 };
 StoreSummary summarise_store(const std::string& path);
 
-/// Whether a file begins as a SQLite file does.
-bool looks_like_store(const std::string& path);
-
 /// Writes the observations of scenarios 0, 1, 2, … of one run into "PATH.partial" and gives the
 /// file its name when all are there. Interrupted at any moment, what was appended stays in the
 /// partial file, and a new writer goes on after it; the finished file has the same bytes however

@@ -17,7 +17,7 @@ namespace {
 static_assert(std::endian::native == std::endian::little, "the trials are kept little-endian");
 
 constexpr double kDegrees = 180 / std::numbers::pi;
-constexpr const char* kDamaged = "the store is damaged; delete it and run flinch simulate again";
+constexpr const char* kDamaged = "the store is damaged; delete it and run `flinch simulate` again";
 
 /// The columns before the features, in order, after the number.
 constexpr std::array<const char*, 14> kScenarioColumns{"target TEXT NOT NULL",
@@ -41,7 +41,7 @@ std::string observation_table() {
   std::string sql = "CREATE TABLE observation(number INTEGER PRIMARY KEY";
   for (const char* column : kScenarioColumns) sql += std::string(", ") + column;
   for (const std::string_view name : features::kFeatureNames)
-    sql += ", " + std::string(name) + " REAL NOT NULL";
+    sql += ", feature_" + std::string(name) + " REAL NOT NULL";
   return sql + ", trials BLOB NOT NULL)";
 }
 
@@ -143,12 +143,12 @@ std::int64_t pragma(Database& database, const std::string& name) {
 
 void require_store(Database& database) {
   if (pragma(database, "application_id") != kStoreApplicationId)
-    throw Error(database.path(), "not a store; make one with flinch simulate");
+    throw Error(database.path(), "not a store; `flinch simulate` makes one");
   const std::int64_t version = pragma(database, "user_version");
   if (version != kStoreFormatVersion)
     throw Error(database.path(),
                 "a store of format " + std::to_string(version) + ", this program reads format " +
-                    std::to_string(kStoreFormatVersion) + "; run flinch simulate again");
+                    std::to_string(kStoreFormatVersion) + "; run `flinch simulate` again");
 }
 
 }  // namespace

@@ -155,7 +155,7 @@ TEST(Store, FilesThatAreNoStoreAreRefusedByName) {
     std::ofstream(folder / name, std::ios::binary) << bytes;
     return folder / name;
   };
-  EXPECT_THAT(message_of([&] { read_store(folder / "none"); }), HasSubstr("none: no such file"));
+  EXPECT_THAT(message_of([&] { read_store(folder / "none"); }), HasSubstr("none: cannot be read: No such file"));
   EXPECT_THAT(message_of([&] { read_store(write("empty", "")); }), HasSubstr("empty"));
   EXPECT_THAT(message_of([&] { read_store(write("text", "HIERARCHY")); }),
               HasSubstr("not a store"));
@@ -181,7 +181,7 @@ TEST(Store, DamagedRowsAreRefused) {
   const TemporaryFolder folder;
   for (const char* damage : {"UPDATE observation SET trials = x'0000' WHERE number = 3",
                              "UPDATE observation SET target = 'nose' WHERE number = 3",
-                             "UPDATE observation SET speed_mps = 1e999 WHERE number = 3",
+                             "UPDATE observation SET feature_speed_mps = 1e999 WHERE number = 3",
                              "UPDATE meta SET value = 999 WHERE key = 'idle_clip'",
                              "DELETE FROM meta", "DELETE FROM clip"}) {
     const std::string path = folder / "damaged";

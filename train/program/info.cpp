@@ -2,10 +2,12 @@
 #include <iostream>
 #include <memory>
 
+#include "database/import.h"
 #include "database/library_writer.h"
 #include "motion/error.h"
+#include "train/file_opening.h"
+#include "train/program/bvh_options.h"
 #include "train/program/command.h"
-#include "train/program/info_bvh.h"
 #include "train/program/load.h"
 #include "train/program/table.h"
 #include "train/store.h"
@@ -18,7 +20,7 @@ using enum Table::Align;
 
 struct Options {
   std::string file;
-  std::string roles;
+  BvhOptions bvh;
   bool json = false;
 };
 
@@ -155,6 +157,10 @@ void print_selector(const models::Selector& selector) {
   std::cout << "\nclips: " << selector.clips.size() << '\n';
 }
 
+void print_source(const database::SourceReport& source) {
+  std::cout << source_text(source);
+}
+
 template <class Content, class Document, class Print>
 void show(const Options& options, const Content& content, Document document, Print print_text) {
   if (options.json) {
@@ -165,10 +171,12 @@ void show(const Options& options, const Content& content, Document document, Pri
 }
 
 void run(const Options& options) {
-  const FileKind kind = kind_of(options.file);
-  if (!options.roles.empty() && kind != FileKind::bvh)
-    throw Error(options.file, "--roles maps the joints of BVH files, and this is " +
-                                  describe(kind) + "; leave it out");
+  using database::FileKind;
+  const FileKind kind = file_kind_at(options.file);
+  if (options.bvh.given() && kind != FileKind::bvh)
+    throw Error(options.file,
+                "is " + std::string(name_of(kind)) +
+                    ", and --unit, --up and --roles are for BVH files; leave them out");
   switch (kind) {
     case FileKind::library:
       return show(options, database::load_library(options.file), library_document, print_library);
@@ -177,10 +185,11 @@ void run(const Options& options) {
     case FileKind::selector:
       return show(options, load_selector(options.file), selector_document, print_selector);
     case FileKind::bvh:
-      return show(options, read_mapped_bvh(options.file, options.roles), bvh_document, print_bvh);
+      return show(options, database::inspect_bvh(options.file, source_options(options.bvh)),
+                  source_document, print_source);
     default:
-      throw Error(options.file,
-                  describe(kind) + "; info reads libraries, stores, selectors and BVH");
+      throw Error(options.file, "is " + std::string(name_of(kind)) +
+                                    "; info reads libraries, stores, selectors and BVH files");
   }
 }
 
@@ -192,8 +201,7 @@ void add_info(CLI::App& program) {
       "info",
       "Tell what a library, store or selector holds, or how a BVH file's joints are mapped");
   command->add_option("FILE", options->file, "a library, store, selector or BVH file")->required();
-  command->add_option("--roles", options->roles,
-                      "TOML file with a table [roles] of lines role = \"joint\", for BVH files");
+  add_bvh_options(*command, options->bvh);
   add_json_option(*command, options->json);
   command->footer("Example:\n  flinch info real.flinchlib");
   command->callback([options] { run(*options); });

@@ -24,7 +24,9 @@ std::string duration_text(double seconds) {
 std::string bar(double share) {
   constexpr std::size_t kWidth = 24;
   const auto filled = static_cast<std::size_t>(share * static_cast<double>(kWidth));
-  return "[" + std::string(filled, '#') + std::string(kWidth - filled, '.') + "] ";
+  std::string text(1, '[');
+  text.append(filled, '#').append(kWidth - filled, '.').append("] ");
+  return text;
 }
 
 }  // namespace
