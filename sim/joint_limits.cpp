@@ -118,7 +118,12 @@ Eigen::Vector3d beyond_limits(const JointLimits& limits, const Eigen::Quaternion
   const Eigen::Vector3d wanted = joint_angles(reference, limits.bone);
   const Eigen::Vector3d nearest = within(limits.low.cwiseMin(wanted), limits.high.cwiseMax(wanted));
   if (nearest == angles) return Eigen::Vector3d::Zero();
-  return rotation_vector(joint_rotation(nearest, limits.bone) * rotation.conjugate());
+  const Eigen::Vector3d back =
+      rotation_vector(joint_rotation(nearest, limits.bone) * rotation.conjugate());
+  // The reference is within these limits, so that no way back is longer than the way to it; where
+  // angles jump, at half a turn, they would say otherwise.
+  const Eigen::Vector3d to_reference = rotation_vector(reference * rotation.conjugate());
+  return back.squaredNorm() < to_reference.squaredNorm() ? back : to_reference;
 }
 
 }  // namespace flinch::sim

@@ -129,7 +129,7 @@ void print_steps(const Study& study, const std::vector<scenes::Hit>& hits) {
           "%.0f | %d | %d |\n",
           free_hz, contact_hz, changes.size(), quantile(changes, 0.5), quantile(changes, 0.9),
           quantile(changes, 0.95), here.steps / runs, 1e6 * here.cpu_s / here.steps,
-          1e3 * here.cpu_s / runs, runs / here.cpu_s, here.messages);
+          1e3 * here.cpu_s / runs, runs / here.cpu_s, here.most_steps, here.messages);
     }
   }
 }

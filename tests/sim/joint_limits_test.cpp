@@ -99,6 +99,22 @@ TEST(JointLimits, GiveWayToTheReference) {
               5 * kDegree, 1e-9);
 }
 
+// Angles jump at half a turn; the way back must not.
+TEST(JointLimits, NeverAskForMoreThanTheWayToTheReference) {
+  std::mt19937 generator(8);
+  std::normal_distribution<double> normal;
+  for (Body body : motion::kBodies) {
+    if (!parent_of(body)) continue;
+    for (int i = 0; i < 200; ++i) {
+      const Eigen::Quaterniond reference = random_rotation(generator);
+      const Eigen::Vector3d turn(normal(generator), normal(generator), normal(generator));
+      const Eigen::Quaterniond rotation = rotation_by(0.05 * turn) * reference;
+      EXPECT_LE(beyond_limits(limits_of(body), rotation, reference).norm(),
+                0.05 * turn.norm() + 1e-9);
+    }
+  }
+}
+
 TEST(RotationVector, TakesTheShorterWayAndComesBack) {
   std::mt19937 generator(4);
   for (int i = 0; i < 200; ++i) {
