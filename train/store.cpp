@@ -20,12 +20,23 @@ namespace {
 
 namespace fs = std::filesystem;
 
+std::int64_t integer(Database& database, const std::string& sql) {
+  Statement statement = database.prepare(sql);
+  return statement.step() ? statement.integer(0) : 0;
+}
+
 Database open_for_reading(const std::string& path) {
   const database::FileKind kind = file_kind_at(path);
   if (kind != database::FileKind::store)
     throw Error(path,
                 "is " + std::string(name_of(kind)) + ", not a store; `flinch simulate` makes one");
-  return Database(path, Database::Mode::read);
+  Database database(path, Database::Mode::read);
+  // SQLite reads a page that ends early as if zeros followed.
+  const auto size = static_cast<std::int64_t>(fs::file_size(path));
+  if (integer(database, "PRAGMA page_size") * integer(database, "PRAGMA page_count") != size)
+    throw Error(path,
+                "the store is damaged (cut short); delete it and run `flinch simulate` again");
+  return database;
 }
 
 std::uint64_t count_of(Database& database) {
@@ -43,6 +54,8 @@ std::uint64_t count_of(Database& database) {
 /// transactions that made it.
 void write_compacted(Database& database, const std::string& path) {
   fs::remove(path);
+  // VACUUM keeps, and raises, the one number in the header that counts what went before.
+  database.execute("PRAGMA schema_version = 1");
   database.prepare("VACUUM INTO ?").bind(path).run();
   const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
   const bool synced = file >= 0 && ::fsync(file) == 0;
@@ -58,8 +71,7 @@ void rename_or_throw(const std::string& from, const std::string& to) {
 }
 
 bool is_empty(Database& database) {
-  Statement statement = database.prepare("SELECT count(*) FROM sqlite_master");
-  return !statement.step() || statement.integer(0) == 0;
+  return integer(database, "SELECT count(*) FROM sqlite_master") == 0;
 }
 
 }  // namespace
@@ -104,7 +116,7 @@ struct StoreWriter::File {
   std::uint64_t count = 0;
 
   std::string partial() const { return path + ".partial"; }
-  std::string compacted() const { return path + ".partial-compacted"; }
+  std::string copy() const { return path + ".partial-copy"; }
 
   void start_from_finished(const StoreHeader& header) const;
   void open_partial(const StoreHeader& header);
@@ -113,13 +125,13 @@ struct StoreWriter::File {
 /// Where a finished store stands and no partial one: go on from a copy of it.
 void StoreWriter::File::start_from_finished(const StoreHeader& header) const {
   if (!fs::exists(path)) return;
-  {
-    Database finished = open_for_reading(path);
-    require_same_run(read_header(finished), header, path);
-    if (fs::exists(partial())) return;
-    write_compacted(finished, compacted());
-  }
-  rename_or_throw(compacted(), partial());
+  Database finished = open_for_reading(path);
+  require_same_run(read_header(finished), header, path);
+  if (fs::exists(partial())) return;
+  std::error_code error;
+  fs::copy_file(path, copy(), fs::copy_options::overwrite_existing, error);
+  if (error) throw Error(partial(), "cannot be written: " + error.message());
+  rename_or_throw(copy(), partial());
 }
 
 void StoreWriter::File::open_partial(const StoreHeader& header) {
@@ -160,8 +172,8 @@ void StoreWriter::append(std::span<const Observation> observations) {
 }
 
 void StoreWriter::finish() {
-  write_compacted(*file_->database, file_->compacted());
-  rename_or_throw(file_->compacted(), file_->path);
+  write_compacted(*file_->database, file_->copy());
+  rename_or_throw(file_->copy(), file_->path);
   file_->database.reset();
   fs::remove(file_->partial());
 }

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "train/program/command.h"
 
+#include <array>
+#include <charconv>
 #include <cmath>
 #include <iostream>
 #include <numbers>
+#include <sstream>
 #include <vector>
 
 namespace flinch::train::program {
@@ -12,13 +15,25 @@ void add_json_option(CLI::App& command, bool& json) {
   command.add_flag("--json", json, "print one JSON document and nothing else");
 }
 
+CLI::Validator number_in(double least, double most) {
+  std::ostringstream range;
+  range << "[" << least << " - " << most << "]";
+  const auto refusal = [least, most, text = range.str()](const std::string& input) {
+    double value = 0;
+    const bool in_range =
+        CLI::detail::lexical_cast(input, value) && value >= least && value <= most;
+    return in_range ? std::string() : "Value " + input + " not in range " + text;
+  };
+  return {refusal, "NUMBER in " + range.str()};
+}
+
 void print(const Json& document) {
   std::cout << document.dump(2) << '\n';
 }
 
 void add_cost_options(CLI::App& command, CostOptions& options) {
   command.add_option("--brawn", options.brawn, "how much work weighs against damage, from 0 to 1")
-      ->check(CLI::Range(0.0, 1.0))
+      ->check(number_in(0, 1))
       ->capture_default_str();
   std::vector<std::string> names;
   for (const VulnerabilityProfile& profile : vulnerability_profiles())
@@ -38,15 +53,23 @@ double degrees(double radians) {
   return std::round(radians * 180e6 / std::numbers::pi) / 1e6;
 }
 
+double shortest(float value) {
+  std::array<char, 32> text{};
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
+  double same = 0;
+  std::from_chars(text.data(), end, same);
+  return same;
+}
+
 Json to_json(const models::ClipSummary& clip) {
   if (!clip.annotation) return {};
   const motion::Annotation& annotation = *clip.annotation;
   return {{"target", motion::name_of(annotation.target)},
           {"direction_degrees", std::round(degrees(double{annotation.direction}))},
           {"degree", motion::name_of(annotation.degree)},
-          {"onset_s", annotation.onset_s},
-          {"peak_s", annotation.peak_s},
-          {"end_s", annotation.end_s}};
+          {"onset_s", shortest(annotation.onset_s)},
+          {"peak_s", shortest(annotation.peak_s)},
+          {"end_s", shortest(annotation.end_s)}};
 }
 
 }  // namespace flinch::train::program

@@ -26,6 +26,9 @@ void add_select(CLI::App& program);
 /// The option that every command has.
 void add_json_option(CLI::App& command, bool& json);
 
+/// Accepts numbers from `least` to `most`; unlike CLI::Range, nan is not one.
+CLI::Validator number_in(double least, double most);
+
 /// Writes the one document that --json prints.
 void print(const Json& document);
 
@@ -39,6 +42,10 @@ const Vulnerability& vulnerability_of(const CostOptions& options);
 
 /// Degrees from radians, rounded to the millionth that floats leave sure.
 double degrees(double radians);
+
+/// The double with the fewest digits that is this float, so that JSON shows 0.4 and not
+/// 0.4000000059604645.
+double shortest(float value);
 
 /// A clip's annotation with its keys as in the design; empty without an annotation.
 Json to_json(const models::ClipSummary& clip);

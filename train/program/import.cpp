@@ -39,9 +39,9 @@ Json document_of(const Options& options, const database::ImportResult& result) {
     clips.push_back({{"name", clip.name},
                      {"purpose", motion::name_of(clip.purpose)},
                      {"source", clip.source},
-                     {"duration_s", clip.duration_s},
+                     {"duration_s", shortest(clip.duration_s)},
                      {"annotated", clip.is_annotated},
-                     {"added_foot_drift_m", clip.drift.added_m}});
+                     {"added_foot_drift_m", shortest(clip.drift.added_m)}});
   }
   Json sources = Json::array();
   for (const database::SourceReport& source : result.report.sources)
@@ -127,7 +127,7 @@ void add_import(CLI::App& program) {
       ->add_option("--rate", options->rate_hz,
                    "of the library, Hz (default: the manifest's, "
                    "else 60)")
-      ->check(CLI::Range(10.0F, 1000.0F));
+      ->check(number_in(10, 1000));
   command->add_option("--skeleton", options->skeleton,
                       "file whose skeleton to use, where there is no manifest");
   add_bvh_options(*command, options->bvh);

@@ -28,7 +28,7 @@ Json clip_document(const motion::Clip& clip) {
   Json document{{"name", clip.name},
                 {"purpose", motion::name_of(clip.purpose)},
                 {"kind", clip.kind},
-                {"duration_s", clip.motion.duration_s()},
+                {"duration_s", shortest(clip.motion.duration_s())},
                 {"source", clip.source}};
   if (!clip.mirrored_from.empty()) document["mirrored_from"] = clip.mirrored_from;
   document["annotation"] = to_json(models::ClipSummary{clip.name, clip.annotation});
@@ -43,8 +43,8 @@ Json library_document(const database::Library& library) {
   return {{"kind", "library"},
           {"name", library.name},
           {"hash", database::hash_text(library.hash)},
-          {"rate_hz", library.rate_hz},
-          {"mass_kg", library.character.mass_kg},
+          {"rate_hz", shortest(library.rate_hz)},
+          {"mass_kg", shortest(library.character.mass_kg)},
           {"sex", motion::name_of(library.character.sex)},
           {"idle", library.clips[static_cast<std::size_t>(library.idle)].name},
           {"joints", joints},

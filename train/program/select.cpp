@@ -46,27 +46,27 @@ void add_threat_options(CLI::App& command, ThreatOptions& threat) {
   command
       .add_option("--azimuth", threat.azimuth,
                   "where it comes from, degrees: 0 the front, 90 the character's left")
-      ->check(CLI::Range(-360.0, 360.0))
+      ->check(number_in(-360, 360))
       ->capture_default_str();
   command
       .add_option("--elevation", threat.elevation,
                   "how far above the horizontal it comes from at the impact, degrees (default: "
                   "level, or as high as a falling ball must)")
-      ->check(CLI::Range(-89.0, 89.0));
+      ->check(number_in(-89, 89));
   command.add_option("--speed", threat.speed_mps, "at the impact, m/s")
-      ->check(CLI::Range(0.1, 1000.0))
+      ->check(number_in(0.1, 1000))
       ->capture_default_str();
   command.add_option("--target", threat.target, "what it threatens: head, trunk, pelvis or legs")
       ->check(CLI::IsMember(target_names()))
       ->capture_default_str();
   command.add_option("--time-to-impact", threat.time_to_impact_s, "from perception, s")
-      ->check(CLI::Range(0.01, 10.0))
+      ->check(number_in(0.01, 10))
       ->capture_default_str();
   command.add_option("--radius", threat.radius_m, "of the ball, m")
-      ->check(CLI::Range(0.001, 10.0))
+      ->check(number_in(0.001, 10))
       ->capture_default_str();
   command.add_option("--mass", threat.mass_kg, "of the ball, kg")
-      ->check(CLI::Range(0.0001, 1000.0))
+      ->check(number_in(0.0001, 1000))
       ->capture_default_str();
 }
 
@@ -96,7 +96,7 @@ DescribedThreat described(const ThreatOptions& options, const TargetCentres& cen
 
 Json candidate_document(const models::Selector& selector, const models::Candidate& candidate) {
   const models::ClipSummary& clip = selector.clips[static_cast<std::size_t>(candidate.clip)];
-  Json document{{"clip", clip.name}, {"vote", candidate.vote}};
+  Json document{{"clip", clip.name}, {"vote", shortest(candidate.vote)}};
   if (clip.annotation) document.update(to_json(clip));
   return document;
 }

@@ -1,0 +1,198 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Whatever the program is given, it says in one line what is wrong and leaves nothing half done."""
+
+import unittest
+
+from flinch_program import ProgramTest, make_library
+
+BVH = """HIERARCHY
+ROOT Hips
+{
+  OFFSET 0 0 0
+  CHANNELS 6 Xposition Yposition Zposition Zrotation Xrotation Yrotation
+  End Site
+  {
+    OFFSET 0 10 0
+  }
+}
+MOTION
+Frames: 2
+Frame Time: 0.0333333
+0 0 0 0 0 0
+0 0 0 0 0 0
+"""
+
+
+class BadInput(ProgramTest):
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        cls.cases = 0
+
+    def setUp(self):
+        super().setUp()
+        self.library = self.folder / "good.flinchlib"
+        self.store = self.folder / "good.flinchobs"
+        self.selector = self.folder / "good.flinch"
+        self.out = self.folder / "out"
+        make_library(self.library)
+
+    def make_store_and_selector(self):
+        self.succeed("simulate", self.library, "--out", self.store, "-n", 12)
+        self.succeed("train", self.store, "--out", self.selector)
+
+    def file(self, name, content):
+        path = self.folder / name
+        if isinstance(content, bytes):
+            path.write_bytes(content)
+        else:
+            path.write_text(content)
+        return path
+
+    def refuse(self, code, expected, *arguments):
+        """The command fails with this code, says what is expected and writes nothing."""
+        before = {p: p.read_bytes() for p in self.folder.iterdir() if p.is_file()}
+        line = self.fail_with(code, *arguments)
+        for words in [expected] if isinstance(expected, str) else expected:
+            self.assertIn(words, line)
+        after = {p: p.read_bytes() for p in self.folder.iterdir() if p.is_file()}
+        self.assertEqual(after, before, arguments)
+        type(self).cases += 1
+
+    def readers(self, path):
+        """Each command that reads a file, reading this one."""
+        return {
+            "library": ["simulate", path, "--out", self.out, "-n", 2],
+            "store to train on": ["train", path, "--out", self.out],
+            "store to compare on": ["compare", path],
+            "store to export": ["export", path, "--out", f"{self.out}.csv"],
+            "selector": ["select", path],
+            "anything": ["info", path],
+        }
+
+    def test_files_that_are_not_what_they_should_be(self):
+        self.make_store_and_selector()
+        folder = self.folder / "folder"
+        folder.mkdir()
+        strange = {
+            "missing": (self.folder / "missing", "missing: "),
+            "folder": (folder, "folder"),
+            "empty": (self.file("empty", ""), "empty"),
+            "text": (self.file("text", "Dear Sir,\n"), "text file"),
+            "binary": (self.file("binary", bytes(range(256)) * 9), "no file that Flinch knows"),
+        }
+        for name, (path, words) in strange.items():
+            for what, command in self.readers(path).items():
+                with self.subTest(file=name, read_as=what):
+                    self.refuse(1, [str(path), words], *command)
+
+    def test_one_kind_of_file_for_another(self):
+        self.make_store_and_selector()
+        kinds = {"library": self.library, "store": self.store, "selector": self.selector,
+                 "BVH": self.file("a.bvh", BVH)}
+        for given, path in kinds.items():
+            for what, command in self.readers(path).items():
+                if what == "anything" or what.startswith(given):
+                    continue
+                with self.subTest(given=given, read_as=what):
+                    self.refuse(1, [str(path), given], *command)
+
+    def test_truncated_and_damaged_files(self):
+        self.make_store_and_selector()
+        for kind, path in [("library", self.library), ("store", self.store),
+                           ("selector", self.selector)]:
+            whole = path.read_bytes()
+            commands = [c for what, c in self.readers(path).items() if what.startswith(kind)]
+            for size in (17, len(whole) // 2, len(whole) - 1):
+                path.write_bytes(whole[:size])
+                for command in commands + [["info", path]]:
+                    with self.subTest(kind=kind, bytes=size, command=command[0]):
+                        self.refuse(1, str(path), *command)
+            if kind != "store":
+                path.write_bytes(whole[:-40] + bytes(40))
+                self.refuse(1, str(path), *commands[0])
+            path.write_bytes(whole)
+
+    def test_bvh_and_manifests(self):
+        frames = BVH.splitlines(keepends=True)
+        cases = {
+            "short.bvh": ("".join(frames[:-1]) + "0 0 0\n", ":"),
+            "counts.bvh": (BVH.replace("CHANNELS 6", "CHANNELS 9"), ":"),
+            "nan.bvh": (BVH.replace("0 0 0 0 0 0\n", "0 0 nan 0 0 0\n", 1), ":14"),
+            "figure.bvh": (BVH, "figure.bvh"),
+        }
+        for name, (text, words) in cases.items():
+            path = self.file(name, text)
+            with self.subTest(file=name):
+                self.refuse(1, [str(path), words], "import", path, "--out", self.out)
+        bvh = self.file("a.bvh", BVH)
+        idle = '[[idle]]\nname = "i"\nfile = "a.bvh"\n'
+        clip = (idle + '[[clip]]\nname = "a"\nfile = "a.bvh"\ndirection = 0\n'
+                'degree = "mild"\nonset = 0.0\npeak = 0.02\n')
+        manifests = {
+            "syntax": ("[[clip]\n", ":1"),
+            "target": (clip + 'target = "nose"\n', ["head", "trunk", "pelvis", "legs"]),
+            "file": (idle.replace("a.bvh", "none.bvh"), ["file.toml:", "none.bvh"]),
+        }
+        for name, (text, words) in manifests.items():
+            path = self.file(f"{name}.toml", text)
+            with self.subTest(manifest=name):
+                self.refuse(1, words, "import", bvh, "--manifest", path, "--out", self.out)
+
+    def test_wrong_usage(self):
+        self.make_store_and_selector()
+        for words, command in [
+                ("flinch --help", []),
+                ("flinch --help", ["dance"]),
+                ("flinch select --help", ["select"]),
+                ("--speeed", ["select", self.selector, "--speeed", 3]),
+                (["head", "trunk", "pelvis", "legs"], ["select", self.selector, "--target", "nose"]),
+                ("--speed", ["select", self.selector, "--speed", "fast"]),
+                ("--speed", ["select", self.selector, "--speed", "nan"]),
+                ("--time-to-impact", ["select", self.selector, "--time-to-impact", -1]),
+                ("--brawn", ["train", self.store, "--out", self.out, "--brawn", 2]),
+                (["svm", "knn"], ["train", self.store, "--out", self.out, "--model", "oracle"]),
+                ("--vulnerability", ["compare", self.store, "--vulnerability", "none"]),
+                ("--out", ["simulate", self.library, "-n", 2]),
+                ("-n", ["simulate", self.library, "--out", self.out, "-n", 0]),
+                ("--threads", ["simulate", self.library, "--out", self.out, "-n", 2, "--threads", 0]),
+        ]:
+            with self.subTest(command=command):
+                self.refuse(2, words, *command)
+
+    def test_places_that_cannot_be_written(self):
+        self.make_store_and_selector()
+        nowhere = self.folder / "no" / "where"
+        for command in [["simulate", self.library, "--out", nowhere, "-n", 2],
+                        ["train", self.store, "--out", nowhere],
+                        ["export", self.store, "--out", f"{nowhere}.csv"],
+                        ["compare", self.store, "--report", self.library / "report"],
+                        ["simulate", self.library, "--out", self.folder, "-n", 2],
+                        ["train", self.store, "--out", self.folder]]:
+            with self.subTest(command=command):
+                self.refuse(1, str(command[-1] if command[-2] != "-n" else command[-3]), *command)
+        self.refuse(1, "not a store", "simulate", self.library, "--out", self.selector, "-n", 2)
+        self.refuse(1, ".libsvm or .csv", "export", self.store, "--out", self.folder / "a.xls")
+
+    def test_too_few_scenarios(self):
+        self.succeed("simulate", self.library, "--out", self.store, "-n", 1)
+        self.refuse(1, "at least 2", "train", self.store, "--out", self.out)
+        self.refuse(1, "at least 8", "compare", self.store)
+
+    def test_threats_from_below_the_ground(self):
+        self.make_store_and_selector()
+        self.refuse(1, "below the ground", "select", self.selector, "--speed", 5,
+                    "--time-to-impact", 3)
+        self.refuse(1, "raise --elevation to at least", "select", self.selector, "--speed", 20,
+                    "--time-to-impact", 1, "--elevation", 0)
+
+    @classmethod
+    def tearDownClass(cls):
+        if cls.cases == 0:
+            raise AssertionError("no case was checked")
+        super().tearDownClass()
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,135 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""From a library to a chosen clip, on a library that needs no motion capture."""
+
+import csv
+import json
+import shutil
+import subprocess
+import unittest
+
+from flinch_program import FLINCH, ProgramTest, make_library
+from store_costs import costs
+
+SCENARIOS = 48
+COMMANDS = ["import", "info", "simulate", "train", "compare", "export", "select"]
+
+
+class MainPath(ProgramTest):
+    def setUp(self):
+        super().setUp()
+        self.library = self.folder / "a.flinchlib"
+        self.store = self.folder / "a.flinchobs"
+        self.selector = self.folder / "a.flinch"
+        make_library(self.library)
+
+    def simulate(self):
+        self.succeed("simulate", self.library, "--out", self.store, "-n", SCENARIOS)
+
+    def test_from_library_to_clip(self):
+        clips = [c["name"] for c in self.document("info", self.library)["clips"]]
+        done = self.document("simulate", self.library, "--out", self.store, "-n", SCENARIOS)
+        self.assertEqual(done["scenarios"], SCENARIOS)
+        for model in ("knn", "svm"):
+            self.document("train", self.store, "--out", self.selector, "--model", model)
+            self.assertEqual(self.document("info", self.selector)["model"], model)
+            for target in ("head", "trunk", "pelvis", "legs"):
+                answer = self.document("select", self.selector, "--azimuth", 40, "--speed", 24,
+                                       "--target", target, "--time-to-impact", 0.5)
+                self.assertIn(answer["clip"], clips)
+                self.assertEqual(answer["target"], target)
+                self.assertEqual(answer["time_to_impact_s"], 0.5)
+                self.assertEqual(answer["candidates"][0]["clip"], answer["clip"])
+                votes = [c["vote"] for c in answer["candidates"]]
+                self.assertEqual(votes, sorted(votes, reverse=True))
+        text = self.succeed("select", self.selector, "--target", "legs").stdout
+        self.assertIn("vote", text)
+        self.check_comparison()
+        self.check_export()
+
+    def check_comparison(self):
+        report = self.folder / "report"
+        document = self.document("compare", self.store, "--report", report)
+        self.assertEqual(document, json.loads((report / "report.json").read_text()))
+        self.assertEqual([row["name"] for row in document["rows"]],
+                         ["idle", "random", "nearest_annotation", "knn", "svm", "oracle"])
+        model = document["cost_model"]
+        known = costs(self.store, model["vulnerability"], model["brawn"])
+        means = {row["name"]: 0 for row in document["rows"]}
+        with open(report / "scenarios.csv", newline="") as file:
+            lines = list(csv.DictReader(file))
+        self.assertEqual([int(line["number"]) for line in lines], list(range(3, SCENARIOS, 4)))
+        for line in lines:
+            of_clip = known[int(line["number"])]
+            for name in means:
+                cost = of_clip[int(line[name + "_clip"])]
+                self.assertAlmostEqual(float(line[name + "_cost_ns"]), cost, delta=1e-9)
+                means[name] += cost / len(lines)
+            self.assertLessEqual(float(line["oracle_cost_ns"]), min(of_clip.values()) * 1.01 + 1e-12)
+        for row in document["rows"]:
+            self.assertAlmostEqual(row["mean_cost"], means[row["name"]], delta=1e-9)
+            self.assertAlmostEqual(row["regret"], means[row["name"]] - means["oracle"], delta=1e-9)
+
+    def check_export(self):
+        table = self.folder / "a.csv"
+        self.succeed("export", self.store, "--out", table)
+        with open(table, newline="") as file:
+            lines = list(csv.DictReader(file))
+        self.assertEqual(len(lines), SCENARIOS)
+        self.assertEqual(lines[5]["number"], "5")
+        data = self.folder / "a.libsvm"
+        self.succeed("export", self.store, "--out", data)
+        labels = [line.split()[0] for line in data.read_text().splitlines()]
+        self.assertEqual(labels, [line["label"] for line in lines])
+        if shutil.which("svm-train") is None:
+            return
+        # The selector's SVM and svm-train's on the exported text have the same support vectors.
+        parameters = self.document("train", self.store, "--out", self.selector)
+        svm = parameters["parameters"]
+        model = self.folder / "libsvm.model"
+        subprocess.run(["svm-train", "-q", "-t", "1", "-d", str(svm["degree"]), "-g",
+                        repr(svm["gamma"]), "-r", repr(svm["coef0"]), "-c", repr(svm["c"]),
+                        str(data), str(model)], check=True)
+        header = dict(line.split(" ", 1) for line in
+                      model.read_text().partition("\nSV\n")[0].splitlines())
+        self.assertEqual(int(header["total_sv"]), parameters["support_vectors"])
+        self.assertEqual(int(header["nr_class"]), parameters["classes"])
+
+    def test_every_command_has_help_with_an_example(self):
+        for command in COMMANDS:
+            text = self.succeed(command, "--help").stdout
+            self.assertIn(f"Example:\n  flinch {command} ", text)
+            self.assertIn("--json", text)
+        text = self.succeed("--help").stdout
+        for command in COMMANDS:
+            self.assertIn(command, text)
+        self.assertRegex(self.succeed("--version").stdout, r"^flinch \d+\.\d+\.\d+\n$")
+
+    def test_relabelling_needs_no_simulation(self):
+        self.simulate()
+        idle = {}
+        for brawn in (0, 1):
+            table = self.folder / "labels.csv"
+            self.succeed("export", self.store, "--out", table, "--brawn", brawn)
+            with open(table, newline="") as file:
+                idle[brawn] = sum(line["clip"] == "idle" for line in csv.DictReader(file))
+        self.assertEqual(idle[1], SCENARIOS)
+        self.assertLess(idle[0], SCENARIOS)
+
+    def test_training_again_gives_the_same_bytes(self):
+        self.simulate()
+        once, again = self.folder / "once", self.folder / "again"
+        self.succeed("train", self.store, "--out", once)
+        self.succeed("train", self.store, "--out", again)
+        self.assertEqual(once.read_bytes(), again.read_bytes())
+
+    def test_a_closed_output_is_an_error(self):
+        with open("/dev/full", "w") as full:
+            process = subprocess.run([FLINCH, "info", str(self.library)], stdout=full,
+                                     stderr=subprocess.PIPE, text=True, check=False)
+        self.assertEqual(process.returncode, 1)
+        self.assertIn("standard output", process.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,121 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""A store is never lost and never half there, whatever happens to the program."""
+
+import resource
+import signal
+import subprocess
+import unittest
+
+from flinch_program import FLINCH, ProgramTest, make_library
+
+SCENARIOS = 40
+
+
+class Store(ProgramTest):
+    def setUp(self):
+        super().setUp()
+        self.library = self.folder / "a.flinchlib"
+        self.whole = self.folder / "whole"
+        make_library(self.library)
+
+    def command(self, store, *options):
+        return ["simulate", self.library, "--out", store, "-n", SCENARIOS, *options]
+
+    def make_whole(self):
+        self.succeed(*self.command(self.whole, "--threads", 1))
+        return self.whole.read_bytes()
+
+    def stop_midway(self, store, how):
+        """Starts a run and signals it when something of it is committed; its exit code and line."""
+        process = subprocess.Popen([FLINCH, *map(str, self.command(store, "--threads", 1))],
+                                   stderr=subprocess.PIPE, text=True)
+        first = process.stderr.readline()  # the first line of progress follows the first commit
+        self.assertIn(f"/{SCENARIOS} scenarios", first)
+        process.send_signal(how)
+        rest = process.stderr.read()
+        process.stderr.close()
+        return process.wait(), rest.splitlines()[-1] if rest else ""
+
+    def test_the_number_of_threads_does_not_show(self):
+        whole = self.make_whole()
+        for threads in (2, 3):
+            store = self.folder / f"threads-{threads}"
+            self.succeed(*self.command(store, "--threads", threads))
+            self.assertEqual(store.read_bytes(), whole)
+
+    def test_after_ctrl_c_the_same_command_goes_on(self):
+        whole = self.make_whole()
+        store = self.folder / "interrupted"
+        code, line = self.stop_midway(store, signal.SIGINT)
+        self.assertEqual(code, 1)
+        self.assertRegex(line, r"^flinch: .*interrupted; \d+ of 40 scenarios are kept, run the "
+                               r"same command again")
+        self.assertFalse(store.exists())
+        done = self.succeed(*self.command(store))
+        self.assertIn("going on after", done.stderr)
+        self.assertEqual(store.read_bytes(), whole)
+
+    def test_after_a_kill_the_same_command_goes_on(self):
+        whole = self.make_whole()
+        store = self.folder / "killed"
+        code, _ = self.stop_midway(store, signal.SIGKILL)
+        self.assertEqual(code, -signal.SIGKILL)
+        self.assertFalse(store.exists())
+        self.succeed(*self.command(store))
+        self.assertEqual(store.read_bytes(), whole)
+        self.assertEqual(list(self.folder.glob("killed?*")), [])
+
+    def test_more_scenarios_continue_a_finished_store(self):
+        whole = self.make_whole()
+        store = self.folder / "grown"
+        self.succeed("simulate", self.library, "--out", store, "-n", 21)
+        self.succeed(*self.command(store))
+        self.assertEqual(store.read_bytes(), whole)
+        done = self.document("simulate", self.library, "--out", store, "-n", 5)
+        self.assertEqual(done["scenarios"], SCENARIOS)
+        self.assertEqual(store.read_bytes(), whole)
+
+    def test_a_store_of_another_run_is_refused(self):
+        whole = self.make_whole()
+        other = self.folder / "other.flinchlib"
+        make_library(other, "other")
+        line = self.fail_with(1, "simulate", other, "--out", self.whole, "-n", 50)
+        self.assertIn("another library (synthetic", line)
+        line = self.fail_with(1, "simulate", self.library, "--out", self.whole, "-n", 50, "--seed", 2)
+        self.assertIn("--seed 1", line)
+        self.assertEqual(self.whole.read_bytes(), whole)
+
+    def test_two_writers_do_not_mix(self):
+        store = self.folder / "shared"
+        first = subprocess.Popen([FLINCH, *map(str, self.command(store, "--threads", 1))],
+                                 stderr=subprocess.PIPE, text=True)
+        first.stderr.readline()
+        line = self.fail_with(1, *self.command(store))
+        self.assertIn("another process", line)
+        first.stderr.read()
+        first.stderr.close()
+        self.assertEqual(first.wait(), 0)
+        self.assertEqual(store.read_bytes(), self.make_whole())
+
+    def test_a_full_disk_is_told_and_loses_nothing(self):
+        whole = self.make_whole()
+        store = self.folder / "full"
+
+        def allow_little():
+            signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+            resource.setrlimit(resource.RLIMIT_FSIZE, (40_000, resource.RLIM_INFINITY))
+
+        process = subprocess.run([FLINCH, *map(str, self.command(store))], stderr=subprocess.PIPE,
+                                 stdout=subprocess.PIPE, text=True, check=False,
+                                 preexec_fn=allow_little, restore_signals=False)
+        self.assertEqual(process.returncode, 1, process.stderr)
+        self.assertIn("make room", process.stderr.splitlines()[-1])
+        self.assertFalse(store.exists())
+        done = self.succeed(*self.command(store))
+        self.assertIn("going on after", done.stderr)
+        self.assertEqual(store.read_bytes(), whole)
+
+
+if __name__ == "__main__":
+    unittest.main()
