@@ -16,7 +16,7 @@
 namespace flinch {
 namespace {
 
-constexpr std::size_t kHits = 600;
+constexpr std::size_t kHits = 200;
 
 struct Study {
   motion::Character character;
@@ -137,7 +137,7 @@ void print_steps(const Study& study, const std::vector<scenes::Hit>& hits) {
 void print_restitution(const Study& study, const std::vector<scenes::Hit>& hits) {
   std::printf("\n### Law: mean impulse of a hit by restitution\n\n");
   std::printf(
-      "| restitution | mean impulse, N s | on bodies that the ball did not reach first |\n"
+      "| restitution | mean impulse, N s | of it beside the part that took most |\n"
       "| --- | --- | --- |\n");
   for (double restitution : {0.5, 0.6, 0.7, 0.8}) {
     sim::SimulationOptions options;
