@@ -106,6 +106,23 @@ TEST(NeighbourIndex, FindsWhatBruteForceFinds) {
   }
 }
 
+// Every point has the same coordinates in another order, so that all are equally far from a query
+// on the diagonal but for the rounding of the sums, which depends on the order.
+TEST(NeighbourIndex, OrdersDistancesThatDifferByRoundingAlone) {
+  std::mt19937_64 random(13);
+  KnnModel model = random_model(14, 1000, 16);
+  const std::vector<double> coordinates = random_point(random, 16);
+  for (auto row = model.points.begin(); row != model.points.end(); row += 16) {
+    std::copy(coordinates.begin(), coordinates.end(), row);
+    std::shuffle(row, row + 16, random);
+  }
+  const NeighbourIndex index(model.points, 16);
+  for (const int k : {1, 3, 10, 100}) {
+    const std::vector<double> query(16, 1.0 / k);
+    expect_same(index.nearest(query, k), all_sorted(model, query, {}), k);
+  }
+}
+
 TEST(NeighbourIndex, FindsNothingInNothing) {
   EXPECT_TRUE(NeighbourIndex({}, 3).nearest(std::vector<double>{0, 0, 0}, 5).empty());
 }
