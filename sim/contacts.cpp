@@ -45,8 +45,8 @@ dJointID Contacts::attach(const dContact& contact, dBodyID first, dBodyID second
 }
 
 void Contacts::measure(dJointID joint, motion::Body first, std::optional<motion::Body> second) {
-  charges_.push_back({{}, first, second});
-  dJointSetFeedback(joint, &charges_.back().feedback);
+  measured_.push_back({{}, first, second});
+  dJointSetFeedback(joint, &measured_.back().feedback);
 }
 
 void Contacts::add_hit(dBodyID ball, dBodyID part, motion::Body body, const Approach& at,
@@ -59,9 +59,13 @@ void Contacts::add_bounce(dBodyID ball, const Eigen::Vector3d& point, double res
 }
 
 void Contacts::add_push(dBodyID first_part, motion::Body first, dBodyID second_part,
-                        motion::Body second, const Approach& at, bool charged) {
-  const dJointID joint = attach(contact_at(at.point, at.normal), first_part, second_part);
-  if (charged) measure(joint, first, second);
+                        motion::Body second, const Approach& at, double free_closing_mps,
+                        bool measured) {
+  dContact contact = contact_at(at.point, at.normal);
+  contact.surface.mode |= dContactMotionN;
+  contact.surface.motionN = -free_closing_mps;
+  const dJointID joint = attach(contact, first_part, second_part);
+  if (measured) measure(joint, first, second);
 }
 
 // A spring k and damper c taken implicitly over a step h (ODE manual, 3.8.2):
@@ -79,20 +83,20 @@ void Contacts::add_support(dBodyID part, const Eigen::Vector3d& point, double de
   attach(contact, part, nullptr);
 }
 
-motion::PerBody<double> Contacts::impulses(double step_s) const {
-  motion::PerBody<double> result;
-  for (const Charge& charge : charges_) {
-    const dReal* force = charge.feedback.f1;
-    const double impulse = step_s * std::hypot(force[0], force[1], force[2]);
-    result[charge.first] += impulse;
-    if (charge.second) result[*charge.second] += impulse;
+std::vector<ContactImpulse> Contacts::impulses(double step_s) const {
+  std::vector<ContactImpulse> result;
+  result.reserve(measured_.size());
+  for (const Measured& contact : measured_) {
+    const dReal* force = contact.feedback.f1;
+    result.push_back(
+        {contact.first, contact.second, step_s * std::hypot(force[0], force[1], force[2])});
   }
   return result;
 }
 
 void Contacts::clear() {
   dJointGroupEmpty(group_);
-  charges_.clear();
+  measured_.clear();
 }
 
 }  // namespace flinch::sim

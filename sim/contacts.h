@@ -3,6 +3,7 @@
 
 #include <deque>
 #include <optional>
+#include <vector>
 
 #include "motion/body.h"
 #include "sim/ode_world.h"
@@ -12,6 +13,14 @@ namespace flinch::sim {
 
 /// A slower ball does not bounce, m/s.
 inline constexpr double kRestSpeed_mps = 0.2;
+
+/// What a measured contact gave in a step: the magnitude of its force, normal and friction, times
+/// the step.
+struct ContactImpulse {
+  motion::Body first{};
+  std::optional<motion::Body> second;  ///< none: the ball hit `first`
+  double impulse_ns = 0;
+};
 
 /// The contact joints of one step.
 class Contacts {
@@ -23,29 +32,28 @@ class Contacts {
 
   /// The ball hits a part, at `at` as `approach` gives it: a rigid bounce that gives the relative
   /// velocity along the normal back `restitution` times, with Coulomb friction, and that corrects
-  /// no overlap. Charged to `body`.
+  /// no overlap. Measured.
   void add_hit(dBodyID ball, dBodyID part, motion::Body body, const Approach& at,
                double restitution);
-  /// The ball meets the ground: the same law. Charged to nobody.
+  /// The ball meets the ground: the same law. Not measured.
   void add_bounce(dBodyID ball, const Eigen::Vector3d& point, double restitution);
   /// A part pushes another: no bounce, no friction, no correction of overlap. The normal of `at`
-  /// points from `second` to `first`. If `charged`, to both.
+  /// points from `second` to `first`; the two may close at `free_closing_mps` unhindered.
   void add_push(dBodyID first_part, motion::Body first, dBodyID second_part, motion::Body second,
-                const Approach& at, bool charged);
+                const Approach& at, double free_closing_mps, bool measured);
   /// The ground carries `mass_kg` of a part at `point`, `depth_m` below it, as a critically damped
-  /// spring without friction. Charged to nobody.
+  /// spring without friction. Not measured.
   void add_support(dBodyID part, const Eigen::Vector3d& point, double depth_m, double mass_kg,
                    double step_s);
 
-  /// What the last step's contacts gave each body: the sum of the magnitudes of their forces,
-  /// normal and friction, times the step, N·s.
-  motion::PerBody<double> impulses(double step_s) const;
+  /// What the last step's measured contacts gave, in the order in which they were added.
+  std::vector<ContactImpulse> impulses(double step_s) const;
 
   /// Before the next step's contacts are added.
   void clear();
 
  private:
-  struct Charge {
+  struct Measured {
     dJointFeedback feedback{};
     motion::Body first{};
     std::optional<motion::Body> second;
@@ -55,7 +63,7 @@ class Contacts {
 
   dWorldID world_;
   dJointGroupID group_;
-  std::deque<Charge> charges_;  // ODE keeps pointers to the feedback: they must not move
+  std::deque<Measured> measured_;  // ODE keeps pointers to the feedback: they must not move
 };
 
 }  // namespace flinch::sim

@@ -16,11 +16,27 @@ double closing_speed(const MovingShape& first, const MovingShape& second, const 
   return -near.normal.dot(first.velocity_at(near.point) - second.velocity_at(near.point));
 }
 
+/// How fast the reference moves the material of `shape` that is at `point`, m/s.
+Eigen::Vector3d reference_velocity(const BodyState& reference, const Eigen::Vector3d& point) {
+  return reference.velocity + reference.angular_velocity.cross(point - reference.position);
+}
+
+/// How fast the reference lets the two close where they are nearest, m/s; 0 where it parts them.
+double reference_closing_speed(const BodyState& first, const BodyState& second,
+                               const Approach& near) {
+  const Eigen::Vector3d relative =
+      reference_velocity(first, near.point) - reference_velocity(second, near.point);
+  return std::max(0.0, -near.normal.dot(relative));
+}
+
 }  // namespace
 
 void Pushes::begin_step(double time_s) {
   time_s_ = time_s;
   hit_now_ = {};
+  for (Body body : motion::kBodies) {
+    if (!driven(body)) given_ns_[body] = 0;
+  }
 }
 
 void Pushes::hit(Body body) {
@@ -44,14 +60,18 @@ void Pushes::for_each_pair(Visit visit) const {
 }
 
 void Pushes::add(const Figure& figure, const motion::PerBody<MovingShape>& shapes,
-                 Contacts& contacts) {
+                 const ReferenceState& reference, Contacts& contacts) {
   motion::PerBody<double> driven_until_s = driven_until_s_;
   for_each_pair([&](Body first, Body second) {
     const Approach near = approach(shapes[first], shapes[second]);
     if (near.gap > kTouch_m) return;
-    const bool blow = hit_now_[first] || hit_now_[second] ||
-                      closing_speed(shapes[first], shapes[second], near) > kBlowSpeed_mps;
-    contacts.add_push(figure.body(first), first, figure.body(second), second, near, blow);
+    const double free_closing =
+        reference_closing_speed(reference.body[first], reference.body[second], near);
+    const double closing = closing_speed(shapes[first], shapes[second], near);
+    const bool blow =
+        hit_now_[first] || hit_now_[second] || closing > free_closing + kBlowSpeed_mps;
+    contacts.add_push(figure.body(first), first, figure.body(second), second, near, free_closing,
+                      blow);
     if (!blow) return;
     const double until_s = std::max(driven_until_s_[first], driven_until_s_[second]);
     driven_until_s[first] = std::max(driven_until_s[first], until_s);
@@ -60,14 +80,36 @@ void Pushes::add(const Figure& figure, const motion::PerBody<MovingShape>& shape
   driven_until_s_ = driven_until_s;
 }
 
-bool Pushes::ahead(const motion::PerBody<MovingShape>& shapes, double horizon_s) const {
+bool Pushes::ahead(const motion::PerBody<MovingShape>& shapes, const ReferenceState& reference,
+                   double horizon_s) const {
   bool found = false;
   for_each_pair([&](Body first, Body second) {
     const Approach near = approach(shapes[first], shapes[second]);
     const double closing = closing_speed(shapes[first], shapes[second], near);
-    found |= closing > kBlowSpeed_mps && near.gap > kTouch_m && near.gap < closing * horizon_s;
+    const double free_closing =
+        reference_closing_speed(reference.body[first], reference.body[second], near);
+    found |= closing > free_closing + kBlowSpeed_mps && near.gap > kTouch_m &&
+             near.gap < closing * horizon_s;
   });
   return found;
+}
+
+void Pushes::charge(std::span<const ContactImpulse> contacts, motion::PerBody<double>& impulse) {
+  for (const ContactImpulse& contact : contacts) {
+    if (!contact.second) {
+      impulse[contact.first] += contact.impulse_ns;
+      given_ns_[contact.first] += contact.impulse_ns;
+      continue;
+    }
+    const bool first_gives = given_ns_[contact.first] >= given_ns_[*contact.second];
+    const Body giver = first_gives ? contact.first : *contact.second;
+    const Body taker = first_gives ? *contact.second : contact.first;
+    const double passed = std::min(contact.impulse_ns, given_ns_[giver]);
+    impulse[giver] += passed;
+    impulse[taker] += passed;
+    given_ns_[giver] -= passed;
+    given_ns_[taker] += passed;
+  }
 }
 
 }  // namespace flinch::sim

@@ -1,18 +1,23 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <span>
+
 #include "sim/contacts.h"
 #include "sim/figure.h"
 
 namespace flinch::sim {
 
-/// The parts that the ball drives against others, a hand into the face.
+/// The parts that the ball drives against others, a hand into the face, and who is charged.
 ///
 /// A body that the ball hits is driven for kDriveTime_s, until its motors have taken the blow back;
 /// a body that a driven one strikes, for as long as that one. Pairs of which one is driven push
-/// each other where they touch. They are charged for blows only: in the step in which the ball hits
-/// one of them, or where they close faster than kBlowSpeed_mps. What presses without closing is the
-/// motors' force, and the same without a ball.
+/// each other where they touch, against closing faster than the reference motion does: what the
+/// motion itself presses together, a knee against the belly, is not the ball's doing.
+///
+/// Both bodies of a pair are charged for blows: in the step in which the ball hits one of them, or
+/// where they close faster than the reference by kBlowSpeed_mps. A body passes on at most what it
+/// was given, by the ball or by another: the rest of a push is the motors'.
 class Pushes {
  public:
   /// `plan` must outlive this.
@@ -22,10 +27,14 @@ class Pushes {
   void begin_step(double time_s);
   /// The ball hits `body` in this step.
   void hit(motion::Body body);
-  /// Adds the pushes of this step.
-  void add(const Figure& figure, const motion::PerBody<MovingShape>& shapes, Contacts& contacts);
+  /// Adds the pushes of this step. `reference` is where the motion has the figure now.
+  void add(const Figure& figure, const motion::PerBody<MovingShape>& shapes,
+           const ReferenceState& reference, Contacts& contacts);
   /// Whether a blow may fall within `horizon_s` as the bodies move now.
-  bool ahead(const motion::PerBody<MovingShape>& shapes, double horizon_s) const;
+  bool ahead(const motion::PerBody<MovingShape>& shapes, const ReferenceState& reference,
+             double horizon_s) const;
+  /// Adds to each body's impulse, N·s, what it is charged for a step's contacts.
+  void charge(std::span<const ContactImpulse> contacts, motion::PerBody<double>& impulse);
 
  private:
   bool driven(motion::Body body) const { return driven_until_s_[body] > time_s_; }
@@ -35,6 +44,7 @@ class Pushes {
   const FigurePlan& plan_;
   double time_s_ = 0;
   motion::PerBody<double> driven_until_s_;
+  motion::PerBody<double> given_ns_;  ///< and not yet passed on
   motion::PerBody<bool> hit_now_;
 };
 

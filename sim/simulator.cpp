@@ -55,7 +55,8 @@ class Run {
     double step_s = options_.free_step_s;
     contacts_.clear();
     pushes_.begin_step(time_s_);
-    if (pushes_.ahead(shapes, step_s)) step_s = options_.contact_step_s;
+    const ReferenceState now = reference_.at(time_s_);
+    if (pushes_.ahead(shapes, now, step_s)) step_s = options_.contact_step_s;
     if (ball_) step_s = std::min(step_s, meet(shapes));
     // A last sliver of a step would only cost.
     if (step_s > most_s * (1 - 1e-9)) step_s = most_s;
@@ -63,14 +64,13 @@ class Run {
     const ReferenceState target = reference_.at(time_s_ + step_s);
     figure_.drive(target, step_s);
     figure_.stand(contacts_, target, step_s);
-    pushes_.add(figure_, shapes, contacts_);
+    pushes_.add(figure_, shapes, now, contacts_);
     if (ball_) {
       ball_->step(world_, step_s);
     } else {
       world_.step(step_s);
     }
-    const motion::PerBody<double> impulses = contacts_.impulses(step_s);
-    for (Body body : motion::kBodies) result_.impulse[body] += impulses[body];
+    pushes_.charge(contacts_.impulses(step_s), result_.impulse);
     time_s_ += step_s;
     ++result_.steps;
     squared_error_ += step_s * squared_error(figure_, target);

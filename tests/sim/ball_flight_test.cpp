@@ -44,7 +44,7 @@ class FreeSphere {
       if (ahead.on_ground) ball_.meet_ground(contacts_, options_.restitution);
       const double step_s = std::min(ahead.step_s, duration_s - time_s);
       ball_.step(world_, step_s);
-      impulse_ += contacts_.impulses(step_s)[Body::head];
+      for (const ContactImpulse& hit : contacts_.impulses(step_s)) impulse_ += hit.impulse_ns;
       time_s += step_s;
     }
   }

@@ -159,6 +159,30 @@ TEST(Simulator, ChargesBothWhenAHandIsDrivenIntoTheFace) {
   EXPECT_EQ(driven, 2);
 }
 
+TEST(Simulator, ChargesNoPressingThatTheMotionItselfDoes) {
+  motion::Pose kneeing = scenes::standing(character().skeleton);
+  scenes::turn(kneeing, motion::Role::left_thigh, Eigen::Vector3f::UnitY(), -150);
+  scenes::turn(kneeing, motion::Role::left_shin, Eigen::Vector3f::UnitY(), 90);
+  scenes::turn(kneeing, motion::Role::abdomen, Eigen::Vector3f::UnitY(), 30);
+  const motion::Motion kick =
+      scenes::between(scenes::standing(character().skeleton), kneeing, 0.3F);
+  constexpr double kSpeed = 20;
+  constexpr double kBodySpeed = 8;  // of the knee towards the ball
+  int hits = 0;
+  for (int i = 0; i < 12; ++i) {
+    const double time_s = 0.3 + 0.02 * i;
+    const motion::Pose pose = motion::sample(kick, static_cast<float>(time_s));
+    const Ball ball = scenes::aimed_ball(middle_of(Body::left_thigh, pose),
+                                         Eigen::Vector3d(-kSpeed, 0, -2), time_s);
+    const SimulationResult result = simulate(kick, &ball);
+    const double bounce = (1 + kRestitution) * kVolleyball_kg * (kSpeed + kBodySpeed);
+    // The ball may hit twice, and each hit may be charged to a body and to the one behind it.
+    EXPECT_LT(total(result), 4 * bounce) << "ball at " << time_s << " s";
+    if (total(result) > 1) ++hits;
+  }
+  EXPECT_GT(hits, 6);
+}
+
 // docs/simulation.md has the study; this keeps what it found.
 TEST(Simulator, ImpulsesHardlyChangeWhenBothStepsAreHalved) {
   const auto motions = scenes::motions_by_rule(character().skeleton);
