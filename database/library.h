@@ -12,8 +12,8 @@ namespace flinch::database {
 
 /// The clips of one character, with its skeleton and its idle clip: what a selector chooses from.
 ///
-/// Every clip but the idle ones begins with the pelvis above the origin's vertical and the
-/// character facing +X; all share `rate_hz`.
+/// Every clip begins with the pelvis above the origin's vertical and the character facing +X; all
+/// share `rate_hz`.
 struct Library {
   std::string name;
   motion::Character character;

@@ -100,8 +100,7 @@ features::Scenario sample_scenario(const database::Library& library,
     approach.speed_mps = static_cast<float>(speed);
     approach.time_to_impact_s = scenario.time_to_impact_s;
     approach.elevation = static_cast<float>(random.uniform(least, distribution.most_elevation));
-    const float facing = motion::facing(features::idle_pose(idle, scenario.state, 0));
-    scenario.threat = features::threat_from_approach(approach, aim, facing);
+    scenario.threat = features::threat_from_approach(approach, aim, scenario.state.facing);
     return scenario;
   }
   throw Error("",
