@@ -5,9 +5,12 @@
 #include <array>
 #include <cmath>
 
+#include "motion/enum_names.h"
+
 namespace flinch::database {
 namespace {
 
+using motion::enum_named;
 using motion::Role;
 
 constexpr double kStandingHeadHeight = 1.5;  // m, of the head joint of a mean adult
@@ -16,14 +19,6 @@ constexpr int kFramesLookedAt = 400;
 constexpr std::array<std::string_view, 5> kUnitNames{"m", "cm", "mm", "inch", "cmu"};
 constexpr std::array<double, 5> kMetres{1, 0.01, 0.001, 0.0254, 0.0254 / 0.45};
 constexpr std::array<std::string_view, 6> kUpNames{"x", "y", "z", "-x", "-y", "-z"};
-
-template <class Enum, std::size_t size>
-std::optional<Enum> enum_named(const std::array<std::string_view, size>& names,
-                               std::string_view name) {
-  const auto found = std::find(names.begin(), names.end(), name);
-  if (found == names.end()) return std::nullopt;
-  return static_cast<Enum>(found - names.begin());
-}
 
 }  // namespace
 

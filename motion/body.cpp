@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <span>
 
+#include "motion/enum_names.h"
+
 namespace flinch::motion {
 namespace {
 
@@ -106,9 +108,7 @@ std::string_view name_of(Sex sex) {
 }
 
 std::optional<Sex> sex_named(std::string_view name) {
-  if (name == kSexNames[0]) return Sex::female;
-  if (name == kSexNames[1]) return Sex::male;
-  return std::nullopt;
+  return enum_named<Sex>(kSexNames, name);
 }
 
 Eigen::Vector3f centre_of_mass(const BodyModel& model, const JointFrames& frames, Body body) {

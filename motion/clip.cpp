@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "motion/enum_names.h"
 #include "motion/interpolation.h"
 
 namespace flinch::motion {
@@ -14,14 +15,6 @@ constexpr std::array<std::string_view, kTargetCount> kTargetNames{"head", "trunk
                                                                   "legs"};
 constexpr std::array<std::string_view, 2> kDegreeNames{"mild", "exaggerated"};
 constexpr std::array<std::string_view, 3> kPurposeNames{"anticipation", "idle", "push"};
-
-template <class Enum, std::size_t size>
-std::optional<Enum> enum_named(const std::array<std::string_view, size>& names,
-                               std::string_view name) {
-  const auto found = std::find(names.begin(), names.end(), name);
-  if (found == names.end()) return std::nullopt;
-  return static_cast<Enum>(found - names.begin());
-}
 
 }  // namespace
 

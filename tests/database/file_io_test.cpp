@@ -9,7 +9,7 @@
 #include <filesystem>
 
 #include "tests/database/error_of.h"
-#include "tests/database/temporary_folder.h"
+#include "tests/scenes/temporary_folder.h"
 
 namespace flinch::database {
 namespace {

@@ -12,7 +12,7 @@
 #include "database/library_writer.h"
 #include "tests/database/error_of.h"
 #include "tests/database/random_library.h"
-#include "tests/database/temporary_folder.h"
+#include "tests/scenes/temporary_folder.h"
 
 namespace flinch::database {
 namespace {

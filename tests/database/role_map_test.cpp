@@ -10,7 +10,7 @@
 #include "error_of.h"
 #include "made_figure.h"
 #include "motion/default_character.h"
-#include "temporary_folder.h"
+#include "tests/scenes/temporary_folder.h"
 
 namespace flinch::database {
 namespace {

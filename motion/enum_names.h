@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <string_view>
+
+namespace flinch::motion {
+
+/// The enumerator whose name stands at its place in `names`, if there is one.
+template <class Enum, std::size_t size>
+std::optional<Enum> enum_named(const std::array<std::string_view, size>& names,
+                               std::string_view name) {
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found == names.end()) return std::nullopt;
+  return static_cast<Enum>(found - names.begin());
+}
+
+}  // namespace flinch::motion
