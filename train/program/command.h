@@ -15,6 +15,7 @@ using Json = nlohmann::ordered_json;
 
 /// Each adds one command with its options to the program; parsing a command line with it runs it.
 /// Commands throw Error for what a user can put right.
+void add_author(CLI::App& program);
 void add_import(CLI::App& program);
 void add_info(CLI::App& program);
 void add_simulate(CLI::App& program);

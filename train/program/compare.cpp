@@ -4,6 +4,7 @@
 
 #include "train/evaluation.h"
 #include "train/labels.h"
+#include "train/prevention.h"
 #include "train/program/command.h"
 #include "train/program/table.h"
 #include "train/report.h"
@@ -45,16 +46,52 @@ void print_table(const Evaluation& evaluation) {
             << " N s (95 %: " << text(evaluation.svm_minus_knn_interval, 4) << ")\n";
 }
 
+void print_prevention(const std::vector<PreventionRow>& rows) {
+  using enum Table::Align;
+  Table table({{"exhaustive choice"},
+               {""},
+               {"scenarios", right},
+               {"idle, N s", right},
+               {"choice, N s", right},
+               {"prevented", right}});
+  for (const PreventionRow& row : rows) {
+    table.add({row.group, row.value, std::to_string(row.scenarios), fixed(row.idle_cost_ns, 3),
+               fixed(row.oracle_cost_ns, 3), fixed(row.prevented(), 3)});
+  }
+  std::cout << "\nWhat the library can prevent of the cost of staying idle, over all scenarios of "
+               "the store; by target and\ndirection (degrees) of those with "
+            << fixed(double{kTimeToAnswer}, 1) << " s or more to impact:\n\n"
+            << table.text();
+}
+
+Json prevention_document(const std::vector<PreventionRow>& rows) {
+  Json list = Json::array();
+  for (const PreventionRow& row : rows) {
+    list.push_back({{"group", row.group},
+                    {"value", row.value},
+                    {"scenarios", row.scenarios},
+                    {"idle_cost_ns", row.idle_cost_ns},
+                    {"oracle_cost_ns", row.oracle_cost_ns},
+                    {"prevented", row.prevented()}});
+  }
+  return list;
+}
+
 void run(const Options& options) {
   const Store store = read_store(options.store);
   const CostModel cost_model =
       make_cost_model(store.header, vulnerability_of(options.cost), options.cost.brawn);
   const Evaluation evaluation = evaluate(store, cost_model, store.header.seed);
   if (!options.report.empty()) write_report(evaluation, store.header, options.report);
+  const std::vector<PreventionRow> prevention =
+      prevention_rows(store, label(store.observations, cost_model));
   if (options.json) {
-    print(report_document(evaluation, store.header));
+    Json document = report_document(evaluation, store.header);
+    document["prevention"] = prevention_document(prevention);
+    print(document);
   } else {
     print_table(evaluation);
+    print_prevention(prevention);
   }
 }
 

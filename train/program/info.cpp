@@ -9,6 +9,7 @@
 #include "train/program/bvh_options.h"
 #include "train/program/command.h"
 #include "train/program/load.h"
+#include "train/program/quality.h"
 #include "train/program/table.h"
 #include "train/store.h"
 
@@ -21,6 +22,7 @@ using enum Table::Align;
 struct Options {
   std::string file;
   BvhOptions bvh;
+  bool quality = false;
   bool json = false;
 };
 
@@ -170,6 +172,12 @@ void show(const Options& options, const Content& content, Document document, Pri
   }
 }
 
+Json document_with_quality(const database::Library& library) {
+  Json document = library_document(library);
+  document["quality"] = quality_document(library);
+  return document;
+}
+
 void run(const Options& options) {
   using database::FileKind;
   const FileKind kind = file_kind_at(options.file);
@@ -177,8 +185,14 @@ void run(const Options& options) {
     throw Error(options.file,
                 "is " + std::string(name_of(kind)) +
                     ", and --unit, --up and --roles are for BVH files; leave them out");
+  if (options.quality && kind != FileKind::library)
+    throw Error(options.file, "is " + std::string(name_of(kind)) +
+                                  ", and --quality is for libraries; leave it out");
   switch (kind) {
     case FileKind::library:
+      if (options.quality)
+        return show(options, database::load_library(options.file), document_with_quality,
+                    [](const database::Library& library) { std::cout << quality_text(library); });
       return show(options, database::load_library(options.file), library_document, print_library);
     case FileKind::store:
       return show(options, summarise_store(options.file), store_document, print_store);
@@ -202,8 +216,10 @@ void add_info(CLI::App& program) {
       "Tell what a library, store or selector holds, or how a BVH file's joints are mapped");
   command->add_option("FILE", options->file, "a library, store, selector or BVH file")->required();
   add_bvh_options(*command, options->bvh);
+  command->add_flag("--quality", options->quality, "measure how human each clip of a library is");
   add_json_option(*command, options->json);
-  command->footer("Example:\n  flinch info real.flinchlib");
+  command->footer(
+      "Example:\n  flinch info real.flinchlib\n  flinch info default.flinchlib --quality");
   command->callback([options] { run(*options); });
 }
 

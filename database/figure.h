@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+
+#include "motion/body.h"
+#include "motion/foot.h"
+#include "motion/limb_ik.h"
+
+namespace flinch::database {
+
+/// A character with its bodies: what authoring poses and measuring them needs.
+struct Figure {
+  motion::Character character;
+  motion::BodyModel bodies;
+
+  const motion::Skeleton& skeleton() const { return character.skeleton; }
+};
+
+Figure make_figure(const motion::Character& character);
+
+/// One value a side, left first.
+template <class T>
+using PerSide = std::array<T, 2>;
+
+inline constexpr std::array<motion::Side, 2> kSides{motion::Side::left, motion::Side::right};
+constexpr std::size_t index_of(motion::Side side) {
+  return side == motion::Side::left ? 0 : 1;
+}
+/// +1 on the left, -1 on the right: the sign of y.
+constexpr float sign_of(motion::Side side) {
+  return side == motion::Side::left ? 1.0F : -1.0F;
+}
+
+motion::Limb arm_of(motion::Side side);
+motion::Limb leg_of(motion::Side side);
+
+/// Where an ankle is, world.
+struct FootPlace {
+  Eigen::Vector3f ankle = Eigen::Vector3f::Zero();
+  Eigen::Quaternionf orientation = Eigen::Quaternionf::Identity();
+};
+FootPlace foot_place(const motion::JointFrames& frames, motion::Side side);
+
+/// Where a wrist goes, world, and which way its elbow.
+struct HandPlace {
+  Eigen::Vector3f wrist = Eigen::Vector3f::Zero();
+  Eigen::Vector3f pole = -Eigen::Vector3f::UnitZ();  ///< the elbow's way at swivel 0
+  float swivel = 0;  ///< radians from the pole, positive away from the body
+};
+
+/// Bends the legs of a pose so that the feet are at these places, knees over the toes. `trunk` are
+/// its joints; only those of pelvis and trunk need be right. Legs too short stretch toward the
+/// place; then false is returned.
+bool put_feet(const motion::Skeleton& skeleton, const motion::JointFrames& trunk,
+              const PerSide<FootPlace>& feet, motion::Pose& pose);
+
+/// The highest that the pelvis may be, world z, m, for both legs to reach their feet with a little
+/// bend left. Where a foot is too far aside, as high as it is.
+float highest_pelvis(const motion::Skeleton& skeleton, const motion::JointFrames& trunk,
+                     const PerSide<FootPlace>& feet);
+
+/// Bends the arm of one side so that its wrist is at this place, and returns the forearm's
+/// orientation, world. The hand keeps its rotation relative to the forearm.
+Eigen::Quaternionf put_hand(const motion::Skeleton& skeleton, const motion::JointFrames& trunk,
+                            motion::Side side, const HandPlace& place, motion::Pose& pose);
+
+/// The pose with its feet put to these places.
+motion::Pose with_feet(const motion::Skeleton& skeleton, const motion::Pose& pose,
+                       const PerSide<FootPlace>& feet);
+
+/// The swivel of an arm from a pole, radians, positive away from the body: what with_hands needs
+/// to bring the elbow back to where it is.
+float swivel_of(const motion::JointFrames& frames, motion::Side side, const Eigen::Vector3f& pole);
+
+/// How an arm hangs or rises, radians: from straight down with the palm to the thigh.
+struct ArmAngles {
+  float flexion = 0;    ///< forward
+  float abduction = 0;  ///< sideways, away from the body
+  float rotation = 0;   ///< about its length, positive turns the elbow's crook outward
+  float elbow = 0;
+};
+/// Sets an arm's rotations relative to its clavicle; the hand goes straight on.
+void set_arm(motion::Pose& pose, motion::Side side, const ArmAngles& angles);
+
+/// The rotation of a joint's group, such as neck and head together: of `to` in the frame of `from`.
+Eigen::Quaternionf relative_rotation(const motion::JointFrames& frames, motion::Role from,
+                                     motion::Role to);
+
+/// Largest distance of wrist and shoulder, m.
+float arm_length(const motion::Skeleton& skeleton);
+/// Of hip and ankle, m.
+float leg_length(const motion::Skeleton& skeleton);
+/// Height of the crown in the rest pose, m.
+float stature(const motion::Skeleton& skeleton);
+
+}  // namespace flinch::database

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: MIT
+#include "database/joint_limits.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "database/angles.h"
+#include "motion/error.h"
+
+namespace flinch::database {
+namespace {
+
+using motion::Role;
+
+// Ranges in degrees about x, y, z of the reference. Signs on the left side: an arm (+Y) rises with
+// +x and comes forward with -z; a leg (-Z) comes forward with -y and goes outward with +x; a trunk
+// (+Z) bows with +y and bends to the right with +x.
+struct Row {
+  std::string_view name;
+  Role from;
+  Role to;
+  float reference_z;  // turn about z of the reference from the rest pose
+  int axis;           // of the twist: 0 x, 1 y, 2 z
+  Eigen::Vector3f least;
+  Eigen::Vector3f most;
+};
+
+// Sources.
+// Trunk, thoracic and lumbar spine together: flexion 105, extension 60, bending 40, rotation 40
+//   (Kapandji, The Physiology of the Joints, volume 3).
+// Neck: flexion 50, extension 60, bending 45, rotation 80 (AMA Guides to the Evaluation of
+//   Permanent Impairment, 5th edition, chapter 15).
+// Clavicle: elevation 45 (35 in Hermens' table 3.2), depression 10, protraction 30, retraction 25,
+//   rotation 50 (Inman, Saunders and Abbott 1944; Ludewig et al. 2009).
+// Shoulder of chest and upper arm together, from an arm held 45 degrees forward of sideways: the
+//   Academy's abduction 180, flexion 180, extension 60, horizontal flexion 135, rotation 70 inward
+//   and 90 outward (from this reference 135 with the arm down; and 30 of extension takes 108 down).
+// Elbow: flexion 150, turning of the forearm 80 each way counted at the wrist or the elbow.
+// Wrist: flexion 80, extension 70, radial 20, ulnar 30, pronation and supination 80.
+// Hip: flexion 120, extension 30, abduction 45, adduction 30, rotation 45 each way.
+// Knee: flexion 135, and 150 in a crouch; up to 30 of rotation where it is bent.
+// Ankle: plantar flexion 50, inversion 35, eversion 20, and the dorsiflexion of a loaded foot, 40
+//   (weight-bearing lunge, Bennell et al. 1998; the Academy's 20 is of a hanging foot).
+// Toes: extension 70, flexion 45.
+// All without a name: American Academy of Orthopaedic Surgeons, Joint Motion (1965).
+const std::array<Row, 2> kMiddleRows{{
+    {"trunk", Role::pelvis, Role::chest, 0, 2, {-40, -60, -40}, {40, 105, 40}},
+    {"neck", Role::chest, Role::head, 0, 2, {-45, -60, -80}, {45, 50, 80}},
+}};
+const std::array<Row, 8> kLeftRows{{
+    {"clavicle", Role::chest, Role::left_clavicle, 0, 1, {-10, -50, -30}, {45, 50, 25}},
+    {"shoulder", Role::chest, Role::left_upper_arm, -45, 1, {-108, -135, -95}, {95, 85, 100}},
+    {"elbow", Role::left_upper_arm, Role::left_forearm, 0, 1, {-10, -80, -150}, {10, 80, 5}},
+    {"wrist", Role::left_forearm, Role::left_hand, 0, 1, {-80, -80, -20}, {70, 80, 30}},
+    {"hip", Role::pelvis, Role::left_thigh, 0, 2, {-30, -120, -45}, {45, 30, 45}},
+    {"knee", Role::left_thigh, Role::left_shin, 0, 2, {-10, -5, -30}, {10, 150, 30}},
+    {"ankle", Role::left_shin, Role::left_foot, 0, 2, {-35, -40, -30}, {20, 50, 30}},
+    {"toes", Role::left_foot, Role::left_toes, 0, 2, {-15, -70, -15}, {15, 45, 15}},
+}};
+constexpr std::array<std::string_view, 8> kLeftNames{"left_clavicle", "left_shoulder", "left_elbow",
+                                                     "left_wrist",    "left_hip",      "left_knee",
+                                                     "left_ankle",    "left_toes"};
+constexpr std::array<std::string_view, 8> kRightNames{
+    "right_clavicle", "right_shoulder", "right_elbow", "right_wrist",
+    "right_hip",      "right_knee",     "right_ankle", "right_toes"};
+
+JointLimits limits_of(const Row& row, std::string_view name, bool on_right_side) {
+  JointLimits limits;
+  limits.name = name;
+  limits.from = on_right_side ? motion::mirrored(row.from) : row.from;
+  limits.to = on_right_side ? motion::mirrored(row.to) : row.to;
+  limits.reference = turn_about(Eigen::Vector3f::UnitZ(), radians(row.reference_z));
+  limits.axis = Eigen::Vector3f::Unit(row.axis);
+  limits.least = row.least.unaryExpr([](float angle) { return radians(angle); });
+  limits.most = row.most.unaryExpr([](float angle) { return radians(angle); });
+  limits.on_right_side = on_right_side;
+  return limits;
+}
+
+std::vector<JointLimits> make_table() {
+  std::vector<JointLimits> table;
+  for (const Row& row : kMiddleRows) table.push_back(limits_of(row, row.name, false));
+  for (std::size_t i = 0; i < kLeftRows.size(); ++i) {
+    table.push_back(limits_of(kLeftRows[i], kLeftNames[i], false));
+    table.push_back(limits_of(kLeftRows[i], kRightNames[i], true));
+  }
+  return table;
+}
+
+// 2 log(q) of a unit quaternion, along the shorter way.
+Eigen::Vector3f rotation_vector(Eigen::Quaternionf rotation) {
+  if (rotation.w() < 0) rotation.coeffs() *= -1;
+  const float sine = rotation.vec().norm();
+  if (sine < 1e-7F) return 2 * rotation.vec();
+  return 2 * std::atan2(sine, rotation.w()) / sine * rotation.vec();
+}
+
+Eigen::Quaternionf rotation_of_vector(const Eigen::Vector3f& vector) {
+  const float angle = vector.norm();
+  if (angle < 1e-7F) return Eigen::Quaternionf::Identity();
+  return turn_about(vector / angle, angle);
+}
+
+}  // namespace
+
+std::span<const JointLimits> human_joint_limits() {
+  static const std::vector<JointLimits> table = make_table();
+  return table;
+}
+
+const JointLimits& joint_limits_named(std::string_view name) {
+  for (const JointLimits& limits : human_joint_limits()) {
+    if (limits.name == name) return limits;
+  }
+  throw Error("", "there is no joint '" + std::string(name) + "' in the table of human limits");
+}
+
+// rotation = reference * swing * twist, with the twist about the axis.
+Eigen::Vector3f joint_angles(const JointLimits& limits, const Eigen::Quaternionf& rotation) {
+  const Eigen::Quaternionf seen = limits.on_right_side ? mirrored_rotation(rotation) : rotation;
+  const Eigen::Quaternionf local = limits.reference.conjugate() * seen;
+  const float along = local.vec().dot(limits.axis);
+  Eigen::Quaternionf twist(local.w(), along * limits.axis.x(), along * limits.axis.y(),
+                           along * limits.axis.z());
+  if (twist.norm() < 1e-6F) return rotation_vector(local);  // a swing by half a turn has no twist
+  twist.normalize();
+  const Eigen::Quaternionf swing = local * twist.conjugate();
+  return rotation_vector(swing) + rotation_vector(twist);
+}
+
+Eigen::Quaternionf rotation_of_angles(const JointLimits& limits, const Eigen::Vector3f& angles) {
+  const Eigen::Vector3f twist = angles.dot(limits.axis) * limits.axis;
+  const Eigen::Quaternionf rotation =
+      limits.reference * rotation_of_vector(angles - twist) * rotation_of_vector(twist);
+  return limits.on_right_side ? mirrored_rotation(rotation) : rotation;
+}
+
+float limit_excess(const JointLimits& limits, const Eigen::Quaternionf& rotation) {
+  const Eigen::Vector3f angles = joint_angles(limits, rotation);
+  const float over = (angles - limits.most).maxCoeff();
+  const float under = (limits.least - angles).maxCoeff();
+  return std::max({over, under, 0.0F});
+}
+
+void limit_arm(motion::Pose& pose, motion::Side side) {
+  const bool left = side == motion::Side::left;
+  const JointLimits& shoulder = joint_limits_named(left ? "left_shoulder" : "right_shoulder");
+  const JointLimits& wrist = joint_limits_named(left ? "left_wrist" : "right_wrist");
+  const Eigen::Quaternionf& clavicle =
+      pose.rotation[left ? Role::left_clavicle : Role::right_clavicle];
+  Eigen::Quaternionf& upper_arm = pose.rotation[shoulder.to];
+  const Eigen::Quaternionf arm = clavicle * upper_arm;
+  if (limit_excess(shoulder, arm) > 0) {
+    upper_arm = (clavicle.conjugate() * within_limits(shoulder, arm)).normalized();
+  }
+  pose.rotation[wrist.to] = within_limits(wrist, pose.rotation[wrist.to]);
+}
+
+Eigen::Quaternionf within_limits(const JointLimits& limits, const Eigen::Quaternionf& rotation) {
+  const Eigen::Vector3f angles = joint_angles(limits, rotation);
+  return rotation_of_angles(limits, angles.cwiseMax(limits.least).cwiseMin(limits.most))
+      .normalized();
+}
+
+}  // namespace flinch::database
