@@ -18,7 +18,7 @@ namespace flinch::database {
 /// Rotation channels are Z X Y, in degrees, and run on from frame to frame, beyond 180 where they
 /// must.
 ///
-/// Numbers have six decimals: what is read back is the motion to 1e-4 degrees and 1e-3 mm. The
+/// Numbers have six decimals: what is read back is the motion to 0.001 degrees and 0.01 mm. The
 /// same input gives the same text. Throws Error when the motion cannot be written (see
 /// export_check.h).
 std::string bvh_text(const motion::Character& character, const motion::Motion& motion);
