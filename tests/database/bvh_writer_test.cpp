@@ -212,10 +212,18 @@ TEST(BvhWriter, SameInputGivesTheSameTextInMemoryAndInTheFile) {
   const Library library = scenes::synthetic_library();
   const std::string text = bvh_text(library.character, library.clips[1].motion);
   EXPECT_EQ(text, bvh_text(library.character, library.clips[1].motion));
-  EXPECT_EQ(text.find("-0.000000"), std::string::npos);
   const tests::TemporaryFolder folder;
   write_bvh(folder / "motion.bvh", library.character, library.clips[1].motion);
   EXPECT_EQ(read_file(folder / "motion.bvh"), text);
+}
+
+TEST(BvhWriter, NoZeroHasASign) {
+  const motion::Character character = motion::default_character();
+  motion::Motion motion;
+  motion.poses.push_back(motion::rest_pose(character.skeleton));
+  motion.poses[0].root_position.x() = -1e-9F;
+  motion.poses[0].rotation[Role::neck] = Eigen::AngleAxisf(-1e-9F, Vector3f::UnitY());
+  EXPECT_EQ(bvh_text(character, motion).find("-0.000000"), std::string::npos);
 }
 
 TEST(BvhWriter, RefusesWhatItCannotWriteAndLeavesNoFile) {
@@ -255,6 +263,20 @@ TEST(EulerAngles, GiveTheRotationAndLieNearTheAnglesThatItWasMadeOf) {
     if (std::abs(std::cos(made[1])) > 0.2) {
       EXPECT_LT((found - made).cwiseAbs().maxCoeff(), 1e-6) << made.transpose();
     }
+  }
+}
+
+// Noise of a float's size must not turn the two axes that are one against each other.
+TEST(EulerAngles, StayWhereTheyAreAtGimbalLock) {
+  std::mt19937 random(4);
+  for (int i = 0; i < 1000; ++i) {
+    const Vector3d near(double{tests::uniform(random, -9, 9)}, i % 2 == 0 ? kPi / 2 : -kPi / 2,
+                        double{tests::uniform(random, -9, 9)});
+    const Quaterniond exact = AngleAxisd(near[0], Vector3d::UnitZ()) *
+                              AngleAxisd(near[1], Vector3d::UnitX()) *
+                              AngleAxisd(near[2], Vector3d::UnitY());
+    const Quaterniond noisy = exact.cast<float>().normalized().cast<double>().normalized();
+    EXPECT_LT((euler_zxy(noisy, near) - near).cwiseAbs().maxCoeff(), 2e-6);
   }
 }
 
