@@ -4,21 +4,23 @@
 #include <cmath>
 #include <string>
 
-#include "database/angles.h"
 #include "database/evasion.h"
 #include "database/protective_motion.h"
 #include "database/stance.h"
 #include "database/static_balance.h"
 #include "motion/error.h"
 #include "motion/mirror.h"
+#include "motion/rotation.h"
 
 namespace flinch::database {
 namespace {
 
 using motion::Clip;
 using motion::Degree;
+using motion::degrees;
 using motion::JointFrames;
 using motion::Pose;
+using motion::radians;
 using motion::Target;
 
 // Front, and the left; mirroring gives the right.
@@ -35,6 +37,8 @@ struct Author {
   Figure figure;
   Pose start;
   JointFrames frames;
+  motion::Motion idle;
+  bool with_startle;
   float rate_hz;
 };
 
@@ -56,7 +60,8 @@ RuleControls controls_of(Degree degree) {
 }
 
 Clip make_clip(const Author& author, std::string_view kind, Target target, std::size_t direction,
-               Degree degree, const Pose& sustained, float pace) {
+               Degree degree, const Pose& sustained, float pace,
+               const std::optional<Pose>& startled = std::nullopt) {
   const float azimuth = radians(kDirections[direction]);
   ProtectiveTiming timing;
   timing.protect_s = pace * time_to_contact_s(kUrgency, std::cos(azimuth));
@@ -65,8 +70,8 @@ Clip make_clip(const Author& author, std::string_view kind, Target target, std::
               std::string(kDirectionNames[direction]) + "_" + std::string(motion::name_of(degree));
   clip.kind = kind;
   clip.source = "authored by rule";
-  clip.motion = protective_motion(author.figure, author.start, std::nullopt, sustained, timing,
-                                  author.rate_hz);
+  clip.motion =
+      protective_motion(author.figure, author.start, startled, sustained, timing, author.rate_hz);
   motion::Annotation annotation;
   annotation.target = target;
   annotation.direction = azimuth;
@@ -87,9 +92,11 @@ Clip block_clip(const Author& author, Target target, std::size_t direction, Degr
   const float azimuth = across ? kBeforeTheShoulders : kDirections[direction];
   RuleControls controls = controls_of(degree);
   if (across) controls.turn = 0;
-  const BalancedPose balanced = balanced_pose(
-      author.figure, author.start, danger_from(author, target, radians(azimuth)), controls);
-  return make_clip(author, "block", target, direction, degree, balanced.pose, 1);
+  const ProtectivePoses poses =
+      protective_poses(author.figure, author.idle, 0, danger_from(author, target, radians(azimuth)),
+                       controls, author.with_startle);
+  return make_clip(author, "block", target, direction, degree, poses.sustained.pose, 1,
+                   poses.startled);
 }
 
 Clip evasive_clip(const Author& author, std::string_view kind, Target target, std::size_t direction,
@@ -104,7 +111,7 @@ Clip idle_clip(const Author& author) {
   clip.purpose = motion::Purpose::idle;
   clip.kind = "idle";
   clip.source = "authored by rule";
-  clip.motion = idle_motion(author.figure, author.rate_hz);
+  clip.motion = author.idle;
   return clip;
 }
 
@@ -142,9 +149,10 @@ std::vector<Clip> clips_from(const Author& author, std::size_t direction) {
 
 }  // namespace
 
-Library authored_library(const motion::Character& character, float rate_hz) {
-  Author author{make_figure(character), {}, {}, rate_hz};
+Library authored_library(const motion::Character& character, bool with_startle, float rate_hz) {
+  Author author{make_figure(character), {}, {}, {}, with_startle, rate_hz};
   author.start = standing_pose(author.figure);
+  author.idle = idle_motion(author.figure, rate_hz);
   author.frames = motion::forward_kinematics(character.skeleton, author.start);
   Library library;
   library.name = "authored";

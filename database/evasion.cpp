@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "database/angles.h"
 #include "database/pose_rules.h"
+#include "motion/rotation.h"
 #include "motion/support_polygon.h"
 
 namespace flinch::database {
@@ -13,8 +13,10 @@ namespace {
 
 using motion::JointFrames;
 using motion::Pose;
+using motion::radians;
 using motion::Role;
 using motion::Side;
+using motion::turn_about;
 
 Eigen::Quaternionf turn_of(const Eigen::Vector3f& angles) {
   return turn_about(Eigen::Vector3f::UnitZ(), angles.z()) *

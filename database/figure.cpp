@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "database/angles.h"
+#include "motion/rotation.h"
 
 namespace flinch::database {
 
@@ -14,9 +14,11 @@ using motion::Limb;
 using motion::LimbRoles;
 using motion::LimbSolution;
 using motion::Pose;
+using motion::radians;
 using motion::Role;
 using motion::Side;
 using motion::Skeleton;
+using motion::turn_about;
 
 namespace {
 
@@ -112,8 +114,8 @@ void set_arm(Pose& pose, Side side, const ArmAngles& angles) {
   const Eigen::Quaternionf lower = turn_about(Eigen::Vector3f::UnitZ(), -angles.elbow);
   const LimbRoles roles = motion::roles_of(arm_of(side));
   const bool left = side == Side::left;
-  pose.rotation[roles.upper] = left ? upper : mirrored_rotation(upper);
-  pose.rotation[roles.lower] = left ? lower : mirrored_rotation(lower);
+  pose.rotation[roles.upper] = left ? upper : motion::mirrored(upper);
+  pose.rotation[roles.lower] = left ? lower : motion::mirrored(lower);
   pose.rotation[roles.end] = Eigen::Quaternionf::Identity();
 }
 

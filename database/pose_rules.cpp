@@ -4,19 +4,27 @@
 #include <algorithm>
 #include <cmath>
 
-#include "database/angles.h"
 #include "database/body_distance.h"
-#include "database/joint_limits.h"
 #include "motion/error.h"
 #include "motion/interpolation.h"
+#include "motion/joint_limits.h"
+#include "motion/rotation.h"
 
 namespace flinch::database {
 namespace {
 
+using motion::degrees;
+using motion::joint_limits_named;
 using motion::JointFrames;
+using motion::JointLimits;
+using motion::limit_arm;
+using motion::limit_excess;
 using motion::Pose;
+using motion::radians;
 using motion::Role;
 using motion::Side;
+using motion::turn_about;
+using motion::within_limits;
 
 // Table 3.2, degrees. The thesis' neck is one joint: here neck and head share it evenly.
 struct Maxima {
@@ -123,7 +131,7 @@ Guard guard_in_front(const Figure& figure, const JointFrames& frames, const Aim&
     const Eigen::Vector3f beside =
         aim.target_point + sign_of(side) * 0.25F * hand_length(figure) * aside;
     const float clear =
-        clearance_along(figure, frames, beside, to_threat) + 0.6F * hand_length(figure);
+        clearance_along(figure, frames, beside, to_threat) + 0.68F * hand_length(figure);
     guard.palm[i] = point_at_reach(beside, to_threat, shoulder, reach, clear);
     guard.pole[i] = -chest_up;
     guard.swivel[i] = radians(kMostSwivel + std::clamp(controls.swivel[i], 0.0F, 1.0F) *
@@ -173,7 +181,7 @@ void put_palms(const Figure& figure, const JointFrames& trunk, const Guard& guar
     const motion::LimbRoles roles = motion::roles_of(arm_of(side));
     const JointLimits& wrist =
         joint_limits_named(side == Side::left ? "left_wrist" : "right_wrist");
-    Eigen::Vector3f to_palm = Eigen::Vector3f::Zero();
+    Eigen::Vector3f to_palm = 0.4F * hand_length(figure) * guard.fingers;  // to begin with
     for (int round = 0; round < kRounds; ++round) {
       const Eigen::Quaternionf forearm =
           put_hand(figure.skeleton(), trunk, side,
@@ -277,7 +285,7 @@ Pose recoil(const Pose& pose, float amount) {
       turn_about(Eigen::Vector3f::UnitY(), -share * radians(kClavicleY));
   Pose result = pose;
   turn_joint(result, Role::left_clavicle, left);
-  turn_joint(result, Role::right_clavicle, mirrored_rotation(left));
+  turn_joint(result, Role::right_clavicle, motion::mirrored(left));
   return result;
 }
 

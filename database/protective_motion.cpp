@@ -14,6 +14,19 @@ float time_to_contact_s(float normalised_speed, float cos_angle) {
   return (0.25F + 0.75F * (1 - speed)) * (1 + 0.2F * (1 - cosine));
 }
 
+ProtectivePoses protective_poses(const Figure& figure, const motion::Motion& motion, float time_s,
+                                 const Danger& danger, const RuleControls& controls,
+                                 bool with_startle) {
+  ProtectivePoses poses;
+  poses.start = sample(motion, time_s);
+  if (with_startle) {
+    poses.startled = startle(figure, sample(motion, time_s + kStartleLookAhead), danger);
+  }
+  poses.sustained =
+      balanced_pose(figure, sample(motion, time_s + kSustainedLookAhead), danger, controls);
+  return poses;
+}
+
 motion::Motion protective_motion(const Figure& figure, const Pose& start,
                                  const std::optional<Pose>& startled, const Pose& sustained,
                                  const ProtectiveTiming& timing, float rate_hz) {

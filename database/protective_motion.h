@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "database/static_balance.h"
 #include "database/transition.h"
 #include "motion/clip.h"
 
@@ -16,6 +17,23 @@ namespace flinch::database {
 /// to the threat. Faster is shorter, as the equation has it and balls do; the thesis' text says the
 /// opposite. See docs/authoring.md.
 float time_to_contact_s(float normalised_speed, float cos_angle);
+
+/// The poses that answer a threat.
+struct ProtectivePoses {
+  motion::Pose start;                    ///< of the motion, when the threat is perceived
+  std::optional<motion::Pose> startled;  ///< the first flinch, if asked for
+  BalancedPose sustained;
+};
+
+/// How far ahead in the motion the poses are taken, so that the body keeps its momentum, s.
+inline constexpr float kStartleLookAhead = 1.0F / 12;
+inline constexpr float kSustainedLookAhead = 1.0F / 6;
+
+/// The poses that answer a threat perceived `time_s` into a motion (section 4.2); beyond its end
+/// the motion stands still. Throws Error for a danger that check_danger refuses.
+ProtectivePoses protective_poses(const Figure& figure, const motion::Motion& motion, float time_s,
+                                 const Danger& danger, const RuleControls& controls,
+                                 bool with_startle);
 
 /// How long each part lasts, s (section 4.2).
 struct ProtectiveTiming {

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <limits>
 
-#include "database/angles.h"
 #include "database/body_distance.h"
-#include "database/joint_limits.h"
 #include "motion/error.h"
+#include "motion/joint_limits.h"
+#include "motion/rotation.h"
 #include "motion/support_polygon.h"
 
 namespace flinch::database {
@@ -16,7 +16,12 @@ namespace {
 
 using motion::Body;
 using motion::Clip;
+using motion::degrees;
+using motion::human_joint_limits;
 using motion::JointFrames;
+using motion::JointLimits;
+using motion::limit_excess;
+using motion::radians;
 using motion::Role;
 using motion::Side;
 

@@ -3,15 +3,17 @@
 
 #include <cmath>
 
-#include "database/angles.h"
+#include "motion/rotation.h"
 
 namespace flinch::database {
 namespace {
 
 using motion::JointFrames;
 using motion::Pose;
+using motion::radians;
 using motion::Role;
 using motion::Side;
+using motion::turn_about;
 
 constexpr float kTurnOut = radians(8);
 constexpr float kIdle = 8;  // s, a whole number of breaths

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "database/angles.h"
+#include "motion/rotation.h"
 #include "motion/support_polygon.h"
 
 namespace flinch::database {
@@ -15,13 +15,15 @@ using motion::JointFrames;
 using motion::Pose;
 using motion::Role;
 using motion::Side;
+using motion::turn_about;
 
 namespace {
 
 constexpr float kOffset = 0.01F;  // of the midpoint differences, as in the thesis
-constexpr int kMostIterations = 10;
+constexpr int kMostIterations = 7;
 // The optimiser works in these units, so that one unit of each matters about alike.
-constexpr std::array<float, 10> kUnits{0.1F, 0.1F, 0.1F, 0.5F, 0.5F, 0.5F, 0.5F, 0.5F, 0.5F, 0.5F};
+constexpr std::array<float, 10> kUnits{0.1F,  0.1F,  0.1F,  0.25F, 0.25F,
+                                       0.25F, 0.25F, 0.25F, 0.25F, 0.25F};
 
 // The angle between two orientations: 2 asin of half the distance of the unit quaternions.
 float angle_between(const Eigen::Quaternionf& a, const Eigen::Quaternionf& b) {
@@ -196,7 +198,7 @@ BalancedPose balanced_pose(const Figure& figure, const Pose& pose, const Danger&
   lbfgs_parameter_t parameters;
   lbfgs_parameter_init(&parameters);
   parameters.max_iterations = kMostIterations;
-  parameters.max_linesearch = 8;
+  parameters.max_linesearch = 10;
   parameters.epsilon = 1e-3;
   parameters.past = 3;
   parameters.delta = 2e-3;

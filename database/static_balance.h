@@ -50,7 +50,7 @@ inline constexpr float kBraceDistance = 0.10F;  // m, toward the threat
 BalancedPose balanced_pose(const Figure& figure, const motion::Pose& pose, const Danger& danger,
                            const RuleControls& controls, float brace_m = kBraceDistance);
 
-inline constexpr float kRounding = 0.01F;  // m and radians, where distances turn round
+inline constexpr float kRounding = 0.02F;  // m and radians, where distances turn round
 
 /// The error of some variables and its gradient by midpoint differences, for the optimiser and for
 /// tests. Of the gradient, 0 to 2 belong to the pelvis and 3 to 9 to the controls in their order.

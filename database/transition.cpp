@@ -4,17 +4,19 @@
 #include <algorithm>
 #include <cmath>
 
-#include "database/angles.h"
 #include "database/body_distance.h"
-#include "database/joint_limits.h"
 #include "motion/interpolation.h"
+#include "motion/joint_limits.h"
+#include "motion/rotation.h"
 
 namespace flinch::database {
 namespace {
 
 using motion::JointFrames;
 using motion::LimbRoles;
+using motion::limit_arm;
 using motion::Pose;
+using motion::radians;
 using motion::Role;
 using motion::Side;
 using motion::Skeleton;

@@ -3,17 +3,16 @@
 
 #include <numbers>
 
+#include "motion/rotation.h"
+
 namespace flinch::motion {
 
-// A mirror in the plane y = 0 takes the rotation (w, x, y, z) to (w, -x, y, -z): the axis is
-// mirrored and the sense of rotation turns round.
 Pose mirrored(const Pose& pose) {
   Pose result;
   result.root_position = pose.root_position;
   result.root_position.y() = -pose.root_position.y();
   for (Role role : kRoles) {
-    const Eigen::Quaternionf& q = pose.rotation[mirrored(role)];
-    result.rotation[role] = Eigen::Quaternionf(q.w(), -q.x(), q.y(), -q.z());
+    result.rotation[role] = mirrored(pose.rotation[mirrored(role)]);
   }
   return result;
 }

@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 
+#include "motion/rotation.h"
+
 namespace flinch::sim {
 namespace {
 
@@ -60,12 +62,12 @@ struct JointAxes {
 // shares twist along the limb. So the hinge's axis is the one about which the reference bends the
 // joint, or for a straight joint the anatomical one; across it the joint rigidly follows the
 // reference, which loses nothing of the recording and still carries a blow from the side on.
-JointAxes axes_of(JointKind kind, const Eigen::Vector3d& bone,
-                  const Eigen::Quaterniond& reference) {
+JointAxes axes_of(JointKind kind, const JointLimits& limits, const Eigen::Quaterniond& reference) {
   if (kind == JointKind::ball) return {};
   const bool elbow = kind == JointKind::elbow;
   const Eigen::Vector3d anatomical = elbow ? Eigen::Vector3d::UnitZ() : Eigen::Vector3d::UnitY();
-  const Eigen::Vector3d angles = joint_angles(reference, bone);
+  const Eigen::Vector3d angles = joint_angles(limits, reference);
+  const Eigen::Vector3d& bone = limits.bone;
   const Eigen::Vector3d bend = angles - angles.dot(bone) * bone;
   const double side = bend.dot(anatomical) < 0 ? -1.0 : 1.0;
   const Eigen::Vector3d hinge = (side * bend + kStraight_rad * anatomical).normalized();
@@ -150,7 +152,7 @@ Figure::Figure(const FigurePlan& plan, dWorldID world, const ReferenceState& sta
                                     holder.position + holder.orientation * start.socket[body]);
     const Eigen::Quaterniond reference =
         holder.orientation.conjugate() * start.body[body].orientation;
-    const JointAxes axes = axes_of(plan.kinds[body], plan.limits[body].bone, reference);
+    const JointAxes axes = axes_of(plan.kinds[body], plan.limits[body], reference);
     motors_[body] = make_motor(world, bodies_[body], bodies_[*parent],
                                holder.orientation.toRotationMatrix() * axes.frame);
   }
@@ -167,8 +169,9 @@ void Figure::drive_pelvis(const BodyState& target, double step_s) {
   const BodyState now = state_of(bodies_[Body::pelvis]);
   const Gains& turning = plan_.gains[Body::pelvis];
   const Gains& moving = plan_.pelvis_gains;
-  const Eigen::Vector3d turn = shortened(
-      rotation_vector(target.orientation * now.orientation.conjugate()), kMostPelvisError_rad);
+  const Eigen::Vector3d turn =
+      shortened(motion::rotation_vector(target.orientation * now.orientation.conjugate()),
+                kMostPelvisError_rad);
   const Eigen::Vector3d shift = shortened(target.position - now.position, kMostPelvisError_m);
   for (int axis = 0; axis < 3; ++axis) {
     set_spring(joints_[Body::pelvis], axis, moving, moving.stiffness * shift[axis],
@@ -188,9 +191,9 @@ void Figure::drive_joint(Body body, const ReferenceState& target, double step_s)
   const Eigen::Quaterniond reference = to_parent * wanted.orientation;
   const Eigen::Quaterniond parent_now = orientation_of(bodies_[parent]);
   const Eigen::Quaterniond now = parent_now.conjugate() * orientation_of(bodies_[body]);
-  const JointAxes axes = axes_of(plan_.kinds[body], plan_.limits[body].bone, reference);
+  const JointAxes axes = axes_of(plan_.kinds[body], plan_.limits[body], reference);
   const Eigen::Matrix3d into_axes = axes.frame.transpose();
-  const Eigen::Vector3d error = into_axes * rotation_vector(reference * now.conjugate());
+  const Eigen::Vector3d error = into_axes * motion::rotation_vector(reference * now.conjugate());
   const Eigen::Vector3d velocity =
       into_axes * (to_parent * (wanted.angular_velocity - wanted_parent.angular_velocity));
   const Eigen::Vector3d back = into_axes * beyond_limits(plan_.limits[body], now, reference);

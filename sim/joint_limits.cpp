@@ -1,82 +1,70 @@
 // SPDX-License-Identifier: MIT
 #include "sim/joint_limits.h"
 
-#include <cmath>
-#include <numbers>
-
-#include "sim/reference.h"
+#include "motion/joint_limits.h"
+#include "motion/rotation.h"
 
 namespace flinch::sim {
 namespace {
 
 using motion::Body;
 
-constexpr double kDegree = std::numbers::pi / 180;
-constexpr double kPlay = 5;  // degrees, where a joint has no freedom
-
-struct Range {
-  double low, high;  // degrees
+// A row of the human limits and which share of it one joint has.
+struct Source {
+  std::string_view name;  // of the left side or the middle
+  double share = 1;
 };
 
-// Ranges about X (forward), Y (left) and Z (up) from the T-pose, for the body's left side.
-struct Entry {
-  Eigen::Vector3d bone;
-  Range x, y, z;
-};
-
-// American Academy of Orthopaedic Surgeons, "Joint Motion: Method of Measuring and Recording"
-// (1965): thoracolumbar spine flexion 80, extension 25, to the side 35, rotation 45; neck 45, 45,
-// 45, 60; shoulder abduction 180, horizontal flexion 135 and extension 45, rotation in 70, out 90;
-// elbow 0 to 150, pronation and supination 80; wrist flexion 80, extension 70, radial 20, ulnar 30;
-// hip flexion 120, extension 30, abduction 45, adduction 30, rotation 45 each way; knee flexion
-// 135; ankle up 20, down 50, inversion 35, eversion 15. Spine and neck are two joints each here,
-// which share their range equally. Adduction of the hanging arm across the body (30) and the
-// turning of the foot (20) are estimates.
-Entry left_entry(Body body) {
-  const Eigen::Vector3d x = Eigen::Vector3d::UnitX();
-  const Eigen::Vector3d y = Eigen::Vector3d::UnitY();
-  const Eigen::Vector3d z = Eigen::Vector3d::UnitZ();
+// Spine and neck are two joints each here, which share their range equally.
+Source source_of(Body body) {
   switch (body) {
     case Body::abdomen:
     case Body::chest:
-      return {z, {-17.5, 17.5}, {-12.5, 40}, {-22.5, 22.5}};
+      return {"trunk", 0.5};
     case Body::neck:
     case Body::head:
-      return {z, {-22.5, 22.5}, {-22.5, 22.5}, {-30, 30}};
+      return {"neck", 0.5};
     case Body::left_upper_arm:
-      return {y, {-120, 90}, {-90, 70}, {-135, 45}};
+      return {"left_shoulder"};
     case Body::left_forearm:
-      return {y, {-kPlay, kPlay}, {-80, 80}, {-150, 0}};
+      return {"left_elbow"};
     case Body::left_hand:
-      return {y, {-80, 70}, {-kPlay, kPlay}, {-20, 30}};
+      return {"left_wrist"};
     case Body::left_thigh:
-      return {-z, {-30, 45}, {-120, 30}, {-45, 45}};
+      return {"left_hip"};
     case Body::left_shin:
-      return {-z, {-kPlay, kPlay}, {0, 135}, {-kPlay, kPlay}};
+      return {"left_knee"};
     case Body::left_foot:
-      return {x, {-35, 15}, {-20, 50}, {-20, 20}};
+      return {"left_ankle"};
     default:
-      return {z, {0, 0}, {0, 0}, {0, 0}};
+      return {};
   }
 }
 
+JointLimits limits_from(const Source& source) {
+  if (source.name.empty()) return {};
+  const motion::JointLimits& human = motion::joint_limits_named(source.name);
+  return {human.reference.cast<double>(), human.axis.cast<double>(),
+          source.share * human.least.cast<double>(), source.share * human.most.cast<double>()};
+}
+
 // Mirrored in the plane of X and Z, angles about X and Z change sign.
-Entry mirrored(const Entry& left) {
-  return {{left.bone.x(), -left.bone.y(), left.bone.z()},
-          {-left.x.high, -left.x.low},
-          left.y,
-          {-left.z.high, -left.z.low}};
+JointLimits mirrored(const JointLimits& left) {
+  const Eigen::Vector3d same(0, 1, 0);
+  const Eigen::Vector3d turned(-1, 0, -1);
+  const Eigen::Quaterniond& q = left.reference;
+  return {{q.w(), -q.x(), q.y(), -q.z()},
+          left.bone.cwiseProduct(Eigen::Vector3d(1, -1, 1)),
+          left.low.cwiseProduct(same) + left.high.cwiseProduct(turned),
+          left.high.cwiseProduct(same) + left.low.cwiseProduct(turned)};
 }
 
 }  // namespace
 
 JointLimits limits_of(Body body) {
-  const motion::Role role = role_of(body);
-  const Body other = body_of(motion::mirrored(role));
+  const Body other = body_of(motion::mirrored(role_of(body)));
   const bool right = other < body;  // left sides come first
-  const Entry entry = right ? mirrored(left_entry(other)) : left_entry(body);
-  return {entry.bone, kDegree * Eigen::Vector3d(entry.x.low, entry.y.low, entry.z.low),
-          kDegree * Eigen::Vector3d(entry.x.high, entry.y.high, entry.z.high)};
+  return right ? mirrored(limits_from(source_of(other))) : limits_from(source_of(body));
 }
 
 JointKind kind_of(Body body) {
@@ -92,37 +80,29 @@ JointKind kind_of(Body body) {
   }
 }
 
-// q = swing twist, with twist the part of q about the bone.
-Eigen::Vector3d joint_angles(const Eigen::Quaterniond& rotation, const Eigen::Vector3d& bone) {
-  const double along = rotation.vec().dot(bone);
-  Eigen::Quaterniond twist(rotation.w(), along * bone.x(), along * bone.y(), along * bone.z());
-  const double norm = twist.norm();
-  if (norm < 1e-9) return rotation_vector(rotation);  // turned right round: no twist to speak of
-  twist.coeffs() /= norm;
-  const Eigen::Vector3d swing = rotation_vector(rotation * twist.conjugate());
-  return swing + rotation_vector(twist);
+Eigen::Vector3d joint_angles(const JointLimits& limits, const Eigen::Quaterniond& rotation) {
+  return motion::swing_and_twist<double>(limits.reference.conjugate() * rotation, limits.bone);
 }
 
-Eigen::Quaterniond joint_rotation(const Eigen::Vector3d& angles, const Eigen::Vector3d& bone) {
-  const Eigen::Vector3d twist = angles.dot(bone) * bone;
-  return rotation_by(angles - twist) * rotation_by(twist);
+Eigen::Quaterniond joint_rotation(const JointLimits& limits, const Eigen::Vector3d& angles) {
+  return limits.reference * motion::from_swing_and_twist(angles, limits.bone);
 }
 
 Eigen::Vector3d beyond_limits(const JointLimits& limits, const Eigen::Quaterniond& rotation,
                               const Eigen::Quaterniond& reference) {
-  const Eigen::Vector3d angles = joint_angles(rotation, limits.bone);
+  const Eigen::Vector3d angles = joint_angles(limits, rotation);
   const auto within = [&](const Eigen::Vector3d& low, const Eigen::Vector3d& high) {
     return Eigen::Vector3d(angles.cwiseMax(low).cwiseMin(high));
   };
   if (within(limits.low, limits.high) == angles) return Eigen::Vector3d::Zero();
-  const Eigen::Vector3d wanted = joint_angles(reference, limits.bone);
+  const Eigen::Vector3d wanted = joint_angles(limits, reference);
   const Eigen::Vector3d nearest = within(limits.low.cwiseMin(wanted), limits.high.cwiseMax(wanted));
   if (nearest == angles) return Eigen::Vector3d::Zero();
   const Eigen::Vector3d back =
-      rotation_vector(joint_rotation(nearest, limits.bone) * rotation.conjugate());
+      motion::rotation_vector(joint_rotation(limits, nearest) * rotation.conjugate());
   // The reference is within these limits, so that no way back is longer than the way to it; where
   // angles jump, at half a turn, they would say otherwise.
-  const Eigen::Vector3d to_reference = rotation_vector(reference * rotation.conjugate());
+  const Eigen::Vector3d to_reference = motion::rotation_vector(reference * rotation.conjugate());
   return back.squaredNorm() < to_reference.squaredNorm() ? back : to_reference;
 }
 

@@ -5,11 +5,13 @@
 
 namespace flinch::sim {
 
-/// How far a joint goes, in angles about the axes of its parent's frame, radians, from the rest
-/// pose: the rotation is a turn of the bone (the two components across its axis) after a twist (the
-/// component along it).
+/// How far a joint of the figure goes: a row of motion's human_joint_limits(), or a joint's share
+/// of one, for either side. Angles are about the axes of `reference` in the parent's frame,
+/// radians: the rotation is a turn of the bone (the two components across its axis) after a twist
+/// (the component along it).
 struct JointLimits {
-  Eigen::Vector3d bone = Eigen::Vector3d::UnitZ();  ///< axis of the bone in the rest pose, unit
+  Eigen::Quaterniond reference = Eigen::Quaterniond::Identity();  ///< where all angles are 0
+  Eigen::Vector3d bone = Eigen::Vector3d::UnitZ();                ///< axis of the bone, unit
   Eigen::Vector3d low = Eigen::Vector3d::Zero();
   Eigen::Vector3d high = Eigen::Vector3d::Zero();
 };
@@ -23,9 +25,9 @@ enum class JointKind { ball, elbow, hinge };
 JointKind kind_of(motion::Body body);
 
 /// The angles of a rotation of the child in its parent's frame.
-Eigen::Vector3d joint_angles(const Eigen::Quaterniond& rotation, const Eigen::Vector3d& bone);
+Eigen::Vector3d joint_angles(const JointLimits& limits, const Eigen::Quaterniond& rotation);
 /// The rotation that has these angles: the inverse.
-Eigen::Quaterniond joint_rotation(const Eigen::Vector3d& angles, const Eigen::Vector3d& bone);
+Eigen::Quaterniond joint_rotation(const JointLimits& limits, const Eigen::Vector3d& angles);
 
 /// The rotation vector, in the parent's frame, that takes the joint back to its limits; zero within
 /// them. What the reference does is allowed even beyond them, as its actor could do it.

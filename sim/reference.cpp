@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "motion/rotation.h"
+
 namespace flinch::sim {
 namespace {
 
@@ -44,7 +46,7 @@ Reference::Reference(const motion::Skeleton& skeleton, const motion::BodyModel& 
       const BodyState& to = states[after][body];
       velocities_[k].linear[body] = rate_hz * (to.position - from.position);
       velocities_[k].angular[body] =
-          rate_hz * rotation_vector(to.orientation * from.orientation.conjugate());
+          rate_hz * motion::rotation_vector(to.orientation * from.orientation.conjugate());
     }
   }
 }
@@ -74,20 +76,6 @@ ReferenceState Reference::at(double time_s) const {
         (1 - weight) * from.angular[body] + weight * to.angular[body];
   }
   return state;
-}
-
-Eigen::Vector3d rotation_vector(const Eigen::Quaterniond& rotation) {
-  const double sine = rotation.vec().norm();
-  if (sine < 1e-12) return (rotation.w() < 0 ? -2.0 : 2.0) * rotation.vec();
-  // atan2 with |w| takes the shorter of the two ways round.
-  const double angle = 2 * std::atan2(sine, std::abs(rotation.w()));
-  return (rotation.w() < 0 ? -angle : angle) / sine * rotation.vec();
-}
-
-Eigen::Quaterniond rotation_by(const Eigen::Vector3d& vector) {
-  const double angle = vector.norm();
-  if (angle < 1e-12) return Eigen::Quaterniond::Identity();
-  return Eigen::Quaterniond(Eigen::AngleAxisd(angle, vector / angle));
 }
 
 }  // namespace flinch::sim

@@ -38,9 +38,4 @@ class Reference {
   std::vector<Velocities> velocities_;  // a pose
 };
 
-/// The rotation vector (axis times angle in [0, pi]) of a unit quaternion, radians.
-Eigen::Vector3d rotation_vector(const Eigen::Quaterniond& rotation);
-/// The rotation of a rotation vector: the inverse.
-Eigen::Quaterniond rotation_by(const Eigen::Vector3d& vector);
-
 }  // namespace flinch::sim

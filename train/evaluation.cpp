@@ -123,6 +123,7 @@ Evaluation evaluate(const Store& store, const CostModel& cost_model, std::uint64
   evaluation.label = labels.clip;
   add_rows(store, fitted, labels, seed, evaluation);
   add_regret_and_intervals(evaluation, seed);
+  evaluation.prevention = prevention_rows(store, label(store.observations, cost_model));
   return evaluation;
 }
 

@@ -7,6 +7,7 @@
 
 #include "train/bootstrap.h"
 #include "train/cost.h"
+#include "train/prevention.h"
 #include "train/store.h"
 #include "train/training.h"
 
@@ -39,6 +40,7 @@ struct Evaluation {
   std::vector<EvaluationRow> rows;
   double svm_minus_knn_ns = 0;  ///< paired difference of the mean costs
   Interval svm_minus_knn_interval;
+  std::vector<PreventionRow> prevention;  ///< over all scenarios of the store
 };
 
 /// Fits SVM and KNN to the scenarios that are not held out and tries all selectors on those that

@@ -27,6 +27,19 @@ Json cost_model_document(const CostModel& model) {
           {"vulnerability", vulnerability}};
 }
 
+Json prevention_document(const std::vector<PreventionRow>& rows) {
+  Json list = Json::array();
+  for (const PreventionRow& row : rows) {
+    list.push_back({{"group", row.group},
+                    {"value", row.value},
+                    {"scenarios", row.scenarios},
+                    {"idle_cost_ns", row.idle_cost_ns},
+                    {"oracle_cost_ns", row.oracle_cost_ns},
+                    {"prevented", row.prevented()}});
+  }
+  return list;
+}
+
 }  // namespace
 
 Json report_document(const Evaluation& evaluation, const StoreHeader& header) {
@@ -49,7 +62,8 @@ Json report_document(const Evaluation& evaluation, const StoreHeader& header) {
           {"paired",
            {{"names", {"svm", "knn"}},
             {"difference", evaluation.svm_minus_knn_ns},
-            {"ci", to_json(evaluation.svm_minus_knn_interval)}}}};
+            {"ci", to_json(evaluation.svm_minus_knn_interval)}}},
+          {"prevention", prevention_document(evaluation.prevention)}};
 }
 
 std::string scenarios_csv(const Evaluation& evaluation) {

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include <benchmark/benchmark.h>
 
+#include <cmath>
+#include <vector>
+
 #include "database/authored_library.h"
 #include "database/stance.h"
 #include "database/static_balance.h"
 #include "motion/default_character.h"
+#include "motion/rotation.h"
 
 namespace flinch::database {
 namespace {
@@ -19,20 +23,33 @@ void author_library(benchmark::State& state) {
 }
 BENCHMARK(author_library)->Unit(benchmark::kMillisecond);
 
+// The mean over three targets and eight directions.
 void balance_pose(benchmark::State& state) {
   const Figure figure = make_figure(motion::default_character());
   const motion::Pose start = standing_pose(figure);
   const motion::JointFrames frames = motion::forward_kinematics(figure.skeleton(), start);
-  Danger danger;
-  danger.target_point = motion::target_centre(figure.bodies, frames, motion::Target::head);
-  danger.position = danger.target_point + Eigen::Vector3f(4, 2, 1);
-  danger.speed_mps = 25;
-  float error = 0;
+  std::vector<Danger> dangers;
+  for (const motion::Target target :
+       {motion::Target::head, motion::Target::trunk, motion::Target::pelvis}) {
+    for (int sector = 0; sector < 8; ++sector) {
+      const float azimuth = motion::radians(45) * static_cast<float>(sector);
+      Danger danger;
+      danger.target_point = motion::target_centre(figure.bodies, frames, target);
+      danger.position =
+          danger.target_point + Eigen::Vector3f(4 * std::cos(azimuth), 4 * std::sin(azimuth), 1);
+      danger.speed_mps = 25;
+      dangers.push_back(danger);
+    }
+  }
+  float worst = 0;
+  std::size_t next = 0;
   for (auto unused : state) {
     (void)unused;
-    error = balanced_pose(figure, start, danger, rule_controls(danger)).error.total();
+    const Danger& danger = dangers[next++ % dangers.size()];
+    const BalancedPose pose = balanced_pose(figure, start, danger, rule_controls(danger));
+    worst = std::max(worst, pose.error.total());
   }
-  state.counters["error"] = double{error};  // that what is timed is right
+  state.counters["worst_error"] = double{worst};  // that what is timed is right
 }
 BENCHMARK(balance_pose)->Unit(benchmark::kMillisecond);
 

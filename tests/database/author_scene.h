@@ -3,12 +3,15 @@
 
 #include <gmock/gmock.h>
 
-#include "database/angles.h"
 #include "database/pose_rules.h"
 #include "database/stance.h"
 #include "motion/default_character.h"
+#include "motion/rotation.h"
 
 namespace flinch::database::test {
+
+using motion::degrees;
+using motion::radians;
 
 /// The default character at ease.
 struct Scene {

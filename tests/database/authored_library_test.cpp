@@ -15,7 +15,9 @@ namespace flinch::database {
 namespace {
 
 using motion::Clip;
+using motion::degrees;
 using motion::JointFrames;
+using motion::radians;
 using motion::Target;
 using test::Scene;
 
@@ -95,6 +97,19 @@ TEST(AuthoredLibrary, AThirdOfTheClipsAvoidAWellAimedBall) {
         avoids_ball(scene, clip, 0, 15) && avoids_ball(scene, clip, radians(25), 15) ? 1 : 0;
   }
   EXPECT_GE(3 * avoiding, clips) << avoiding << " of " << clips;
+}
+
+TEST(AuthoredLibrary, StartlesOnlyWhereAskedTo) {
+  const Library startled = authored_library(motion::default_character(), true);
+  ASSERT_EQ(startled.clips.size(), default_library().clips.size());
+  for (std::size_t i = 0; i < startled.clips.size(); ++i) {
+    const motion::Clip& clip = startled.clips[i];
+    const motion::Pose with = sample(clip.motion, 0.125F);
+    const motion::Pose without = sample(default_library().clips[i].motion, 0.125F);
+    const bool differs = with.rotation[motion::Role::left_clavicle].angularDistance(
+                             without.rotation[motion::Role::left_clavicle]) > 1e-3F;
+    EXPECT_EQ(differs, clip.kind == "block") << clip.name;
+  }
 }
 
 TEST(AuthoredLibrary, WorksForOtherPeople) {

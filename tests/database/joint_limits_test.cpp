@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "database/joint_limits.h"
+#include "motion/joint_limits.h"
 
 #include <gmock/gmock.h>
 
@@ -11,8 +11,18 @@
 namespace flinch::database {
 namespace {
 
+using motion::degrees;
+using motion::human_joint_limits;
+using motion::joint_angles;
+using motion::joint_limits_named;
+using motion::JointLimits;
+using motion::limit_excess;
+using motion::radians;
 using motion::Role;
+using motion::rotation_of_angles;
 using motion::Side;
+using motion::turn_about;
+using motion::within_limits;
 
 Eigen::Vector3f angles_deg(std::string_view name, const motion::JointFrames& frames) {
   const JointLimits& limits = joint_limits_named(name);

@@ -8,17 +8,23 @@
 
 #include "author_scene.h"
 #include "database/body_distance.h"
-#include "database/joint_limits.h"
 #include "motion/error.h"
+#include "motion/joint_limits.h"
 
 namespace flinch::database {
 namespace {
 
+using motion::degrees;
+using motion::joint_limits_named;
 using motion::JointFrames;
+using motion::JointLimits;
+using motion::limit_excess;
 using motion::Pose;
+using motion::radians;
 using motion::Role;
 using motion::Side;
 using motion::Target;
+using motion::turn_about;
 using test::angle_about;
 using test::Scene;
 
@@ -113,7 +119,7 @@ TEST(Recoil, RaisesBothClaviclesAlikeByTheMaxima) {
   const Pose pose = recoil(Pose(), 1);
   const Eigen::Quaternionf expected = turn_about(kX, radians(35)) * turn_about(kY, radians(-25));
   EXPECT_LT(pose.rotation[Role::left_clavicle].angularDistance(expected), 1e-3);
-  EXPECT_LT(pose.rotation[Role::right_clavicle].angularDistance(mirrored_rotation(expected)), 1e-3);
+  EXPECT_LT(pose.rotation[Role::right_clavicle].angularDistance(motion::mirrored(expected)), 1e-3);
 }
 
 TEST(TargetWeights, AreEquation34) {

@@ -131,5 +131,23 @@ TEST(ProtectiveMotion, PassesThroughTheStartleAfterAnEighthOfASecond) {
   EXPECT_LT((found.position[Role::left_hand] - expected.position[Role::left_hand]).norm(), 5e-3F);
 }
 
+TEST(ProtectivePoses, AreBuiltUponTheMotionAhead) {
+  const Scene scene;
+  motion::Motion walk;  // forward at 1 m/s
+  walk.rate_hz = 120;
+  for (int k = 0; k < 60; ++k) {
+    walk.poses.push_back(scene.start);
+    walk.poses.back().root_position.x() += static_cast<float>(k) / 120;
+  }
+  const Danger danger = scene.danger(Target::head, 0);
+  const RuleControls controls{0.3F, 0.2F, 0.3F, {0.5F, 0.5F}, {0.5F, 0.5F}};
+  const ProtectivePoses poses = protective_poses(scene.figure, walk, 0.1F, danger, controls, true);
+  EXPECT_NEAR(poses.start.root_position.x(), walk.poses[12].root_position.x(), 1e-4F);
+  ASSERT_TRUE(poses.startled);
+  EXPECT_NEAR(poses.startled->root_position.x(), walk.poses[22].root_position.x(), 1e-4F);
+  const Pose sustained = balanced_pose(scene.figure, walk.poses[32], danger, controls).pose;
+  EXPECT_LT((poses.sustained.pose.root_position - sustained.root_position).norm(), 0.01F);
+}
+
 }  // namespace
 }  // namespace flinch::database

@@ -9,8 +9,11 @@ namespace flinch::database {
 namespace {
 
 using motion::Clip;
+using motion::degrees;
+using motion::radians;
 using motion::Role;
 using motion::Side;
+using motion::turn_about;
 using test::Scene;
 using testing::Contains;
 using testing::IsEmpty;

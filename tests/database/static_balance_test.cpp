@@ -13,6 +13,7 @@ namespace {
 
 using motion::JointFrames;
 using motion::Pose;
+using motion::radians;
 using motion::Side;
 using motion::Target;
 using test::Scene;
@@ -52,14 +53,17 @@ TEST(StaticBalance, MovesTheCentreOfMassTenCentimetresTowardTheThreatWithFeetPla
 
 TEST(StaticBalance, EndsWithLessErrorThanItBeganWith) {
   const Scene scene;
-  for (float azimuth : {0.0F, 70.0F, -110.0F}) {
-    const Danger danger = scene.danger(Target::trunk, azimuth, 0.5F);
-    const BalanceProblem problem(scene.figure, scene.start, danger, kControls, kBraceDistance);
-    const float before =
-        problem.error_of(problem.pose_of({Eigen::Vector3f::Zero(), kControls})).total();
-    EXPECT_NEAR(before, kBraceDistance, 1e-4F);  // nothing but the centre of mass is amiss
-    EXPECT_LT(balanced_pose(scene.figure, scene.start, danger, kControls).error.total(),
-              0.6F * before);
+  for (Target target : {Target::head, Target::trunk, Target::pelvis}) {
+    for (float azimuth : {0.0F, 70.0F, -110.0F}) {
+      const Danger danger = scene.danger(target, azimuth, 0.5F);
+      const BalanceProblem problem(scene.figure, scene.start, danger, kControls, kBraceDistance);
+      const Pose before = problem.pose_of({Eigen::Vector3f::Zero(), kControls});
+      EXPECT_NEAR(problem.error_of(before).total(), kBraceDistance, 1e-4F);  // all else is right
+      const Pose after = balanced_pose(scene.figure, scene.start, danger, kControls).pose;
+      EXPECT_LT(problem.error_of(after, kRounding).total(),
+                0.95F * problem.error_of(before, kRounding).total())
+          << motion::name_of(target) << " from " << azimuth;
+    }
   }
 }
 

@@ -22,6 +22,7 @@ struct Options {
   std::string library;
   std::optional<std::string> character;
   std::optional<std::string> gallery;
+  bool startle = false;
   bool json = false;
 };
 
@@ -54,7 +55,7 @@ void draw_gallery(const database::Library& library, const std::string& folder) {
 }
 
 void run(const Options& options) {
-  database::Library library = database::authored_library(character_of(options));
+  database::Library library = database::authored_library(character_of(options), options.startle);
   library.hash = database::write_library(library, options.library);
   if (options.gallery) draw_gallery(library, *options.gallery);
   const std::string idle = library.clips[static_cast<std::size_t>(library.idle)].name;
@@ -83,6 +84,7 @@ void add_author(CLI::App& program) {
   command->add_option("--character", options->character,
                       "TOML file with height_m, mass_kg, sex and [proportions], or a library whose "
                       "character to take (default: a man of 1.75 m and 75 kg)");
+  command->add_flag("--startle", options->startle, "begin blocks with a flinch");
   command->add_option("--gallery", options->gallery, "folder to draw filmstrips of all clips into");
   add_json_option(*command, options->json);
   command->footer("Example:\n  flinch author --out default.flinchlib");

@@ -3,8 +3,6 @@
 #include <memory>
 
 #include "train/evaluation.h"
-#include "train/labels.h"
-#include "train/prevention.h"
 #include "train/program/command.h"
 #include "train/program/table.h"
 #include "train/report.h"
@@ -64,34 +62,17 @@ void print_prevention(const std::vector<PreventionRow>& rows) {
             << table.text();
 }
 
-Json prevention_document(const std::vector<PreventionRow>& rows) {
-  Json list = Json::array();
-  for (const PreventionRow& row : rows) {
-    list.push_back({{"group", row.group},
-                    {"value", row.value},
-                    {"scenarios", row.scenarios},
-                    {"idle_cost_ns", row.idle_cost_ns},
-                    {"oracle_cost_ns", row.oracle_cost_ns},
-                    {"prevented", row.prevented()}});
-  }
-  return list;
-}
-
 void run(const Options& options) {
   const Store store = read_store(options.store);
   const CostModel cost_model =
       make_cost_model(store.header, vulnerability_of(options.cost), options.cost.brawn);
   const Evaluation evaluation = evaluate(store, cost_model, store.header.seed);
   if (!options.report.empty()) write_report(evaluation, store.header, options.report);
-  const std::vector<PreventionRow> prevention =
-      prevention_rows(store, label(store.observations, cost_model));
   if (options.json) {
-    Json document = report_document(evaluation, store.header);
-    document["prevention"] = prevention_document(prevention);
-    print(document);
+    print(report_document(evaluation, store.header));
   } else {
     print_table(evaluation);
-    print_prevention(prevention);
+    print_prevention(evaluation.prevention);
   }
 }
 

@@ -48,7 +48,8 @@ int main(int argument_count, char** arguments) {
   program.set_version_flag("--version", "flinch " FLINCH_VERSION);
   program.require_subcommand(1);
   program.footer(
-      "Example:\n  flinch author --out default.flinchlib\n  flinch import mocap --manifest mocap/manifest.toml --out "
+      "Example:\n  flinch author --out default.flinchlib\n  flinch import mocap --manifest "
+      "mocap/manifest.toml --out "
       "real.flinchlib\n  flinch simulate real.flinchlib --out real.flinchobs -n 2000\n"
       "  flinch train real.flinchobs --out real.flinch\n"
       "  flinch select real.flinch --azimuth 40 --target head\n\n"

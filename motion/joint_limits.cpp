@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: MIT
-#include "database/joint_limits.h"
+#include "motion/joint_limits.h"
 
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
-#include "database/angles.h"
 #include "motion/error.h"
+#include "motion/rotation.h"
 
-namespace flinch::database {
+namespace flinch::motion {
 namespace {
-
-using motion::Role;
 
 // Ranges in degrees about x, y, z of the reference. Signs on the left side: an arm (+Y) rises with
 // +x and comes forward with -z; a leg (-Z) comes forward with -y and goes outward with +x; a trunk
@@ -68,8 +66,8 @@ constexpr std::array<std::string_view, 8> kRightNames{
 JointLimits limits_of(const Row& row, std::string_view name, bool on_right_side) {
   JointLimits limits;
   limits.name = name;
-  limits.from = on_right_side ? motion::mirrored(row.from) : row.from;
-  limits.to = on_right_side ? motion::mirrored(row.to) : row.to;
+  limits.from = on_right_side ? mirrored(row.from) : row.from;
+  limits.to = on_right_side ? mirrored(row.to) : row.to;
   limits.reference = turn_about(Eigen::Vector3f::UnitZ(), radians(row.reference_z));
   limits.axis = Eigen::Vector3f::Unit(row.axis);
   limits.least = row.least.unaryExpr([](float angle) { return radians(angle); });
@@ -88,20 +86,6 @@ std::vector<JointLimits> make_table() {
   return table;
 }
 
-// 2 log(q) of a unit quaternion, along the shorter way.
-Eigen::Vector3f rotation_vector(Eigen::Quaternionf rotation) {
-  if (rotation.w() < 0) rotation.coeffs() *= -1;
-  const float sine = rotation.vec().norm();
-  if (sine < 1e-7F) return 2 * rotation.vec();
-  return 2 * std::atan2(sine, rotation.w()) / sine * rotation.vec();
-}
-
-Eigen::Quaternionf rotation_of_vector(const Eigen::Vector3f& vector) {
-  const float angle = vector.norm();
-  if (angle < 1e-7F) return Eigen::Quaternionf::Identity();
-  return turn_about(vector / angle, angle);
-}
-
 }  // namespace
 
 std::span<const JointLimits> human_joint_limits() {
@@ -118,22 +102,13 @@ const JointLimits& joint_limits_named(std::string_view name) {
 
 // rotation = reference * swing * twist, with the twist about the axis.
 Eigen::Vector3f joint_angles(const JointLimits& limits, const Eigen::Quaternionf& rotation) {
-  const Eigen::Quaternionf seen = limits.on_right_side ? mirrored_rotation(rotation) : rotation;
-  const Eigen::Quaternionf local = limits.reference.conjugate() * seen;
-  const float along = local.vec().dot(limits.axis);
-  Eigen::Quaternionf twist(local.w(), along * limits.axis.x(), along * limits.axis.y(),
-                           along * limits.axis.z());
-  if (twist.norm() < 1e-6F) return rotation_vector(local);  // a swing by half a turn has no twist
-  twist.normalize();
-  const Eigen::Quaternionf swing = local * twist.conjugate();
-  return rotation_vector(swing) + rotation_vector(twist);
+  const Eigen::Quaternionf seen = limits.on_right_side ? mirrored(rotation) : rotation;
+  return swing_and_twist<float>(limits.reference.conjugate() * seen, limits.axis);
 }
 
 Eigen::Quaternionf rotation_of_angles(const JointLimits& limits, const Eigen::Vector3f& angles) {
-  const Eigen::Vector3f twist = angles.dot(limits.axis) * limits.axis;
-  const Eigen::Quaternionf rotation =
-      limits.reference * rotation_of_vector(angles - twist) * rotation_of_vector(twist);
-  return limits.on_right_side ? mirrored_rotation(rotation) : rotation;
+  const Eigen::Quaternionf rotation = limits.reference * from_swing_and_twist(angles, limits.axis);
+  return limits.on_right_side ? mirrored(rotation) : rotation;
 }
 
 float limit_excess(const JointLimits& limits, const Eigen::Quaternionf& rotation) {
@@ -143,8 +118,8 @@ float limit_excess(const JointLimits& limits, const Eigen::Quaternionf& rotation
   return std::max({over, under, 0.0F});
 }
 
-void limit_arm(motion::Pose& pose, motion::Side side) {
-  const bool left = side == motion::Side::left;
+void limit_arm(Pose& pose, Side side) {
+  const bool left = side == Side::left;
   const JointLimits& shoulder = joint_limits_named(left ? "left_shoulder" : "right_shoulder");
   const JointLimits& wrist = joint_limits_named(left ? "left_wrist" : "right_wrist");
   const Eigen::Quaternionf& clavicle =
@@ -163,4 +138,4 @@ Eigen::Quaternionf within_limits(const JointLimits& limits, const Eigen::Quatern
       .normalized();
 }
 
-}  // namespace flinch::database
+}  // namespace flinch::motion

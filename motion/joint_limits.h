@@ -7,7 +7,7 @@
 #include "motion/foot.h"
 #include "motion/skeleton.h"
 
-namespace flinch::database {
+namespace flinch::motion {
 
 /// How far one human joint, or one group of joints, turns.
 ///
@@ -17,8 +17,8 @@ namespace flinch::database {
 /// the middle; the right side is measured in a mirror.
 struct JointLimits {
   std::string_view name;  ///< "trunk", "left_shoulder", …
-  motion::Role from;
-  motion::Role to;
+  Role from;
+  Role to;
   Eigen::Quaternionf reference;  ///< where all three angles are 0
   Eigen::Vector3f axis;          ///< of the twist: a coordinate axis
   Eigen::Vector3f least;         ///< radians
@@ -46,6 +46,6 @@ float limit_excess(const JointLimits& limits, const Eigen::Quaternionf& rotation
 Eigen::Quaternionf within_limits(const JointLimits& limits, const Eigen::Quaternionf& rotation);
 
 /// Clamps shoulder and wrist of an arm to their limits.
-void limit_arm(motion::Pose& pose, motion::Side side);
+void limit_arm(Pose& pose, Side side);
 
-}  // namespace flinch::database
+}  // namespace flinch::motion

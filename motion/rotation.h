@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace flinch::motion {
+
+constexpr float radians(float degrees) {
+  return degrees * std::numbers::pi_v<float> / 180;
+}
+
+constexpr float degrees(float radians) {
+  return radians * 180 / std::numbers::pi_v<float>;
+}
+
+/// The rotation by `angle` radians about a unit axis.
+inline Eigen::Quaternionf turn_about(const Eigen::Vector3f& axis, float angle) {
+  return Eigen::Quaternionf(Eigen::AngleAxisf(angle, axis));
+}
+
+/// A rotation seen in a mirror in the X-Z plane: how the right side does what the left does. The
+/// axis is mirrored and the sense of rotation turns round.
+inline Eigen::Quaternionf mirrored(const Eigen::Quaternionf& rotation) {
+  return {rotation.w(), -rotation.x(), rotation.y(), -rotation.z()};
+}
+
+/// The rotation vector (axis times angle in [0, pi]) of a unit quaternion, radians.
+template <typename Scalar>
+Eigen::Vector3<Scalar> rotation_vector(const Eigen::Quaternion<Scalar>& rotation) {
+  const Scalar sine = rotation.vec().norm();
+  if (!(sine > 0)) return Eigen::Vector3<Scalar>::Zero();
+  // atan2 with |w| takes the shorter of the two ways round.
+  const Scalar angle = 2 * std::atan2(sine, std::abs(rotation.w()));
+  return (rotation.w() < 0 ? -angle : angle) / sine * rotation.vec();
+}
+
+/// The rotation of a rotation vector: the inverse.
+template <typename Scalar>
+Eigen::Quaternion<Scalar> rotation_by(const Eigen::Vector3<Scalar>& vector) {
+  const Scalar angle = vector.norm();
+  if (!(angle > 0)) return Eigen::Quaternion<Scalar>::Identity();
+  return Eigen::Quaternion<Scalar>(Eigen::AngleAxis<Scalar>(angle, vector / angle));
+}
+
+/// A rotation as a swing after a twist about a unit axis: the sum of the swing's rotation vector,
+/// which is across the axis, and the twist's, which is along it. Radians.
+template <typename Scalar>
+Eigen::Vector3<Scalar> swing_and_twist(const Eigen::Quaternion<Scalar>& rotation,
+                                       const Eigen::Vector3<Scalar>& axis) {
+  const Scalar along = rotation.vec().dot(axis);
+  Eigen::Quaternion<Scalar> twist(rotation.w(), along * axis.x(), along * axis.y(),
+                                  along * axis.z());
+  const Scalar norm = twist.norm();
+  // A swing by half a turn leaves no twist to speak of.
+  if (norm < 8 * std::numeric_limits<Scalar>::epsilon()) return rotation_vector(rotation);
+  twist.coeffs() /= norm;
+  const Eigen::Quaternion<Scalar> swing = rotation * twist.conjugate();
+  return rotation_vector(swing) + rotation_vector(twist);
+}
+
+/// The rotation that has these angles: the inverse.
+template <typename Scalar>
+Eigen::Quaternion<Scalar> from_swing_and_twist(const Eigen::Vector3<Scalar>& angles,
+                                               const Eigen::Vector3<Scalar>& axis) {
+  const Eigen::Vector3<Scalar> twist = angles.dot(axis) * axis;
+  return rotation_by<Scalar>(angles - twist) * rotation_by<Scalar>(twist);
+}
+
+}  // namespace flinch::motion
