@@ -34,8 +34,7 @@ float lowest_of(const std::vector<Eigen::Vector3f>& points, const Eigen::Vector3
 }
 
 void drop_short(std::vector<Swing>& swings) {
-  std::erase_if(swings,
-                [](const Swing& swing) { return swing.end_s - swing.begin_s < kShortest; });
+  std::erase_if(swings, [](const Swing& swing) { return swing.end_s - swing.begin_s < kShortest; });
 }
 
 }  // namespace
@@ -51,11 +50,11 @@ Sole make_sole(const motion::Skeleton& skeleton, Side side) {
   return {outline.foot, outline.toes, motion::convex_hull(std::move(points))};
 }
 
-float lowest_point(const Sole& sole, const motion::FootPlace& foot,
-                   const Eigen::Quaternionf& toes, const Eigen::Vector3f& toes_offset) {
-  return std::min(lowest_of(sole.foot, foot.ankle, foot.orientation),
-                  lowest_of(sole.toes, foot.ankle + foot.orientation * toes_offset,
-                            foot.orientation * toes));
+float lowest_point(const Sole& sole, const motion::FootPlace& foot, const Eigen::Quaternionf& toes,
+                   const Eigen::Vector3f& toes_offset) {
+  return std::min(
+      lowest_of(sole.foot, foot.ankle, foot.orientation),
+      lowest_of(sole.toes, foot.ankle + foot.orientation * toes_offset, foot.orientation * toes));
 }
 
 float lowest_point(const Sole& sole, const JointFrames& frames, Side side) {

@@ -35,8 +35,8 @@ Sole make_sole(const motion::Skeleton& skeleton, motion::Side side);
 
 /// Lowest point of a sole in the world, z, m, of a foot at this place whose toes are turned by
 /// `toes` against it. `toes_offset` is the skeleton's.
-float lowest_point(const Sole& sole, const motion::FootPlace& foot,
-                   const Eigen::Quaternionf& toes, const Eigen::Vector3f& toes_offset);
+float lowest_point(const Sole& sole, const motion::FootPlace& foot, const Eigen::Quaternionf& toes,
+                   const Eigen::Vector3f& toes_offset);
 float lowest_point(const Sole& sole, const motion::JointFrames& frames, motion::Side side);
 
 /// A foot stands where a point of its sole is within this of the ground, m.

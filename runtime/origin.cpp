@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "runtime/origin.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "motion/rotation.h"
 
@@ -25,24 +27,42 @@ Eigen::Vector3f settled(const Eigen::Vector3f& x, const Eigen::Vector3f& v, floa
 
 }  // namespace
 
+// Feet say which way a body stands: a pelvis turns with what the body does. Those in the air count
+// only where none stands.
 features::CharacterState state_under(const PreparedLibrary& library, const Pose& pose) {
   const motion::Skeleton& skeleton = library.skeleton();
-  const Pose& idle = library.idle().poses.front();
-  features::CharacterState state;
-  state.facing = motion::facing(pose) - motion::facing(idle);
   const motion::JointFrames frames = motion::forward_kinematics(skeleton, pose);
-  const motion::JointFrames idle_frames = motion::forward_kinematics(
-      skeleton, motion::placed(idle, state.facing, Eigen::Vector3f::Zero()));
+  const motion::JointFrames idle =
+      motion::forward_kinematics(skeleton, library.idle().poses.front());
   const Eigen::Vector3f centre = motion::centre_of_mass(library.bodies, frames);
-  const auto distance = [&](motion::Side side) {
-    return (motion::foot_place(frames, side).ankle - centre).head<2>().norm();
-  };
-  const motion::Side support =
-      distance(motion::Side::left) <= distance(motion::Side::right) ? motion::Side::left
-                                                                    : motion::Side::right;
-  state.position = (motion::foot_place(frames, support).ankle -
-                    motion::foot_place(idle_frames, support).ankle)
-                       .head<2>();
+  motion::PerSide<float> height{};
+  motion::PerSide<float> distance{};
+  for (motion::Side side : motion::kSides) {
+    const std::size_t i = motion::index_of(side);
+    height[i] = lowest_point(library.soles[i], frames, side);
+    distance[i] = (motion::foot_place(frames, side).ankle - centre).head<2>().norm();
+  }
+  const float standing = std::max(kStandsBelow, std::min(height[0], height[1]));
+  Eigen::Vector2f heading = Eigen::Vector2f::Zero();
+  motion::Side support = motion::Side::left;
+  float nearest = std::numeric_limits<float>::infinity();
+  for (motion::Side side : motion::kSides) {
+    const std::size_t i = motion::index_of(side);
+    if (height[i] > standing) continue;
+    const Eigen::Quaternionf turn = motion::foot_place(frames, side).orientation *
+                                    motion::foot_place(idle, side).orientation.conjugate();
+    heading += (turn * Eigen::Vector3f::UnitX()).head<2>();
+    if (distance[i] < nearest) {
+      nearest = distance[i];
+      support = side;
+    }
+  }
+  features::CharacterState state;
+  state.facing = std::atan2(heading.y(), heading.x());
+  const Eigen::Quaternionf facing = motion::turn_about(Eigen::Vector3f::UnitZ(), state.facing);
+  state.position =
+      (motion::foot_place(frames, support).ankle - facing * motion::foot_place(idle, support).ankle)
+          .head<2>();
   return state;
 }
 
@@ -63,8 +83,8 @@ Origin make_origin(const PreparedLibrary& library, const features::CharacterStat
     origin.turn[role] = turn_between(idle, now, role);
     const Eigen::Vector3f change = origin.turn[role] - turn_between(idle_before, before, role);
     // Vectors of almost half a turn may change sides between two poses: that is no velocity.
-    origin.turn_velocity[role] = moves && change.norm() < kTurn ? Eigen::Vector3f(change / dt_s)
-                                                                : Eigen::Vector3f::Zero();
+    origin.turn_velocity[role] =
+        moves && change.norm() < kTurn ? Eigen::Vector3f(change / dt_s) : Eigen::Vector3f::Zero();
   }
   const motion::JointFrames frames = motion::forward_kinematics(library.skeleton(), now);
   for (motion::Side side : motion::kSides) {

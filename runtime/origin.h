@@ -15,7 +15,7 @@ namespace flinch::runtime {
 ///
 ///     x(t) = (x_0 + (v_0 + k x_0) t) e^(-k t),   k = kSettling.
 struct Origin {
-  bool idles = true;  ///< nothing differs
+  bool idles = true;                                        ///< nothing differs
   Eigen::Vector3f root = Eigen::Vector3f::Zero();           ///< of the pelvis, world, m
   Eigen::Vector3f root_velocity = Eigen::Vector3f::Zero();  ///< m/s
   /// Rotation vectors that turn the idle pose's local rotations into the character's, radians.

@@ -16,8 +16,9 @@ using motion::Side;
 
 constexpr float kShift = 0.3F;        // s, that a shift of weight takes where there is time
 constexpr float kLeastShift = 0.15F;  // s, that it takes at least
-constexpr float kUnshift = 0.45F;      // s, back
+constexpr float kUnshift = 0.45F;     // s, back
 constexpr float kStep = 0.25F;        // s, that a step takes that no clip has
+constexpr float kCalm = 0.1F;         // s, after the last step home
 constexpr float kSettle = 0.6F;       // s, from another motion to idle
 constexpr float kSame = 1e-3F;        // m, by which a foot may be elsewhere without a step
 constexpr float kSameYaw = 3e-3F;     // radians
@@ -86,9 +87,8 @@ void set_timing(const motion::Annotation& annotation, float time_to_impact_s, fl
                 Response& r) {
   const float onset_to_peak_s = annotation.peak_s - annotation.onset_s;
   const float left_s = time_to_impact_s - earliest_s;
-  r.playback_rate =
-      left_s > 0 ? std::clamp(onset_to_peak_s / left_s, 1.0F, kMostPlaybackRate)
-                 : kMostPlaybackRate;
+  r.playback_rate = left_s > 0 ? std::clamp(onset_to_peak_s / left_s, 1.0F, kMostPlaybackRate)
+                               : kMostPlaybackRate;
   const float way_to_peak_s = onset_to_peak_s / r.playback_rate;
   r.begin_s = std::max(earliest_s, time_to_impact_s - way_to_peak_s);
   r.blend_s = std::min(kBlend, way_to_peak_s);
@@ -148,7 +148,7 @@ void plan_foot(Response& r, Side side) {
 Eigen::Vector3f pelvis_over(const Response& r, Side side, WeightShift& shift) {
   constexpr float kMargin = 0.015F;  // m
   constexpr float kAlong = 1.17F;
-  constexpr float kDip = 0.2F;  // knees give, and need not straighten suddenly
+  constexpr float kDip = 0.2F;        // knees give, and need not straighten suddenly
   constexpr float kMostShift = 0.2F;  // m: from a lunge the rest is left to momentum
   constexpr int kRounds = 6;
   const PreparedLibrary& library = *r.library;
@@ -160,11 +160,9 @@ Eigen::Vector3f pelvis_over(const Response& r, Side side, WeightShift& shift) {
     const motion::JointFrames frames =
         motion::forward_kinematics(library.skeleton(), pose_at(r, shift.peak_s));
     const FootPlace foot = motion::foot_place(frames, side);
-    const Eigen::Quaternionf heading =
-        motion::turn_about(Eigen::Vector3f::UnitZ(), yaw_of(foot));
+    const Eigen::Quaternionf heading = motion::turn_about(Eigen::Vector3f::UnitZ(), yaw_of(foot));
     const Eigen::Vector3f centre = motion::centre_of_mass(library.bodies, frames);
-    const Eigen::Vector2f in_sole =
-        (heading.conjugate() * level(centre - foot.ankle)).head<2>();
+    const Eigen::Vector2f in_sole = (heading.conjugate() * level(centre - foot.ankle)).head<2>();
     const float margin = motion::signed_distance_inside(hull, in_sole);
     const Eigen::Vector2f inward = middle - in_sole;
     if (margin >= kMargin - 1e-4F || inward.norm() <= 0) break;
@@ -187,10 +185,11 @@ Eigen::Vector3f pelvis_over(const Response& r, Side side, WeightShift& shift) {
 }
 
 // Shifts the weight over a foot before the other leaves the ground at `lift_s`.
-void shift_weight(Response& r, std::size_t number, Side over, float lift_s, float earliest_s) {
+void shift_weight(Response& r, std::size_t number, Side over, float lift_s, float earliest_s,
+                  float latest_s) {
   WeightShift& shift = r.shifts[number];
   shift.peak_s = lift_s;
-  shift.window = {std::max(earliest_s, lift_s - kShift), lift_s + kUnshift};
+  shift.window = {std::max(earliest_s, lift_s - kShift), std::min(lift_s + kUnshift, latest_s)};
   pelvis_over(r, over, shift);
   if (shift.pelvis.isZero(0)) shift = {};
 }
@@ -226,7 +225,6 @@ void plan_return(Response& r) {
                      home_foot_at(r, r.support, r.end_s + kBlend).ankle);
   }
   float time_s = r.end_s;
-  std::size_t shift = 1;
   for (Side side : {motion::other(r.support), r.support}) {
     FootPlan& plan = r.feet[motion::index_of(side)];
     const FootPlace from = away_foot(side, time_s);
@@ -235,20 +233,20 @@ void plan_return(Response& r) {
     const float lift_s = time_s + kLeastShift;
     plan.home = {lift_s, lift_s + kStep};
     plan.home_lift_m = lift_of(from, to);
-    r.return_s = plan.home.end_s - r.end_s;
+    r.return_s = plan.home.end_s + kCalm - r.end_s;
     time_s = plan.home.end_s;
-    ++shift;
   }
   r.return_s = std::max(r.return_s, idles ? kSettle : kBlend);
   for (FootPlan& plan : r.feet) {
     if (plan.home_lift_m <= 0) plan.home = {r.end_s, r.end_s + r.return_s};
   }
-  shift = 1;
+  std::size_t shift = 1;
   for (Side side : {motion::other(r.support), r.support}) {
     const FootPlan& plan = r.feet[motion::index_of(side)];
     if (plan.home_lift_m <= 0) continue;
     const float lift_s = plan.home.begin_s;
-    shift_weight(r, shift++, motion::other(side), lift_s, lift_s - kLeastShift);
+    shift_weight(r, shift++, motion::other(side), lift_s, lift_s - kLeastShift,
+                 r.end_s + r.return_s);
   }
 }
 
@@ -270,14 +268,14 @@ Response make_response(const PreparedLibrary& library, const features::Character
   const motion::Annotation& annotation = *library.clip(clip).annotation;
   plan_clip(annotation, time_to_impact_s, 0, r);
   if (std::optional<float> lift_s = first_lift_s(r)) {
-    shift_weight(r, 0, r.support, *lift_s, 0);
+    shift_weight(r, 0, r.support, *lift_s, 0, r.end_s);
     if (*lift_s < kLeastShift && !r.shifts[0].pelvis.isZero(0)) {
       // There is no time to shift the weight: the clip begins as much later.
       r.shifts[0] = {};
       const float lead_s = (*lift_s - r.begin_s) * r.playback_rate / kMostPlaybackRate;
       plan_clip(annotation, time_to_impact_s, kLeastShift - lead_s, r);
       lift_s = first_lift_s(r);
-      if (lift_s) shift_weight(r, 0, r.support, *lift_s, 0);
+      if (lift_s) shift_weight(r, 0, r.support, *lift_s, 0, r.end_s);
     }
   }
   plan_return(r);

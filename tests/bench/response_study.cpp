@@ -58,8 +58,9 @@ int study(const database::Library& library, int threats) {
       if (q.peak_error_s) peak.push_back({*q.peak_error_s, what});
     }
   }
-  std::printf("| measure | responses | median | p95 | p99 | worst | of |\n"
-              "| --- | --- | --- | --- | --- | --- | --- |\n");
+  std::printf(
+      "| measure | responses | median | p95 | p99 | worst | of |\n"
+      "| --- | --- | --- | --- | --- | --- | --- |\n");
   print_rows("slip of the support foot", "mm", 1e3F, slip);
   print_rows("beyond the slip of the clip itself", "mm", 1e3F, added);
   print_rows("foot below ground", "mm", 1e3F, below);

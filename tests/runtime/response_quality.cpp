@@ -18,15 +18,16 @@ using motion::Side;
 using runtime::PreparedLibrary;
 using runtime::Response;
 
-constexpr float kRate = 120;            // Hz, of measuring
-constexpr float kOnGround = 0.005F;     // m
-constexpr float kFrame = 1.0F / 60;     // s, of velocities
+constexpr float kRate = 120;         // Hz, of measuring
+constexpr float kOnGround = 0.005F;  // m
+constexpr float kFrame = 1.0F / 60;  // s, of velocities
 
 std::vector<Eigen::Vector3f> sole_points(const runtime::Sole& sole, const JointFrames& frames,
                                          Side side) {
   const motion::FootRoles roles = motion::roles_of(side);
   std::vector<Eigen::Vector3f> points;
-  for (const auto& [role, outline] : {std::pair{roles.foot, &sole.foot}, {roles.toes, &sole.toes}}) {
+  for (const auto& [role, outline] :
+       {std::pair{roles.foot, &sole.foot}, {roles.toes, &sole.toes}}) {
     for (const Eigen::Vector3f& point : *outline) {
       points.push_back(frames.position[role] + frames.orientation[role] * point);
     }
@@ -137,8 +138,7 @@ void measure_feet(const Response& r, ResponseQuality& quality) {
 }
 
 // The step of a joint's velocity at a time: (q_+ q^-1 - q q_-^-1) / dt, as rotation vectors.
-float velocity_step(const Pose& before, const Pose& at, const Pose& after, Role role,
-                    float dt_s) {
+float velocity_step(const Pose& before, const Pose& at, const Pose& after, Role role, float dt_s) {
   const auto velocity = [&](const Pose& from, const Pose& to) {
     return motion::rotation_vector(to.rotation[role] * from.rotation[role].conjugate());
   };
@@ -161,8 +161,7 @@ void measure_seam(const Response& r, float time_s, const char* name, float own,
     const float of_clip = plays ? velocity_step(clip_pose(time_s - kFrame), clip_pose(time_s),
                                                 clip_pose(time_s + kFrame), role, kFrame)
                                 : 0;
-    const float share =
-        velocity_step(before, at, after, role, kFrame) / std::max(own, of_clip);
+    const float share = velocity_step(before, at, after, role, kFrame) / std::max(own, of_clip);
     if (share > quality.seam_share) {
       quality.seam_share = share;
       quality.seam = std::string(name) + ", " + std::string(motion::name_of(role)) + ", at " +
