@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "train/random.h"
+#include "features/random.h"
 
 #include <gtest/gtest.h>
 
 #include <set>
 #include <vector>
 
-namespace flinch::train {
+namespace flinch::features {
 namespace {
 
 using Words = std::array<std::uint32_t, 4>;
@@ -64,4 +64,4 @@ TEST(Random, IndexGivesEveryValueItsShare) {
 }
 
 }  // namespace
-}  // namespace flinch::train
+}  // namespace flinch::features

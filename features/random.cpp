@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "train/random.h"
+#include "features/random.h"
 
-namespace flinch::train {
+namespace flinch::features {
 
 std::array<std::uint32_t, 4> philox4x32(std::array<std::uint32_t, 4> counter,
                                         std::array<std::uint32_t, 2> key) {
@@ -53,4 +53,4 @@ std::uint64_t Random::index(std::uint64_t count) {
   return draw % count;
 }
 
-}  // namespace flinch::train
+}  // namespace flinch::features
