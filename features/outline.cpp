@@ -41,6 +41,10 @@ Clearance box_clearance(const Eigen::Vector3d& centre, double radius, const Outl
 
 }  // namespace
 
+double Outline::reach() const {
+  return kind == motion::Shape::Kind::capsule ? half_length : half_extents.norm();
+}
+
 Outline outline_of(const motion::Shape& shape) {
   return {.kind = shape.kind,
           .radius = static_cast<double>(shape.radius),
@@ -48,6 +52,20 @@ Outline outline_of(const motion::Shape& shape) {
           .half_extents = shape.half_extents.cast<double>(),
           .centre = shape.centre.cast<double>(),
           .orientation = shape.orientation.cast<double>().normalized()};
+}
+
+motion::PerBody<Outline> outlines_of(const motion::BodyModel& model,
+                                     const motion::JointFrames& frames) {
+  motion::PerBody<Outline> outlines;
+  for (motion::Body body : motion::kBodies) {
+    const motion::Role role = role_of(body);
+    const Eigen::Quaterniond orientation = frames.orientation[role].cast<double>();
+    Outline& outline = outlines[body];
+    outline = outline_of(model[body].shape);
+    outline.centre = frames.position[role].cast<double>() + orientation * outline.centre;
+    outline.orientation = orientation * outline.orientation;
+  }
+  return outlines;
 }
 
 Clearance clearance(const Eigen::Vector3d& ball_centre, double ball_radius,

@@ -13,10 +13,17 @@ struct Outline {
   Eigen::Vector3d half_extents = Eigen::Vector3d::Zero();           ///< of a box, m
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();                 ///< m
   Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();  ///< unit
+
+  /// How far the farthest point that can touch is moved by a turn about the centre, m.
+  double reach() const;
 };
 
 /// In the frame of the shape: of its body's joint.
 Outline outline_of(const motion::Shape& shape);
+
+/// Those of a figure's bodies where its joints are, world.
+motion::PerBody<Outline> outlines_of(const motion::BodyModel& model,
+                                     const motion::JointFrames& frames);
 
 /// Where a ball and an outline are closest.
 struct Clearance {

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "features/random.h"
 
+#include <cmath>
+#include <numbers>
+
 namespace flinch::features {
 
 std::array<std::uint32_t, 4> philox4x32(std::array<std::uint32_t, 4> counter,
@@ -43,6 +46,13 @@ double Random::uniform() {
 
 double Random::uniform(double least, double most) {
   return least + (most - least) * uniform();
+}
+
+// Box and Muller (1958): sqrt(-2 ln u) cos(2 pi v), u in (0, 1].
+double Random::normal() {
+  const double u = 1 - uniform();
+  const double v = uniform();
+  return std::sqrt(-2 * std::log(u)) * std::cos(2 * std::numbers::pi * v);
 }
 
 std::uint64_t Random::index(std::uint64_t count) {

@@ -28,6 +28,8 @@ class Random {
   double uniform();
   /// Uniform in [least, most).
   double uniform(double least, double most);
+  /// Normally distributed with mean 0 and standard deviation 1, from two uniform draws.
+  double normal();
   /// Uniform in [0, count), without bias; count is positive.
   std::uint64_t index(std::uint64_t count);
 

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <set>
 #include <vector>
 
@@ -53,6 +54,25 @@ TEST(Random, UniformStaysInItsRangeWithTheRightMeanAndVariance) {
   const double mean = sum / kCount;
   EXPECT_NEAR(mean, 0.5, 0.004);  // 4 standard errors
   EXPECT_NEAR(squares / kCount - mean * mean, 1.0 / 12, 0.002);
+}
+
+TEST(Random, NormalHasTheMomentsAndTailsOfANormalDistribution) {
+  Random random(1, Purpose::perception, 0);
+  constexpr int kCount = 100'000;
+  std::array<double, 4> moments{};
+  int beyond_two = 0;
+  for (int i = 0; i < kCount; ++i) {
+    const double value = random.normal();
+    double power = 1;
+    for (double& moment : moments) moment += (power *= value) / kCount;
+    if (std::abs(value) > 2) ++beyond_two;
+  }
+  // Five standard errors each: sqrt(1, 2, 15, 96) / sqrt(n).
+  EXPECT_NEAR(moments[0], 0, 0.016);
+  EXPECT_NEAR(moments[1], 1, 0.023);
+  EXPECT_NEAR(moments[2], 0, 0.062);
+  EXPECT_NEAR(moments[3], 3, 0.155);
+  EXPECT_NEAR(beyond_two, 4550, 330);  // 4.55 %
 }
 
 TEST(Random, IndexGivesEveryValueItsShare) {

@@ -18,7 +18,7 @@ class RandomScene : public tests::RandomOutlines {
   using RandomOutlines::RandomOutlines;
 
   MovingShape shape() {
-    MovingShape shape{outline(), {}, {}};
+    MovingShape shape{outline()};
     shape.velocity = vector(5);
     shape.angular_velocity = vector(15);
     return shape;
