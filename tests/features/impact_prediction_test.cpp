@@ -217,15 +217,21 @@ TEST(PredictImpact, OfABallAtRestIsWhenItHasFallenOnTheHead) {
   EXPECT_EQ(predict_impact(threat, figure().swept, figure().standing).outcome, Outcome::miss);
 }
 
+// Down at 45 degrees before the toes: it would reach them by going on into the ground.
 TEST(PredictImpact, ABallThatBouncesFirstMisses) {
+  const Outline foot = figure().outlines(figure().standing)[Body::left_foot];
   Threat threat;
-  threat.position = {4, 0, 1};
-  threat.velocity = {-8, 0, -3};  // on the ground 1.7 m before the feet
-  EXPECT_EQ(predict_impact(threat, figure().swept, figure().standing).outcome, Outcome::miss);
-  EXPECT_EQ(predict_impact(threat, figure().swept, figure().standing, {.gravity_mps2 = 0}).outcome,
-            Outcome::miss);
-  threat.velocity.z() = 2;  // 0.53 s later, and higher
-  EXPECT_EQ(predict_impact(threat, figure().swept, figure().standing).outcome, Outcome::impact);
+  threat.velocity = {-10, 0, -10};
+  Eigen::Vector3f bounce = foot.centre.cast<float>();
+  bounce.z() = threat.radius;
+  while (figure().gap(figure().standing, bounce.cast<double>(), 0.105) < 0.02) bounce.x() += 0.001F;
+  const auto outcome = [&] {
+    return predict_impact(threat, figure().swept, figure().standing, {.gravity_mps2 = 0}).outcome;
+  };
+  threat.position = bounce - 0.1F * threat.velocity;
+  EXPECT_EQ(outcome(), Outcome::miss);
+  threat.position.x() -= 0.03F;
+  EXPECT_EQ(outcome(), Outcome::impact);
 }
 
 TEST(PredictImpact, ABallThatRollsIsToldByNoGravity) {

@@ -39,6 +39,21 @@ TEST(Sway, HoldsThePelvisAndTheSpeedOfAllSurfaces) {
   EXPECT_GT(fastest, 0.4 * static_cast<double>(sway.most_speed_mps));
 }
 
+// The fingertips move twice as fast as the middle of the hand.
+TEST(Sway, CountsThatABodyTurns) {
+  motion::Motion motion;
+  for (int i = 0; i <= 10; ++i) {
+    motion::Pose pose = figure().standing;
+    pose.rotation[motion::Role::left_hand] =
+        Eigen::AngleAxisf(0.05F * static_cast<float>(i), Eigen::Vector3f::UnitX());
+    motion.poses.push_back(pose);
+  }
+  const Sway sway = sway_of(figure().character.skeleton, figure().model, motion);
+  const float fingers_m = figure().character.skeleton.tip[motion::Role::left_hand].norm();
+  EXPECT_GE(sway.most_speed_mps, 0.05F * 60 * fingers_m);
+  EXPECT_LE(sway.most_speed_mps, 2 * 0.05F * 60 * fingers_m);
+}
+
 TEST(SweptFigure, NoPoseReachesBeyondItsReach) {
   std::mt19937 random(2);
   const double reach = static_cast<double>(figure().swept.reach_m);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "features/impact_prediction.h"
 #include "features/outline.h"

@@ -18,7 +18,7 @@ namespace {
 using features::Threat;
 
 constexpr int kDraws = 100'000;
-const Eigen::Vector3f kEye(1, 2, 1.7F);
+const Eigen::Vector3f kEye(0.123F, -1.77F, 1.671F);
 
 Threat thrown() {
   Threat threat;
