@@ -14,13 +14,14 @@ Encounter::Encounter(const FigurePlan& plan, const SimulationOptions& options,
   if (ball) ball_.emplace(world_.id(), *ball, options.gravity_mps2);
 }
 
-double Encounter::begin_step(const ReferenceState& now, double most_s) {
+double Encounter::begin_step(const ReferenceState& now, double most_s, double least_s) {
   shapes_ = figure_.shapes();
   double step_s = options_.free_step_s;
   contacts_.clear();
   pushes_.begin_step(time_s_);
   if (pushes_.ahead(shapes_, now, step_s)) step_s = options_.contact_step_s;
   if (ball_) step_s = std::min(step_s, meet());
+  step_s = std::max(step_s, least_s);
   // A last sliver of a step would only cost.
   return step_s > most_s * (1 - 1e-9) ? most_s : step_s;
 }
@@ -53,6 +54,19 @@ void Encounter::end_step(const ReferenceState& now, const ReferenceState& target
     world_.step(step_s);
   }
   pushes_.charge(contacts_.impulses(step_s), impulse_);
+  time_s_ += step_s;
+}
+
+void Encounter::step_ball_alone() {
+  figure_.freeze();
+  contacts_.clear();
+  double step_s = options_.free_step_s;
+  if (ball_) {
+    const StepAhead ahead = step_ahead(ball_->flight(), {}, options_);
+    if (ahead.on_ground) ball_->meet_ground(contacts_, options_.restitution);
+    step_s = ahead.step_s;
+    ball_->step(world_, step_s);
+  }
   time_s_ += step_s;
 }
 

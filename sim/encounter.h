@@ -20,11 +20,13 @@ class Encounter {
   Encounter(const FigurePlan& plan, const SimulationOptions& options, const ReferenceState& start,
             const Ball* ball);
 
-  /// Finds what the ball hits now and how long a step that allows, at most `most_s`. `now` is where
-  /// the motion has the figure.
-  double begin_step(const ReferenceState& now, double most_s);
+  /// Finds what the ball hits now and how long a step that allows, at most `most_s`; no shorter
+  /// than `least_s`, whatever it allows. `now` is where the motion has the figure.
+  double begin_step(const ReferenceState& now, double most_s, double least_s = 0);
   /// Steps the world. `target` is where the motion has the figure at the step's end.
   void end_step(const ReferenceState& now, const ReferenceState& target, double step_s);
+  /// A step in which only the ball moves: the figure is frozen, for good.
+  void step_ball_alone();
 
   Figure& figure() { return figure_; }
   const Figure& figure() const { return figure_; }

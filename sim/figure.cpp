@@ -74,19 +74,19 @@ std::array<Eigen::Vector3d, 2> sole_ends(const MovingShape& foot) {
   return {foot.centre + foot.orientation * heel, foot.centre + foot.orientation * toe};
 }
 
-template <class Visit>
-void for_each_low_point(const MovingShape& shape, Visit visit) {
-  if (shape.kind == motion::Shape::Kind::capsule) {
-    const Eigen::Vector3d end = shape.orientation * Eigen::Vector3d(0, 0, shape.half_length);
-    const Eigen::Vector3d low = shape.centre - shape.radius * Eigen::Vector3d::UnitZ();
-    visit(low + end);
-    visit(low - end);
-    return;
+/// Where a part would touch the ground first, at either end: of a box, those of the largest capsule
+/// along its longest axis.
+std::array<Eigen::Vector3d, 2> low_points(const MovingShape& shape) {
+  double radius = shape.radius;
+  Eigen::Vector3d end(0, 0, shape.half_length);
+  if (shape.kind == motion::Shape::Kind::box) {
+    int longest = 0;
+    const double half_length = shape.half_extents.maxCoeff(&longest);
+    radius = shape.half_extents.minCoeff();
+    end = (half_length - radius) * Eigen::Vector3d::Unit(longest);
   }
-  for (int corner = 0; corner < 8; ++corner) {
-    const Eigen::Vector3d side(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1);
-    visit(shape.centre + shape.orientation * shape.half_extents.cwiseProduct(side));
-  }
+  const Eigen::Vector3d low = shape.centre - radius * Eigen::Vector3d::UnitZ();
+  return {low + shape.orientation * end, low - shape.orientation * end};
 }
 
 }  // namespace
@@ -190,6 +190,7 @@ void Figure::drive_joint(Body body, const ReferenceState& target, double step_s,
 // of the recording must not become a force.
 void Figure::stand(Contacts& contacts, const ReferenceState& target, double step_s) const {
   for (Body foot : {Body::left_foot, Body::right_foot}) {
+    if (held_[foot]) continue;
     const BodyState now = state_of(bodies_[foot]);
     const BodyState& wanted = target.body[foot];
     for (const Eigen::Vector3d& end : sole_ends(plan_.outline[foot])) {
@@ -233,17 +234,17 @@ void Figure::freeze() {
   for (dBodyID body : bodies_) dBodyDisable(body);
 }
 
-// The ends of capsules and the corners of boxes. Instead of friction, which would cost the solver
+// Instead of friction, which would cost the solver
 // two bounded rows a point, a part that touches is slowed down as if in mud.
 void Figure::lie(Contacts& contacts, double step_s) const {
   const motion::PerBody<MovingShape> outlines = shapes();
   for (Body body : motion::kBodies) {
     bool touches = false;
-    for_each_low_point(outlines[body], [&](const Eigen::Vector3d& point) {
-      if (point.z() >= 0) return;
+    for (const Eigen::Vector3d& point : low_points(outlines[body])) {
+      if (point.z() >= 0) continue;
       contacts.add_support(bodies_[body], point, -point.z(), plan_.mass_kg / kLyingPoints, step_s);
       touches = true;
-    });
+    }
     if (!touches) continue;
     const double drag = kGroundDrag_hz * static_cast<double>(plan_.model[body].mass_kg);
     const Eigen::Vector3d velocity = velocity_of(bodies_[body]);

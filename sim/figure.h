@@ -54,11 +54,13 @@ class Figure {
   bool is_fallen() const { return fallen_; }
   /// Takes the figure out of the world's steps for good: it stays as it is.
   void freeze();
-  /// Adds the ground's support of the feet in that step.
+  /// Adds the ground's support of the feet in that step, but of those that something else holds.
   void stand(Contacts& contacts, const ReferenceState& target, double step_s) const;
 
   /// Adds the ground's support of whatever part touches it, for a figure that has fallen.
   void lie(Contacts& contacts, double step_s) const;
+
+  void set_held(motion::Body foot, bool held) { held_[foot] = held; }
 
   dBodyID body(motion::Body body) const { return bodies_[body]; }
   /// The outlines where they are now, as they move now.
@@ -70,6 +72,7 @@ class Figure {
 
   const FigurePlan& plan_;
   bool fallen_ = false;
+  motion::PerBody<bool> held_;
   motion::PerBody<dBodyID> bodies_;
   motion::PerBody<dJointID> joints_;  // the pelvis has a linear motor in place of a joint
   motion::PerBody<dJointID> motors_;
