@@ -18,6 +18,7 @@ double Encounter::begin_step(const ReferenceState& now, double most_s, double le
   shapes_ = figure_.shapes();
   double step_s = options_.free_step_s;
   contacts_.clear();
+  is_blow_ = false;
   pushes_.begin_step(time_s_);
   if (pushes_.ahead(shapes_, now, step_s)) step_s = options_.contact_step_s;
   if (ball_) step_s = std::min(step_s, meet());
@@ -35,6 +36,7 @@ double Encounter::meet() {
     if (!hits(flight, shapes_[body], near)) continue;
     contacts_.add_hit(ball_->body(), figure_.body(body), body, near, options_.restitution);
     pushes_.hit(body);
+    is_blow_ = true;
     first_contact_s_ = std::min(first_contact_s_, time_s_);
   }
   if (ahead.on_ground) ball_->meet_ground(contacts_, options_.restitution);

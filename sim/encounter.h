@@ -33,6 +33,8 @@ class Encounter {
   dWorldID world() const { return world_.id(); }
   const std::optional<BallFlight>& ball() const { return ball_; }
   double time_s() const { return time_s_; }
+  /// Whether the ball hits the figure in the step that has begun.
+  bool is_blow() const { return is_blow_; }
   /// Impulse that each body took from the ball, and from bodies that the ball drove into it, N·s.
   const motion::PerBody<double>& impulse() const { return impulse_; }
   double first_contact_s() const { return first_contact_s_; }  ///< infinite before
@@ -50,6 +52,7 @@ class Encounter {
   motion::PerBody<double> impulse_;
   double first_contact_s_ = std::numeric_limits<double>::infinity();
   double time_s_ = 0;
+  bool is_blow_ = false;
 };
 
 }  // namespace flinch::sim

@@ -39,7 +39,7 @@ FootHold::FootHold(const FigurePlan& plan, dWorldID world, Figure& figure)
 }
 
 // A pull beyond the grip is one of softer gains, as for the pelvis: the foot slides.
-void FootHold::hold(const ReferenceState& target, double step_s) {
+void FootHold::hold(const ReferenceState& target, double step_s, double share) {
   std::array<bool, 2> standing{};
   for (std::size_t i = 0; i < feet_.size(); ++i) {
     standing[i] = stands(target.body[feet_[i].body], plan_.outline[feet_[i].body]);
@@ -56,8 +56,8 @@ void FootHold::hold(const ReferenceState& target, double step_s) {
     const Eigen::Vector3d shift = wanted.position - now.position;
     const Eigen::Vector3d turn =
         motion::rotation_vector(wanted.orientation * now.orientation.conjugate());
-    const Gains& turning = plan_.gains[foot.body];
-    Gains gains = critically_damped(plan_.mass_kg / count, kFrequency);
+    const Gains turning = weakened(plan_.gains[foot.body], share);
+    Gains gains = weakened(critically_damped(plan_.mass_kg / count, kFrequency), share);
     const double force_n =
         (gains.stiffness * shift + gains.damping * (wanted.velocity - now.velocity)).norm();
     if (force_n > grip_n) {

@@ -16,8 +16,8 @@ class FootHold {
   /// outlive this too.
   FootHold(const FigurePlan& plan, dWorldID world, Figure& figure);
 
-  /// Sets the grip for the next step, at whose end `target` is wanted.
-  void hold(const ReferenceState& target, double step_s);
+  /// Sets the grip for the next step, at whose end `target` is wanted; `share` of it, see weakened.
+  void hold(const ReferenceState& target, double step_s, double share);
   void let_go();
 
  private:

@@ -19,7 +19,8 @@ constexpr double kFreeStep_s = 1.0 / 120;
 constexpr double kContactStep_s = 1.0 / 1000;
 constexpr double kMostSteps_hz = 240;
 constexpr double kMostStepsSaved = 3;
-constexpr double kSliver_s = 1e-6;   // not worth a step
+constexpr double kSliver_s = 1e-6;  // not worth a step
+constexpr double kDuringBlow = 1e-4;
 constexpr double kPelvisGrip = 0.7;  // share of the figure's weight that pulls it back
 
 SimulationOptions simulation_options() {
@@ -65,13 +66,7 @@ void ReactionRun::step() {
   const double step_s = encounter_.begin_step(now, kFreeStep_s, (1 - steps_left_) / kMostSteps_hz);
   steps_left_ = std::min(steps_left_ + kMostSteps_hz * step_s - 1, kMostStepsSaved);
   const ReferenceState target = wanted_.at(encounter_.time_s() + step_s);
-  Figure& figure = encounter_.figure();
-  if (!figure.is_fallen()) {
-    figure.carry(carried_, target, step_s);
-    feet_.hold(target, step_s);
-  }
-  carried_ = target;
-  figure.drive(target, step_s, std::isfinite(encounter_.first_contact_s()) ? struck_ : Drive{});
+  drive(target, step_s);
   encounter_.end_step(now, target, step_s);
   before_ = after_;
   after_ = moment();
@@ -80,6 +75,21 @@ void ReactionRun::step() {
       throw Error("reaction", "the simulated figure is nowhere");
     }
   }
+}
+
+// A blow lasts no time: what holds the figure to the ground has none to answer it, while gains set
+// for the velocity before it would.
+void ReactionRun::drive(const ReferenceState& target, double step_s) {
+  const double to_ground = encounter_.is_blow() ? kDuringBlow : 1;
+  Drive drive = std::isfinite(encounter_.first_contact_s()) ? struck_ : Drive{};
+  drive.pelvis *= to_ground;
+  Figure& figure = encounter_.figure();
+  if (!figure.is_fallen()) {
+    figure.carry(carried_, target, step_s);
+    feet_.hold(target, step_s, to_ground);
+  }
+  carried_ = target;
+  figure.drive(target, step_s, drive);
 }
 
 void ReactionRun::advance_ball(double dt_s) {

@@ -41,6 +41,7 @@ class ReactionRun {
     BodyState ball;
   };
   void step();
+  void drive(const ReferenceState& target, double step_s);
   void step_ball();
   Moment moment() const;
   double share_of_last_step() const;
