@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#include "sim/live_reference.h"
+
+#include "motion/rotation.h"
+
+namespace flinch::sim {
+
+using motion::Body;
+
+LiveReference::LiveReference(const FigurePlan& plan, const motion::Pose& before,
+                             const motion::Pose& now, double dt_s)
+    : plan_(plan), last_(state_at_rest(plan.skeleton, plan.model, before)) {
+  move_to(state_at_rest(plan.skeleton, plan.model, now), dt_s);
+}
+
+void LiveReference::add(const motion::Pose& pose, double dt_s) {
+  move_to(state_at_rest(plan_.skeleton, plan_.model, pose), dt_s);
+  time_s_ += dt_s;
+}
+
+void LiveReference::move_to(const ReferenceState& next, double dt_s) {
+  for (Body body : motion::kBodies) {
+    BodyState& state = last_.body[body];
+    const BodyState& to = next.body[body];
+    state.velocity = (to.position - state.position) / dt_s;
+    state.angular_velocity =
+        motion::rotation_vector(to.orientation * state.orientation.conjugate()) / dt_s;
+    state.position = to.position;
+    state.orientation = to.orientation;
+    socket_velocity_[body] = (next.socket[body] - last_.socket[body]) / dt_s;
+  }
+  last_.socket = next.socket;
+}
+
+ReferenceState LiveReference::at(double time_s) const {
+  const double ahead_s = time_s - time_s_;
+  ReferenceState state = last_;
+  for (Body body : motion::kBodies) {
+    BodyState& part = state.body[body];
+    part.position += ahead_s * part.velocity;
+    part.orientation =
+        motion::rotation_by<double>(ahead_s * part.angular_velocity) * part.orientation;
+    state.socket[body] += ahead_s * socket_velocity_[body];
+  }
+  return state;
+}
+
+}  // namespace flinch::sim
