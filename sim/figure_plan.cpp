@@ -19,7 +19,7 @@ Gains critically_damped(double inertia, double frequency) {
 }
 
 MovingShape outline_of(const motion::BodyProperties& properties) {
-  MovingShape outline{features::outline_of(properties.shape), {}, {}};
+  MovingShape outline{features::outline_of(properties.shape)};
   outline.centre = (properties.shape.centre - properties.centre_of_mass).cast<double>();
   return outline;
 }
