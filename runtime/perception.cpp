@@ -68,9 +68,9 @@ bool is_valid(const PerceptionLimits& limits) noexcept {
 PerceptionLimits human(int choices) noexcept {
   const float doublings = std::log2(static_cast<float>(std::max(choices, 1)));
   return {.reaction_delay_s = kSimpleReaction + kDelayPerDoubling * doublings,
-          .bearing_noise = motion::radians(0.5F),
-          .distance_noise = 0.1F,
-          .heading_noise = motion::radians(0.7F),
+          .bearing_noise = motion::radians(0.1F),
+          .distance_noise = 0.05F,
+          .heading_noise = motion::radians(0.2F),
           .speed_noise = 0.07F,
           .chance_to_fail = 0.03F};
 }

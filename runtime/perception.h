@@ -33,13 +33,15 @@ bool is_valid(const PerceptionLimits& limits) noexcept;
 /// A person's limits, who chooses among `choices` answers (below 1 counts as 1).
 ///
 /// The delay is 0.22 s, the middle of simple visual reactions (0.19 to 0.25 s), and 0.15 s more for
-/// each doubling of the choices (Hick 1952, "On the rate of gain of information"). Heading: 0.7
-/// degrees, the threshold for direction in depth from binocular cues alone. Speed: 7 %, of the 10 %
-/// by which two speeds in depth must differ to be told apart, which is the error of two judgements
-/// (0.1 / sqrt 2). Both after Portfors-Yeomans and Regan (1996), "Cyclopean discrimination
-/// thresholds for the direction and speed of motion in depth", lowest values. Failures: 3 %, the
-/// middle of the rates at which observers lapse (0 to 6 %, Wichmann and Hill 2001, "The
-/// psychometric function I"). Bearing (0.5 degrees) and distance (10 %) are estimates.
+/// each doubling of the choices (Hick 1952, "On the rate of gain of information"). Heading: 0.2
+/// degrees, the threshold for the direction of motion in depth of a target that either eye sees
+/// (Portfors-Yeomans and Regan 1997, "Discrimination of the direction and speed of motion in depth
+/// of a monocularly visible target from binocular information alone": 0.14 to 0.22). Speed: 7 %, of
+/// the 10 % by which two speeds in depth must differ to be told apart, which is the error of two
+/// judgements (0.1 / sqrt 2; Portfors-Yeomans and Regan 1996, "Cyclopean discrimination thresholds
+/// for the direction and speed of motion in depth"). Failures: 3 %, the middle of the rates at
+/// which observers lapse (0 to 6 %, Wichmann and Hill 2001, "The psychometric function I"). Bearing
+/// (0.1 degrees) and distance (5 %) are estimates.
 PerceptionLimits human(int choices = 1) noexcept;
 
 /// What a character makes of a threat.

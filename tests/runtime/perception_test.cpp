@@ -143,6 +143,12 @@ TEST(Perception, ALimitDoesNotChangeWhatAnotherDraws) {
   PerceptionLimits heading{.heading_noise = 0.1F};
   const Threat one = perceive(thrown(), kEye, heading, 1, 2).threat;
   EXPECT_TRUE(same_bits(one.position, thrown().position));
+  for (std::uint64_t number = 0; number < 100; ++number) {
+    Threat threat = thrown();
+    threat.position *= 1 + 0.0137F * static_cast<float>(number);
+    EXPECT_TRUE(
+        same_bits(perceive(threat, kEye, heading, 1, number).threat.position, threat.position));
+  }
   heading.bearing_noise = 0.2F;
   heading.chance_to_fail = 0.5F;
   const Threat both = perceive(thrown(), kEye, heading, 1, 2).threat;
