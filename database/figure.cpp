@@ -10,7 +10,6 @@
 namespace flinch::database {
 
 using motion::JointFrames;
-using motion::Limb;
 using motion::LimbRoles;
 using motion::LimbSolution;
 using motion::Pose;
@@ -33,19 +32,6 @@ void bend(const LimbRoles& roles, const LimbSolution& solution, const JointFrame
 
 Figure make_figure(const motion::Character& character) {
   return {character, motion::make_body_model(character)};
-}
-
-Limb arm_of(Side side) {
-  return side == Side::left ? Limb::left_arm : Limb::right_arm;
-}
-
-Limb leg_of(Side side) {
-  return side == Side::left ? Limb::left_leg : Limb::right_leg;
-}
-
-FootPlace foot_place(const JointFrames& frames, Side side) {
-  const Role foot = motion::roles_of(side).foot;
-  return {frames.position[foot], frames.orientation[foot]};
 }
 
 bool put_feet(const Skeleton& skeleton, const JointFrames& trunk, const PerSide<FootPlace>& feet,

@@ -19,28 +19,15 @@ struct Figure {
 
 Figure make_figure(const motion::Character& character);
 
-/// One value a side, left first.
-template <class T>
-using PerSide = std::array<T, 2>;
+using motion::foot_place;
+using motion::FootPlace;
+using motion::index_of;
+using motion::kSides;
+using motion::PerSide;
+using motion::sign_of;
 
-inline constexpr std::array<motion::Side, 2> kSides{motion::Side::left, motion::Side::right};
-constexpr std::size_t index_of(motion::Side side) {
-  return side == motion::Side::left ? 0 : 1;
-}
-/// +1 on the left, -1 on the right: the sign of y.
-constexpr float sign_of(motion::Side side) {
-  return side == motion::Side::left ? 1.0F : -1.0F;
-}
-
-motion::Limb arm_of(motion::Side side);
-motion::Limb leg_of(motion::Side side);
-
-/// Where an ankle is, world.
-struct FootPlace {
-  Eigen::Vector3f ankle = Eigen::Vector3f::Zero();
-  Eigen::Quaternionf orientation = Eigen::Quaternionf::Identity();
-};
-FootPlace foot_place(const motion::JointFrames& frames, motion::Side side);
+using motion::arm_of;
+using motion::leg_of;
 
 /// Where a wrist goes, world, and which way its elbow.
 struct HandPlace {

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "database/library_check.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -20,15 +22,6 @@ constexpr float kDirectionTolerance = 1e-4F;
 
 bool is_above_zero(float number) {
   return std::isfinite(number) && number > 0;
-}
-
-bool is_sound(const Pose& pose) {
-  // A comparison with NaN is false, so this also finds numbers that are not finite.
-  const auto is_unit = [](const Eigen::Quaternionf& rotation) {
-    return std::abs(rotation.squaredNorm() - 1) <= 2 * kUnitTolerance;
-  };
-  return pose.root_position.allFinite() &&
-         std::all_of(pose.rotation.begin(), pose.rotation.end(), is_unit);
 }
 
 bool is_direction(float direction) {
@@ -60,6 +53,17 @@ const char* fault_of(const Clip& clip, float rate_hz) {
   return clip.annotation ? fault_of(*clip.annotation, clip.motion.duration_s()) : nullptr;
 }
 
+}  // namespace
+
+bool is_sound(const Pose& pose) {
+  // A comparison with NaN is false, so this also finds numbers that are not finite.
+  const auto is_unit = [](const Eigen::Quaternionf& rotation) {
+    return std::abs(rotation.squaredNorm() - 1) <= 2 * kUnitTolerance;
+  };
+  return pose.root_position.allFinite() &&
+         std::all_of(pose.rotation.begin(), pose.rotation.end(), is_unit);
+}
+
 const char* fault_of(const motion::Character& character) {
   const auto is_finite = [](const Eigen::Vector3f& vector) { return vector.allFinite(); };
   const motion::Skeleton& skeleton = character.skeleton;
@@ -71,8 +75,6 @@ const char* fault_of(const motion::Character& character) {
   if (character.sex > motion::Sex::male) return "the character's sex is unknown";
   return nullptr;
 }
-
-}  // namespace
 
 std::optional<LibraryFault> fault_of(const Library& library) {
   const auto whole = [](const char* what) { return LibraryFault{std::nullopt, what}; };

@@ -10,6 +10,11 @@ FootRoles roles_of(Side side) {
                             : FootRoles{Role::right_foot, Role::right_toes};
 }
 
+FootPlace foot_place(const JointFrames& frames, Side side) {
+  const Role foot = roles_of(side).foot;
+  return {frames.position[foot], frames.orientation[foot]};
+}
+
 FootMeasures measure_foot(const Skeleton& skeleton, Side side) {
   constexpr float kHeelShare = 0.25F;    // of the foot's length, behind the ankle
   constexpr float kLeastLength = 0.01F;  // m, of a skeleton without toes

@@ -1,12 +1,30 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
+
 #include "motion/skeleton.h"
 
 namespace flinch::motion {
 
-/// Which foot.
+/// Which foot, or which arm.
 enum class Side : std::uint8_t { left, right };
+
+/// One value a side, left first.
+template <class T>
+using PerSide = std::array<T, 2>;
+
+inline constexpr std::array<Side, 2> kSides{Side::left, Side::right};
+constexpr std::size_t index_of(Side side) {
+  return side == Side::left ? 0 : 1;
+}
+constexpr Side other(Side side) {
+  return side == Side::left ? Side::right : Side::left;
+}
+/// +1 on the left, -1 on the right: the sign of y.
+constexpr float sign_of(Side side) {
+  return side == Side::left ? 1.0F : -1.0F;
+}
 
 /// A foot's roles.
 struct FootRoles {
@@ -14,6 +32,13 @@ struct FootRoles {
   Role toes;
 };
 FootRoles roles_of(Side side);
+
+/// Where an ankle is, world.
+struct FootPlace {
+  Eigen::Vector3f ankle = Eigen::Vector3f::Zero();
+  Eigen::Quaternionf orientation = Eigen::Quaternionf::Identity();
+};
+FootPlace foot_place(const JointFrames& frames, Side side);
 
 /// Size and place of a foot, in the frame of its joint in the rest pose, whose ankle stands above
 /// the ground.

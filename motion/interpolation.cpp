@@ -37,6 +37,11 @@ Eigen::Quaternionf slerp_to(const Eigen::Quaternionf& from, const Eigen::Quatern
 
 }  // namespace
 
+float minimum_jerk(float s) {
+  const float t = std::clamp(s, 0.0F, 1.0F);
+  return t * t * t * (10 - t * (15 - 6 * t));
+}
+
 Eigen::Quaternionf slerp(const Eigen::Quaternionf& from, const Eigen::Quaternionf& to,
                          float weight) {
   return slerp_to(from, to, shorter_sign(from, to), weight);

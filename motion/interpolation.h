@@ -8,6 +8,11 @@ namespace flinch::motion {
 /// Ease-in ease-out: 3s^2 - 2s^3 of s clamped to [0, 1], so 0 to 1 with no velocity at either end.
 float ease_in_ease_out(float s);
 
+/// The way of a human point-to-point movement, 10s^3 - 15s^4 + 6s^5 of s clamped to [0, 1]: the one
+/// of least jerk (Flash and Hogan 1985, Journal of Neuroscience 5). As ease_in_ease_out, but with
+/// no acceleration at either end.
+float minimum_jerk(float s);
+
 /// Spherical interpolation from `from` (weight 0) to `to` (weight 1) along the shorter arc. Unit
 /// in, unit out. Nearly parallel rotations are interpolated linearly and normalised.
 Eigen::Quaternionf slerp(const Eigen::Quaternionf& from, const Eigen::Quaternionf& to,

@@ -42,20 +42,26 @@ struct Row {
 //   (weight-bearing lunge, Bennell et al. 1998; the Academy's 20 is of a hanging foot).
 // Toes: extension 70, flexion 45.
 // All without a name: American Academy of Orthopaedic Surgeons, Joint Motion (1965).
-const std::array<Row, 2> kMiddleRows{{
-    {"trunk", Role::pelvis, Role::chest, 0, 2, {-40, -60, -40}, {40, 105, 40}},
-    {"neck", Role::chest, Role::head, 0, 2, {-45, -60, -80}, {45, 50, 80}},
-}};
-const std::array<Row, 8> kLeftRows{{
-    {"clavicle", Role::chest, Role::left_clavicle, 0, 1, {-10, -50, -30}, {45, 50, 25}},
-    {"shoulder", Role::chest, Role::left_upper_arm, -45, 1, {-108, -135, -95}, {95, 85, 100}},
-    {"elbow", Role::left_upper_arm, Role::left_forearm, 0, 1, {-10, -80, -150}, {10, 80, 5}},
-    {"wrist", Role::left_forearm, Role::left_hand, 0, 1, {-80, -80, -20}, {70, 80, 30}},
-    {"hip", Role::pelvis, Role::left_thigh, 0, 2, {-30, -120, -45}, {45, 30, 45}},
-    {"knee", Role::left_thigh, Role::left_shin, 0, 2, {-10, -5, -30}, {10, 150, 30}},
-    {"ankle", Role::left_shin, Role::left_foot, 0, 2, {-35, -40, -30}, {20, 50, 30}},
-    {"toes", Role::left_foot, Role::left_toes, 0, 2, {-15, -70, -15}, {15, 45, 15}},
-}};
+std::array<Row, 2> middle_rows() {
+  return {{
+      {"trunk", Role::pelvis, Role::chest, 0, 2, {-40, -60, -40}, {40, 105, 40}},
+      {"neck", Role::chest, Role::head, 0, 2, {-45, -60, -80}, {45, 50, 80}},
+  }};
+}
+
+std::array<Row, 8> left_rows() {
+  return {{
+      {"clavicle", Role::chest, Role::left_clavicle, 0, 1, {-10, -50, -30}, {45, 50, 25}},
+      {"shoulder", Role::chest, Role::left_upper_arm, -45, 1, {-108, -135, -95}, {95, 85, 100}},
+      {"elbow", Role::left_upper_arm, Role::left_forearm, 0, 1, {-10, -80, -150}, {10, 80, 5}},
+      {"wrist", Role::left_forearm, Role::left_hand, 0, 1, {-80, -80, -20}, {70, 80, 30}},
+      {"hip", Role::pelvis, Role::left_thigh, 0, 2, {-30, -120, -45}, {45, 30, 45}},
+      {"knee", Role::left_thigh, Role::left_shin, 0, 2, {-10, -5, -30}, {10, 150, 30}},
+      {"ankle", Role::left_shin, Role::left_foot, 0, 2, {-35, -40, -30}, {20, 50, 30}},
+      {"toes", Role::left_foot, Role::left_toes, 0, 2, {-15, -70, -15}, {15, 45, 15}},
+  }};
+}
+
 constexpr std::array<std::string_view, 8> kLeftNames{"left_clavicle", "left_shoulder", "left_elbow",
                                                      "left_wrist",    "left_hip",      "left_knee",
                                                      "left_ankle",    "left_toes"};
@@ -78,10 +84,11 @@ JointLimits limits_of(const Row& row, std::string_view name, bool on_right_side)
 
 std::vector<JointLimits> make_table() {
   std::vector<JointLimits> table;
-  for (const Row& row : kMiddleRows) table.push_back(limits_of(row, row.name, false));
-  for (std::size_t i = 0; i < kLeftRows.size(); ++i) {
-    table.push_back(limits_of(kLeftRows[i], kLeftNames[i], false));
-    table.push_back(limits_of(kLeftRows[i], kRightNames[i], true));
+  for (const Row& row : middle_rows()) table.push_back(limits_of(row, row.name, false));
+  const auto left = left_rows();
+  for (std::size_t i = 0; i < left.size(); ++i) {
+    table.push_back(limits_of(left[i], kLeftNames[i], false));
+    table.push_back(limits_of(left[i], kRightNames[i], true));
   }
   return table;
 }

@@ -56,6 +56,13 @@ Eigen::Quaternionf taking(const Eigen::Vector3f& line, const Eigen::Vector3f& sq
   return Eigen::Quaternionf(to * from.transpose()).normalized();
 }
 
+// How far a limb of bones a and b is bent: the angle between their parts square to the hinge.
+float bend_of(const Eigen::Vector3f& a, const Eigen::Vector3f& b, const Eigen::Vector3f& hinge) {
+  const Eigen::Vector3f a_square = without_part_along(a, hinge);
+  const Eigen::Vector3f b_square = without_part_along(b, hinge);
+  return std::atan2(hinge.dot(a_square.cross(b_square)), a_square.dot(b_square));
+}
+
 // How far a hinge must turn to bring the limb's end to a distance from its upper joint.
 //
 // With the bones a (upper) and b (lower) split into parts along the hinge and square to it, and
@@ -75,7 +82,7 @@ HingeBend bend_for_distance(const Eigen::Vector3f& a, const Eigen::Vector3f& b,
   const Eigen::Vector3f b_square = without_part_along(b, hinge);
   const float along = a.dot(hinge) * b.dot(hinge);
   const float product = a_square.norm() * b_square.norm();
-  const float rest_bend = std::atan2(hinge.dot(a_square.cross(b_square)), a_square.dot(b_square));
+  const float rest_bend = bend_of(a, b, hinge);
   if (product <= 0) return {0, false};  // a bone of no length bends nothing
 
   const float rigid = a.squaredNorm() + b.squaredNorm() + 2 * along;
@@ -85,6 +92,21 @@ HingeBend bend_for_distance(const Eigen::Vector3f& a, const Eigen::Vector3f& b,
   constexpr float kReachTolerance = 1e-4F;  // m
   const float found = std::sqrt(std::max(rigid + 2 * product * std::cos(bend), 0.0F));
   return {bend - rest_bend, std::abs(found - distance) <= kReachTolerance};
+}
+
+// The axis about which a limb bends: square to its bones where it is bent, and its hinge where it
+// is so straight that they say little, going over in between.
+Eigen::Vector3f bending_axis(const Eigen::Vector3f& upper_bone, const Eigen::Vector3f& lower_bone,
+                             const Eigen::Vector3f& hinge) {
+  constexpr float kStraight = 0.03F;  // sine of the bend
+  constexpr float kBent = 0.15F;
+  const Eigen::Vector3f square = upper_bone.cross(lower_bone);
+  const float size = square.norm();
+  const float sine = size / std::max(upper_bone.norm() * lower_bone.norm(), 1e-9F);
+  const float weight = ease_in_ease_out((sine - kStraight) / (kBent - kStraight));
+  if (weight <= 0) return hinge;
+  const Eigen::Vector3f axis = (1 - weight) * hinge + weight / size * square;
+  return axis.norm() > 1e-3F ? Eigen::Vector3f(axis.normalized()) : hinge;
 }
 
 }  // namespace
@@ -101,6 +123,14 @@ LimbRoles roles_of(Limb limb) {
       break;
   }
   return {Role::right_thigh, Role::right_shin, Role::right_foot};
+}
+
+Limb arm_of(Side side) {
+  return side == Side::left ? Limb::left_arm : Limb::right_arm;
+}
+
+Limb leg_of(Side side) {
+  return side == Side::left ? Limb::left_leg : Limb::right_leg;
 }
 
 Eigen::Vector3f hinge_axis(Limb limb) {
@@ -144,6 +174,31 @@ Eigen::Vector3f pole_vector(const JointFrames& frames, Limb limb) {
   const Eigen::Vector3f& upper = frames.position[roles.upper];
   return bending_direction(frames.position[roles.lower] - upper, frames.position[roles.end] - upper,
                            frames.orientation[roles.upper] * hinge_axis(limb));
+}
+
+bool move_limb_end(const JointFrames& frames, Limb limb, const Eigen::Vector3f& end_position,
+                   const Eigen::Quaternionf& end_orientation, Pose& pose,
+                   const HingeLimits& limits) {
+  const LimbRoles roles = roles_of(limb);
+  const Eigen::Vector3f& root = frames.position[roles.upper];
+  const Eigen::Vector3f upper_bone = frames.position[roles.lower] - root;
+  const Eigen::Vector3f lower_bone = frames.position[roles.end] - frames.position[roles.lower];
+  const Eigen::Vector3f axis =
+      bending_axis(upper_bone, lower_bone, frames.orientation[roles.upper] * hinge_axis(limb));
+  const HingeBend bend =
+      bend_for_distance(upper_bone, lower_bone, axis, (end_position - root).norm(),
+                        {std::min(limits.least, bend_of(upper_bone, lower_bone, axis)),
+                         std::max(limits.most, bend_of(upper_bone, lower_bone, axis))});
+  const Eigen::Quaternionf flex = rotation_about(axis, bend.angle);
+  const Eigen::Quaternionf swing =
+      Eigen::Quaternionf::FromTwoVectors(upper_bone + flex * lower_bone, end_position - root);
+  const Eigen::Quaternionf& parent = frames.orientation[*parent_of(roles.upper)];
+  const Eigen::Quaternionf upper = swing * frames.orientation[roles.upper];
+  const Eigen::Quaternionf lower = swing * flex * frames.orientation[roles.lower];
+  pose.rotation[roles.upper] = (parent.conjugate() * upper).normalized();
+  pose.rotation[roles.lower] = (upper.conjugate() * lower).normalized();
+  pose.rotation[roles.end] = (lower.conjugate() * end_orientation).normalized();
+  return bend.in_reach;
 }
 
 Pose with_limb_end(const Skeleton& skeleton, const Pose& pose, Limb limb,

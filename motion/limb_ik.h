@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "motion/foot.h"
 #include "motion/skeleton.h"
 
 namespace flinch::motion {
@@ -17,6 +18,9 @@ struct LimbRoles {
   Role end;
 };
 LimbRoles roles_of(Limb limb);
+
+Limb arm_of(Side side);
+Limb leg_of(Side side);
 
 /// The axis of the elbow or knee in the frame of the upper joint, unit; turning the lower joint by
 /// a positive angle about it bends the limb. Knees bend about +Y, which takes the shin backwards
@@ -58,6 +62,16 @@ LimbSolution solve_limb(const Skeleton& skeleton, Limb limb, const Eigen::Vector
 /// vector that reproduces these frames with swivel 0 if the lower joint is turned about its hinge
 /// alone. Of a straight or overextended limb, the direction in which its hinge bends.
 Eigen::Vector3f pole_vector(const JointFrames& frames, Limb limb);
+
+/// Brings a limb's end joint to a place by the least change: the lower joint turns about the axis
+/// of its present bend until the distance is right, then the whole limb swings there by the
+/// shortest way. A limb whose end is there already stays as it is. `frames` are the pose's; only
+/// the limb's and its parent's need be right. A place out of reach is approached as far as the limb
+/// goes, which is as straight as it is now, if that is straighter than `limits` allow. Returns
+/// whether the end came within 0.1 mm.
+bool move_limb_end(const JointFrames& frames, Limb limb, const Eigen::Vector3f& end_position,
+                   const Eigen::Quaternionf& end_orientation, Pose& pose,
+                   const HingeLimits& limits = {});
 
 /// The pose with one limb bent so that its end joint comes to `end_position` with the orientation
 /// `end_orientation` (both world); the middle joint keeps to its plane (see pole_vector), and the

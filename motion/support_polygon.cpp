@@ -56,6 +56,17 @@ bool before(const Eigen::Vector2f& a, const Eigen::Vector2f& b) {
   return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y());
 }
 
+float distance_to_segment(const Eigen::Vector2f& from, const Eigen::Vector2f& to,
+                          const Eigen::Vector2f& point) {
+  const Eigen::Vector2f edge = to - from;
+  const float squared_length = edge.squaredNorm();
+  const float along =
+      squared_length > 0 ? std::clamp(edge.dot(point - from) / squared_length, 0.0F, 1.0F) : 0;
+  return (from + along * edge - point).norm();
+}
+
+}  // namespace
+
 // Andrew's monotone chain (1979): lower hull from left to right, then upper hull back.
 std::vector<Eigen::Vector2f> convex_hull(std::vector<Eigen::Vector2f> points) {
   std::sort(points.begin(), points.end(), before);
@@ -74,17 +85,6 @@ std::vector<Eigen::Vector2f> convex_hull(std::vector<Eigen::Vector2f> points) {
   hull.pop_back();  // the first point again
   return hull;
 }
-
-float distance_to_segment(const Eigen::Vector2f& from, const Eigen::Vector2f& to,
-                          const Eigen::Vector2f& point) {
-  const Eigen::Vector2f edge = to - from;
-  const float squared_length = edge.squaredNorm();
-  const float along =
-      squared_length > 0 ? std::clamp(edge.dot(point - from) / squared_length, 0.0F, 1.0F) : 0;
-  return (from + along * edge - point).norm();
-}
-
-}  // namespace
 
 SoleOutline sole_outline(const Skeleton& skeleton, Side side) {
   const FootMeasures foot = measure_foot(skeleton, side);

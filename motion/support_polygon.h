@@ -17,6 +17,9 @@ struct SoleOutline {
 /// measure_foot). Flat on the ground in the rest pose.
 SoleOutline sole_outline(const Skeleton& skeleton, Side side);
 
+/// The convex hull of points, counter-clockwise, without repeated or collinear ones.
+std::vector<Eigen::Vector2f> convex_hull(std::vector<Eigen::Vector2f> points);
+
 /// The convex hull on the ground of all sole points that are within `tolerance_m` of it,
 /// counter-clockwise, world x and y, m, without repeated or collinear points. Empty when no foot
 /// touches. For offline use: allocates.

@@ -5,124 +5,242 @@
 #include <cmath>
 
 #include "motion/interpolation.h"
+#include "motion/limb_ik.h"
+#include "motion/rotation.h"
+#include "runtime/response_pose.h"
 
 namespace flinch::runtime {
 namespace {
 
-const motion::Clip& clip_of(const Response& response) {
-  return response.library->clips[static_cast<std::size_t>(response.clip)];
-}
-
-const motion::Motion& idle_of(const Response& response) {
-  return response.library->clips[static_cast<std::size_t>(response.library->idle)].motion;
-}
+using motion::FootPlace;
+using motion::JointFrames;
+using motion::Pose;
+using motion::Role;
+using motion::Side;
 
 bool is_idle(const Response& response) {
-  return response.clip == response.library->idle;
+  return response.clip == response.library->library->idle;
 }
 
-bool is_finite(const features::CharacterState& state) {
-  return std::isfinite(state.idle_time_s) && state.position.allFinite() &&
-         std::isfinite(state.facing);
+float part_of(const Window& window, float time_s) {
+  if (time_s <= window.begin_s) return 0;
+  if (time_s >= window.end_s) return 1;
+  return (time_s - window.begin_s) / (window.end_s - window.begin_s);
 }
 
-bool has_clip(const database::Library& library, int clip) {
-  return clip >= 0 && static_cast<std::size_t>(clip) < library.clips.size() &&
-         !library.clips[static_cast<std::size_t>(clip)].motion.poses.empty();
+FootPlace mix(const FootPlace& from, const FootPlace& to, float weight) {
+  return {from.ankle + weight * (to.ankle - from.ankle),
+          motion::slerp(from.orientation, to.orientation, weight)};
 }
 
-bool is_in_order(const motion::Annotation& annotation) {
-  return annotation.onset_s >= 0 && annotation.onset_s < annotation.peak_s &&
-         annotation.peak_s <= annotation.end_s && std::isfinite(annotation.end_s);
+// A step over part u of its window: 64 u^3 (1 - u)^3 leaves and meets the ground without a jolt,
+// and the foot is lifted before it travels and has arrived before it is put down.
+FootPlace step_between(const FootPlace& from, const FootPlace& to, float u, float lift_m) {
+  constexpr float kOnlyLift = 0.1F;
+  const float weight = motion::minimum_jerk((u - kOnlyLift) / (1 - 2 * kOnlyLift));
+  FootPlace place = mix(from, to, weight);
+  place.ankle.z() += lift_m * 64 * u * u * u * (1 - u) * (1 - u) * (1 - u);
+  return place;
 }
 
-bool can_use(const database::Library& library, const features::CharacterState& state, int clip,
-             float time_to_impact_s) {
-  if (!has_clip(library, library.idle) || !has_clip(library, clip)) return false;
-  if (!is_finite(state) || !(time_to_impact_s > 0) || !std::isfinite(time_to_impact_s)) {
-    return false;
+// A foot that goes its clip's way from where it was, not where the clip had it, which differ in
+// height and tilt alone: what differs is taken back by weight. Blending the places themselves would
+// drag a foot over the ground that the clip lifts.
+FootPlace without_jump(const FootPlace& from, const FootPlace& clip_from, const FootPlace& clip_now,
+                       float weight) {
+  const Eigen::Quaternionf tilt = from.orientation * clip_from.orientation.conjugate();
+  return {clip_now.ankle + (1 - weight) * (from.ankle - clip_from.ankle),
+          motion::slerp(tilt, Eigen::Quaternionf::Identity(), weight) * clip_now.orientation};
+}
+
+FootPlace moved(const FootPlace& place, const GroundMove& move) {
+  const Eigen::Quaternionf turn = motion::turn_about(Eigen::Vector3f::UnitZ(), move.yaw);
+  return {turn * place.ankle + move.translation, turn * place.orientation};
+}
+
+float blend_weight(const Response& r, float time_s) {
+  return motion::minimum_jerk((time_s - r.begin_s) / r.blend_s);
+}
+
+float return_weight(const Response& r, float time_s) {
+  return motion::minimum_jerk((time_s - r.end_s) / r.return_s);
+}
+
+// Every joint by itself.
+Pose body_at(const Response& r, float t) {
+  if (is_idle(r))
+    return motion::blend(source_pose_at(r, t), home_pose_at(r, t), return_weight(r, t));
+  if (t <= r.begin_s) return source_pose_at(r, t);
+  if (t < r.begin_s + r.blend_s) {
+    return motion::blend_on_first_arc(source_pose_at(r, t), clip_pose_at(r, t), blend_weight(r, t),
+                                      source_pose_at(r, r.begin_s), clip_pose_at(r, r.begin_s));
   }
-  const auto& annotation = library.clips[static_cast<std::size_t>(clip)].annotation;
-  return clip == library.idle || (annotation && is_in_order(*annotation));
+  if (t <= r.end_s) return clip_pose_at(r, t);
+  return motion::blend_on_first_arc(clip_pose_at(r, t), home_pose_at(r, t), return_weight(r, t),
+                                    clip_pose_at(r, r.end_s), home_pose_at(r, r.end_s));
 }
 
-motion::Pose idle_pose_at(const Response& response, float time_s) {
-  return features::idle_pose(idle_of(response), response.state, time_s);
+// Where clip and source differ much, a foot on its way from one to the other may dip.
+FootPlace above_ground(const Response& r, Side side, FootPlace place,
+                       const Eigen::Quaternionf& toes) {
+  constexpr float kUnder = -0.001F;  // m
+  const float lowest = lowest_point(r.library->soles[motion::index_of(side)], place, toes,
+                                    r.library->skeleton().offset[motion::roles_of(side).toes]);
+  place.ankle.z() += std::max(kUnder - lowest, 0.0F);
+  return place;
 }
 
-motion::Pose idle_pose_after_clip_at(const Response& response, float time_s) {
-  motion::Pose pose = idle_pose_at(response, time_s);
-  pose.root_position += response.travel;
-  return pose;
+FootPlace foot_at(const Response& r, Side side, float t) {
+  const FootPlan& plan = r.feet[motion::index_of(side)];
+  if (!is_idle(r) && t <= r.begin_s) return source_foot_at(r, side, t);
+  if (!is_idle(r) && t < r.begin_s + r.blend_s) {
+    return without_jump(source_foot_at(r, side, r.begin_s), clip_foot_at(r, side, r.begin_s),
+                        clip_foot_at(r, side, t), blend_weight(r, t));
+  }
+  const FootPlace away = is_idle(r) ? source_foot_at(r, side, t) : clip_foot_at(r, side, t);
+  if (t <= plan.home.begin_s) return away;
+  const float u = part_of(plan.home, t);
+  if (plan.home_lift_m > 0)
+    return step_between(away, home_foot_at(r, side, t), u, plan.home_lift_m);
+  return mix(away, home_foot_at(r, side, t), motion::minimum_jerk(u));
 }
 
-// The clip's pose, aligned: clip time is onset + rate (t - begin).
-motion::Pose clip_pose_at(const Response& response, float time_s) {
-  const motion::Clip& clip = clip_of(response);
-  const float clip_time_s =
-      clip.annotation->onset_s + response.playback_rate * (time_s - response.begin_s);
-  return motion::placed(motion::sample(clip.motion, clip_time_s), response.yaw,
-                        response.translation);
+Eigen::Vector3f weight_shift_at(const Response& r, float t) {
+  Eigen::Vector3f shift = Eigen::Vector3f::Zero();
+  for (const WeightShift& part : r.shifts) {
+    const Window up{part.window.begin_s, part.peak_s};
+    const Window down{part.peak_s, part.window.end_s};
+    const float weight =
+        motion::minimum_jerk(part_of(up, t)) - motion::minimum_jerk(part_of(down, t));
+    if (weight > 0) shift += weight * part.pelvis;
+  }
+  return shift;
 }
+
+// Whether the clip plays as it is, feet and all.
+bool is_untouched_clip(const Response& r, float t) {
+  if (is_idle(r) || t < r.begin_s + r.blend_s || t > r.end_s) return false;
+  for (const FootPlan& plan : r.feet) {
+    const bool is_offset = plan.offset.yaw != 0 || !plan.offset.translation.isZero(0);
+    if (is_offset && t < plan.change.end_s) return false;
+  }
+  return true;
+}
+
+// By how much the pelvis must come down for both legs to reach their feet, m: 0 or below. Legs may
+// be as straight as the motion has them, and otherwise keep a little bend.
+float way_down(const motion::Skeleton& skeleton, const JointFrames& frames,
+               const Eigen::Vector3f& shift, const motion::PerSide<FootPlace>& feet) {
+  constexpr float kBent = 0.98F;
+  constexpr float kLowest = -0.15F;  // m: a foot too far away is left behind rather
+  float down = 0;
+  for (Side side : motion::kSides) {
+    const motion::LimbRoles leg = motion::roles_of(motion::leg_of(side));
+    const float length = skeleton.offset[leg.lower].norm() + skeleton.offset[leg.end].norm();
+    const float now = (frames.position[leg.end] - frames.position[leg.upper]).norm();
+    const float reach = std::max(kBent * length, now);
+    const Eigen::Vector3f hip = frames.position[leg.upper] + shift;
+    const Eigen::Vector3f& ankle = feet[motion::index_of(side)].ankle;
+    const float across = (hip - ankle).head<2>().squaredNorm();
+    const float highest = ankle.z() + std::sqrt(std::max(reach * reach - across, 0.0F));
+    down = std::min(down, highest - hip.z());
+  }
+  return std::max(down, kLowest);
+}
+
+}  // namespace
 
 Eigen::Vector3f level(const Eigen::Vector3f& vector) {
   return {vector.x(), vector.y(), 0};
 }
 
-}  // namespace
+FootPlace foot_of(const motion::Skeleton& skeleton, const Pose& pose, Side side) {
+  const motion::LimbRoles leg = motion::roles_of(motion::leg_of(side));
+  FootPlace place{pose.root_position, pose.rotation[Role::pelvis]};
+  for (Role role : {leg.upper, leg.lower, leg.end}) {
+    place.ankle += place.orientation * skeleton.offset[role];
+    place.orientation = place.orientation * pose.rotation[role];
+  }
+  return place;
+}
 
-Response make_response(const database::Library& library, const features::CharacterState& state,
-                       int clip, float time_to_impact_s) noexcept {
-  Response response;
-  if (!can_use(library, state, clip, time_to_impact_s)) return response;
-  response.library = &library;
-  response.clip = clip;
-  response.state = state;
-  if (is_idle(response)) return response;
+Pose source_pose_at(const Response& r, float time_s) {
+  return pose_from(*r.library, r.state, r.origin, time_s);
+}
 
-  // With d from onset to peak: rate = clamp(d / T, 1, most), begin = max(0, T - d / rate).
-  const motion::Annotation& annotation = *clip_of(response).annotation;
-  const float onset_to_peak_s = annotation.peak_s - annotation.onset_s;
-  response.playback_rate = std::clamp(onset_to_peak_s / time_to_impact_s, 1.0F, kMostPlaybackRate);
-  const float way_to_peak_s = onset_to_peak_s / response.playback_rate;
-  response.begin_s = std::max(0.0F, time_to_impact_s - way_to_peak_s);
-  response.blend_s = std::min(kBlend, way_to_peak_s);
-  response.end_s =
-      response.begin_s + (annotation.end_s - annotation.onset_s) / response.playback_rate;
+Pose home_pose_at(const Response& r, float time_s) {
+  Pose pose = features::idle_pose(r.library->idle(), r.state, time_s);
+  pose.root_position += r.travel;
+  return pose;
+}
 
-  response.yaw = state.facing;
-  response.translation = level(idle_pose_at(response, response.begin_s).root_position -
-                               clip_pose_at(response, response.begin_s).root_position);
-  const float over_s = duration_s(response);
-  response.travel = level(clip_pose_at(response, over_s).root_position -
-                          idle_pose_at(response, over_s).root_position);
-  return response;
+// Clip time is onset + rate (t - begin).
+Pose clip_pose_at(const Response& r, float time_s) {
+  const motion::Clip& clip = r.library->clip(r.clip);
+  const float clip_time_s = clip.annotation->onset_s + r.playback_rate * (time_s - r.begin_s);
+  return motion::placed(motion::sample(clip.motion, clip_time_s), r.yaw, r.translation);
+}
+
+FootPlace source_foot_at(const Response& r, Side side, float time_s) {
+  const std::size_t i = motion::index_of(side);
+  if (!r.origin.idles && r.origin.stands[i]) return r.origin.foot[i];
+  return foot_of(r.library->skeleton(), source_pose_at(r, time_s), side);
+}
+
+FootPlace home_foot_at(const Response& r, Side side, float time_s) {
+  return foot_of(r.library->skeleton(), home_pose_at(r, time_s), side);
+}
+
+FootPlace uncorrected_clip_foot_at(const Response& r, Side side, float time_s) {
+  return foot_of(r.library->skeleton(), clip_pose_at(r, time_s), side);
+}
+
+FootPlace clip_foot_at(const Response& r, Side side, float time_s) {
+  const FootPlan& plan = r.feet[motion::index_of(side)];
+  const FootPlace own = uncorrected_clip_foot_at(r, side, time_s);
+  const float u = part_of(plan.change, time_s);
+  if (u >= 1) return own;
+  const FootPlace offset = moved(own, plan.offset);
+  if (u <= 0) return offset;
+  if (plan.change_lift_m > 0) return step_between(offset, own, u, plan.change_lift_m);
+  return mix(offset, own, motion::minimum_jerk(u));
+}
+
+Pose pose_at(const Response& response, float time_s) noexcept {
+  if (!is_valid(response)) return {};
+  const Response& r = response;
+  const float t = std::isfinite(time_s) ? std::max(time_s, 0.0F) : 0.0F;
+  if (t <= r.start_s && r.origin.idles) return source_pose_at(r, t);
+  if (t >= duration_s(r)) return home_pose_at(r, t);
+  Pose pose = body_at(r, t);
+  const Eigen::Vector3f shift = weight_shift_at(r, t);
+  if (shift.isZero(0) && is_untouched_clip(r, t)) return pose;
+
+  const motion::Skeleton& skeleton = r.library->skeleton();
+  JointFrames frames = motion::forward_kinematics(skeleton, pose);
+  motion::PerSide<FootPlace> feet;
+  for (Side side : motion::kSides) {
+    feet[motion::index_of(side)] =
+        above_ground(r, side, foot_at(r, side, t), pose.rotation[motion::roles_of(side).toes]);
+  }
+  const Eigen::Vector3f move =
+      shift + way_down(skeleton, frames, shift, feet) * Eigen::Vector3f::UnitZ();
+  pose.root_position += move;
+  for (Eigen::Vector3f& position : frames.position) position += move;
+  for (Side side : motion::kSides) {
+    const FootPlace& foot = feet[motion::index_of(side)];
+    motion::move_limb_end(frames, motion::leg_of(side), foot.ankle, foot.orientation, pose);
+  }
+  return pose;
 }
 
 bool is_valid(const Response& response) noexcept {
   return response.library != nullptr;
 }
 
-motion::Pose pose_at(const Response& response, float time_s) noexcept {
-  if (!is_valid(response)) return {};
-  const float t = std::isfinite(time_s) ? std::max(time_s, 0.0F) : 0.0F;
-  const Response& r = response;
-  if (is_idle(r) || t <= r.begin_s) return idle_pose_at(r, t);
-  if (t >= duration_s(r)) return idle_pose_after_clip_at(r, t);
-  if (t < r.begin_s + r.blend_s) {
-    const float weight = motion::ease_in_ease_out((t - r.begin_s) / r.blend_s);
-    return motion::blend_on_first_arc(idle_pose_at(r, t), clip_pose_at(r, t), weight,
-                                      idle_pose_at(r, r.begin_s), clip_pose_at(r, r.begin_s));
-  }
-  if (t <= r.end_s) return clip_pose_at(r, t);
-  const float weight = motion::ease_in_ease_out((t - r.end_s) / kBlend);
-  return motion::blend_on_first_arc(clip_pose_at(r, t), idle_pose_after_clip_at(r, t), weight,
-                                    clip_pose_at(r, r.end_s), idle_pose_after_clip_at(r, r.end_s));
-}
-
 float duration_s(const Response& response) noexcept {
-  if (!is_valid(response) || is_idle(response)) return 0;
-  return response.end_s + kBlend;
+  if (!is_valid(response)) return 0;
+  return response.end_s + response.return_s;
 }
 
 }  // namespace flinch::runtime

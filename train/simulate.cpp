@@ -39,7 +39,7 @@ motion::Motion sampled(const runtime::Response& response, float rate_hz, double 
   return motion;
 }
 
-/// Work from the clip's begin to the end of the way back. Idling costs nothing: it is what the
+/// Work from the first movement to the end of the way back. Idling costs nothing: it is what the
 /// character would do anyway.
 double response_work_j(const SimulationSubject& subject, const runtime::Response& response,
                        const motion::Motion& motion) {
@@ -51,7 +51,7 @@ double response_work_j(const SimulationSubject& subject, const runtime::Response
   motion::Motion moving;
   moving.rate_hz = motion.rate_hz;
   moving.poses.assign(
-      motion.poses.begin() + static_cast<std::ptrdiff_t>(pose_number(response.begin_s)),
+      motion.poses.begin() + static_cast<std::ptrdiff_t>(pose_number(response.start_s)),
       motion.poses.begin() +
           static_cast<std::ptrdiff_t>(pose_number(runtime::duration_s(response)) + 1));
   return sum(sim::mechanical_work(subject.library.character, moving));
@@ -112,6 +112,7 @@ class FirstException {
 SimulationSubject::SimulationSubject(const database::Library& simulated,
                                      const SimulationPlan& planned)
     : library(simulated),
+      prepared(runtime::prepare(simulated)),
       plan(planned),
       body_model(motion::make_body_model(simulated.character)),
       simulator(simulated.character, planned.options) {}
@@ -145,7 +146,7 @@ std::vector<int> clips_to_try(const database::Library& library, motion::Target t
 
 Trial try_clip(const SimulationSubject& subject, const features::Scenario& scenario, int clip) {
   const runtime::Response response =
-      runtime::make_response(subject.library, scenario.state, clip, scenario.time_to_impact_s);
+      runtime::make_response(subject.prepared, scenario.state, clip, scenario.time_to_impact_s);
   const double simulated_s = double{scenario.time_to_impact_s} + subject.plan.tail_s;
   const motion::Motion reference =
       sampled(response, subject.library.rate_hz,
@@ -163,9 +164,10 @@ Trial try_clip(const SimulationSubject& subject, const features::Scenario& scena
 double reference_work_j(const SimulationSubject& subject, int clip) {
   const auto& annotation = subject.library.clips[static_cast<std::size_t>(clip)].annotation;
   if (clip == subject.library.idle || !annotation) return 0;
-  // The peak falls on the impact when the clip begins at its onset, unhurried, at once or later.
+  // With time enough to shift the weight, the clip plays unhurried.
+  constexpr float kTimeToShift = 0.5F;  // s
   const runtime::Response response =
-      runtime::make_response(subject.library, {}, clip, annotation->peak_s);
+      runtime::make_response(subject.prepared, {}, clip, annotation->peak_s + kTimeToShift);
   const motion::Motion reference =
       sampled(response, subject.library.rate_hz, double{runtime::duration_s(response)});
   return response_work_j(subject, response, reference);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "database/library.h"
+#include "runtime/prepared_library.h"
 #include "sim/simulator.h"
 #include "train/observation.h"
 #include "train/scenario_sampling.h"
@@ -29,6 +30,7 @@ struct SimulationSubject {
   SimulationSubject(const database::Library& simulated, const SimulationPlan& planned);
 
   const database::Library& library;
+  runtime::PreparedLibrary prepared;
   SimulationPlan plan;
   motion::BodyModel body_model;
   sim::Simulator simulator;

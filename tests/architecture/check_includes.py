@@ -37,7 +37,7 @@ HEADERS = {
     "train": ["Eigen/", "flatbuffers/"],
 }
 OFFLINE_HEADERS = {
-    "database": ["toml++/", "lbfgs.h"],
+    "database": ["toml++/", "nlohmann/", "lbfgs.h"],
     "models": ["libsvm/", "flann/"],
     "sim": ["ode/"],
     "train": ["sqlite3.h", "omp.h", "mpi.h", "CLI/", "spdlog/", "nlohmann/"],

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "motion/default_character.h"
+#include "motion/rotation.h"
 #include "tests/motion/random_motion.h"
 
 namespace flinch::motion {
@@ -215,6 +216,58 @@ TEST(LimbIk, StraighteningLegDoesNotSpin) {
     const Eigen::Quaternionf thigh = thigh_at(share * length);
     EXPECT_LT(thigh.angularDistance(last), 0.1F) << share;
     last = thigh;
+  }
+}
+
+// A leg bent by any amount, as recordings have it: not about its hinge alone.
+Pose with_random_leg(std::mt19937& random) {
+  Pose pose = rest_pose(default_character().skeleton);
+  std::uniform_real_distribution<float> angle(-0.3F, 0.3F);
+  std::uniform_real_distribution<float> bend(0.0F, 1.6F);
+  pose.rotation[Role::left_thigh] = turn_about(Eigen::Vector3f::UnitY(), -0.6F * bend(random)) *
+                                    turn_about(Eigen::Vector3f::UnitX(), angle(random));
+  pose.rotation[Role::left_shin] = turn_about(Eigen::Vector3f::UnitY(), bend(random)) *
+                                   turn_about(Eigen::Vector3f::UnitZ(), angle(random));
+  return pose;
+}
+
+TEST(MoveLimbEnd, LeavesALimbAloneThatIsThereAlready) {
+  const Skeleton skeleton = default_character().skeleton;
+  std::mt19937 random(21);
+  for (int i = 0; i < 500; ++i) {
+    const Pose before = with_random_leg(random);
+    const JointFrames frames = forward_kinematics(skeleton, before);
+    Pose after = before;
+    EXPECT_TRUE(move_limb_end(frames, Limb::left_leg, frames.position[Role::left_foot],
+                              frames.orientation[Role::left_foot], after));
+    for (Role role : kRoles) {
+      EXPECT_LT(after.rotation[role].angularDistance(before.rotation[role]), 2e-3F) << i;
+    }
+  }
+}
+
+TEST(MoveLimbEnd, LandsOnNearbyPlacesAndChangesLittle) {
+  const Skeleton skeleton = default_character().skeleton;
+  std::mt19937 random(22);
+  std::uniform_real_distribution<float> part(-1, 1);
+  for (int i = 0; i < 500; ++i) {
+    const Pose before = with_random_leg(random);
+    const JointFrames frames = forward_kinematics(skeleton, before);
+    const Eigen::Vector3f place = frames.position[Role::left_foot] +
+                                  0.03F * Eigen::Vector3f(part(random), part(random), part(random));
+    const Eigen::Quaternionf orientation =
+        turn_about(Eigen::Vector3f::UnitZ(), 0.3F * part(random));
+    Pose after = before;
+    const bool reached = move_limb_end(frames, Limb::left_leg, place, orientation, after);
+    const JointFrames moved = forward_kinematics(skeleton, after);
+    const float missed = (moved.position[Role::left_foot] - place).norm();
+    EXPECT_TRUE(std::abs(missed - 1e-4F) < 2e-5F || reached == (missed < 1e-4F)) << missed;
+    EXPECT_LT(missed, 0.031F);
+    EXPECT_LT(moved.orientation[Role::left_foot].angularDistance(orientation), 2e-3F);
+    if (reached) {
+      // A small way of the end is a small way of the knee, except near a straight leg.
+      EXPECT_LT((moved.position[Role::left_shin] - frames.position[Role::left_shin]).norm(), 0.2F);
+    }
   }
 }
 

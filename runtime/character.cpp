@@ -1,0 +1,307 @@
+// SPDX-License-Identifier: MIT
+#include "runtime/character.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "features/feature_vector.h"
+#include "features/impact_prediction.h"
+#include "motion/interpolation.h"
+
+namespace flinch::runtime {
+namespace {
+
+using motion::Pose;
+using motion::Role;
+
+constexpr float kUnit = 1e-2F;             // by which a rotation's length may differ from 1
+constexpr float kVelocity_s = 1.0F / 240;  // over which velocities of responses are measured
+
+bool is_usable(const Pose& pose) {
+  if (!pose.root_position.allFinite()) return false;
+  return std::ranges::all_of(pose.rotation, [](const Eigen::Quaternionf& rotation) {
+    return rotation.coeffs().allFinite() && std::abs(rotation.norm() - 1) < kUnit;
+  });
+}
+
+bool is_usable(const features::Threat& threat) {
+  return threat.position.allFinite() && threat.velocity.allFinite() &&
+         std::isfinite(threat.radius) && threat.radius >= 0;
+}
+
+bool is_positive(float time_s) {
+  return std::isfinite(time_s) && time_s > 0;
+}
+
+}  // namespace
+
+const char* message_of(Status status) noexcept {
+  switch (status) {
+    case Status::ok:
+      return "ok";
+    case Status::misses:
+      return "the threat will hit nothing";
+    case Status::unnoticed:
+      return "the character has not noticed the threat";
+    case Status::not_loaded:
+      return "no library is loaded";
+    case Status::other_workspace:
+      return "the workspace was made for another library";
+    case Status::bad_clip:
+      return "the library has no such clip, or it is not annotated";
+    case Status::bad_threat:
+      return "the threat has a number that is not finite or a time that is not positive";
+    case Status::bad_time:
+      return "the time step is not positive and finite";
+    case Status::bad_pose:
+      return "the pose has a number that is not finite or a rotation that is not unit";
+    case Status::bad_placement:
+      return "the place or direction is not finite";
+  }
+  return "unknown";
+}
+
+const char* name_of(Phase phase) noexcept {
+  switch (phase) {
+    case Phase::idle:
+      return "idle";
+    case Phase::reacting:
+      return "reacting";
+    case Phase::waiting:
+      return "waiting";
+    case Phase::shifting:
+      return "shifting";
+    case Phase::blending:
+      return "blending";
+    case Phase::protecting:
+      return "protecting";
+    case Phase::returning:
+      return "returning";
+  }
+  return "unknown";
+}
+
+motion::PerRole<float> Mask::whole_body() {
+  motion::PerRole<float> joint;
+  std::fill(joint.begin(), joint.end(), 1.0F);
+  return joint;
+}
+
+Character::Character(const Library& library) noexcept : library_(&library) {}
+
+Status Character::place(const Eigen::Vector2f& position, float facing, float idle_time_s) noexcept {
+  if (!position.allFinite() || !std::isfinite(facing) || !std::isfinite(idle_time_s)) {
+    return Status::bad_placement;
+  }
+  state_ = {idle_time_s, position, facing};
+  time_s_ = 0;
+  response_ = {};
+  origin_ = {};
+  delayed_clip_ = -1;
+  return Status::ok;
+}
+
+Status Character::stand_in(const Pose& before, const Pose& now, float dt_s) noexcept {
+  if (!library_->is_loaded()) return Status::not_loaded;
+  if (!is_positive(dt_s)) return Status::bad_time;
+  if (!is_usable(before) || !is_usable(now)) return Status::bad_pose;
+  state_ = state_under(library_->prepared(), now);
+  origin_ = make_origin(library_->prepared(), state_, before, now, dt_s);
+  time_s_ = 0;
+  response_ = {};
+  return Status::ok;
+}
+
+Status Character::settle() noexcept {
+  if (!library_->is_loaded()) return Status::not_loaded;
+  if (!is_responding() && !is_settling()) return Status::ok;
+  delayed_clip_ = -1;
+  to_impact_s_ = std::numeric_limits<double>::infinity();
+  return begin(library_->prepared().library->idle, 1);
+}
+
+void Character::limit_perception(const PerceptionLimits& limits, std::uint64_t seed) noexcept {
+  limits_ = limits;
+  seed_ = seed;
+}
+
+Status Character::perceive(const features::Threat& threat, Workspace& workspace) noexcept {
+  if (!library_->is_loaded()) return Status::not_loaded;
+  if (!is_usable(threat)) return Status::bad_threat;
+  const PreparedLibrary& library = library_->prepared();
+  const Pose now = pose();
+  const Eigen::Vector3f eye =
+      motion::forward_kinematics(library.skeleton(), now).position[Role::head];
+  const Perceived seen = runtime::perceive(threat, eye, limits_, seed_, threats_++);
+  if (!seen.noticed) return Status::unnoticed;
+  const features::PredictedImpact impact =
+      is_responding() || is_settling()
+          ? features::predict_impact(seen.threat, library.figure(), now)
+          : features::predict_impact(seen.threat, library.figure(), library.idle(), library.sway,
+                                     state_now());
+  if (impact.outcome == features::Outcome::unusable) return Status::bad_threat;
+  if (impact.outcome == features::Outcome::miss) return Status::misses;
+  const float time_s = std::max(impact.time_to_impact_s, 1e-3F);
+  return answer({seen.threat, impact.aimed_at, time_s, state_now()}, seen.delay_s, workspace);
+}
+
+Status Character::perceive(const features::Threat& threat, motion::Target target,
+                           float time_to_impact_s, Workspace& workspace) noexcept {
+  if (!library_->is_loaded()) return Status::not_loaded;
+  if (!is_usable(threat) || !is_positive(time_to_impact_s)) return Status::bad_threat;
+  const Eigen::Vector3f eye =
+      motion::forward_kinematics(library_->prepared().skeleton(), pose()).position[Role::head];
+  const Perceived seen = runtime::perceive(threat, eye, limits_, seed_, threats_++);
+  if (!seen.noticed) return Status::unnoticed;
+  return answer({seen.threat, target, time_to_impact_s, state_now()}, seen.delay_s, workspace);
+}
+
+Status Character::answer(const features::Scenario& scenario, float delay_s,
+                         Workspace& workspace) noexcept {
+  const features::FeatureVector x =
+      features::to_vector(features::features_of(scenario, library_->prepared().idle()));
+  const Selection selection =
+      workspace.select(library_->selector(), x, scenario.target, candidates_);
+  if (selection.status != SelectStatus::ok) return Status::other_workspace;
+  candidate_count_ = selection.count;
+  target_ = scenario.target;
+  to_impact_s_ = double{scenario.time_to_impact_s};
+  if (delay_s > 0) {
+    delayed_clip_ = selection.clip;
+    delay_s_ = double{delay_s};
+    return Status::ok;
+  }
+  return begin(selection.clip, scenario.time_to_impact_s);
+}
+
+Status Character::respond(int clip, float time_to_impact_s) noexcept {
+  if (!library_->is_loaded()) return Status::not_loaded;
+  if (!is_positive(time_to_impact_s)) return Status::bad_threat;
+  const Status status = begin(clip, time_to_impact_s);
+  if (status == Status::ok) to_impact_s_ = double{time_to_impact_s};
+  return status;
+}
+
+// The state of a character that idles moves on in its idle clip; one that does not stands where its
+// feet say.
+features::CharacterState Character::state_now() const noexcept {
+  if (is_responding()) {
+    if (time_s_ <= 0) return response_.state;
+    return state_under(library_->prepared(), pose());
+  }
+  features::CharacterState state = state_;
+  state.idle_time_s += static_cast<float>(time_s_);
+  return state;
+}
+
+Origin Character::origin_now(const features::CharacterState& state) const noexcept {
+  if (!is_responding() && origin_.idles) return origin_;
+  if (time_s_ <= 0) return is_responding() ? response_.origin : origin_;
+  const float now_s = static_cast<float>(time_s_);
+  const float before_s = std::max(now_s - kVelocity_s, 0.0F);
+  return make_origin(library_->prepared(), state, pose_after(before_s), pose_after(now_s),
+                     now_s - before_s);
+}
+
+Status Character::begin(int clip, float time_to_impact_s) noexcept {
+  const features::CharacterState state = state_now();
+  const Response response =
+      make_response(library_->prepared(), state, clip, time_to_impact_s, origin_now(state));
+  if (!is_valid(response)) return Status::bad_clip;
+  response_ = response;
+  state_ = state;
+  origin_ = {};
+  time_s_ = 0;
+  delayed_clip_ = -1;
+  return Status::ok;
+}
+
+void Character::finish() noexcept {
+  state_ = response_.state;
+  state_.position += response_.travel.head<2>();
+  response_ = {};
+}
+
+Status Character::update(float dt_s) noexcept {
+  if (!is_positive(dt_s)) return Status::bad_time;
+  if (!library_->is_loaded()) return Status::not_loaded;
+  const double dt = double{dt_s};
+  time_s_ += dt;
+  to_impact_s_ -= dt;
+  if (delayed_clip_ >= 0) {
+    delay_s_ -= dt;
+    // What hits before the delay is over is not answered any more.
+    if (to_impact_s_ <= 0) {
+      delayed_clip_ = -1;
+    } else if (delay_s_ <= 0) {
+      begin(delayed_clip_, static_cast<float>(to_impact_s_));
+    }
+  }
+  if (is_responding() && time_s_ >= double{duration_s(response_)}) finish();
+  if (!is_responding()) {
+    // The idle clip goes to and fro: a whole period changes nothing, and keeps the time small.
+    const double period_s = 2 * double{library_->prepared().idle().duration_s()};
+    if (period_s > 0 && time_s_ >= period_s) time_s_ = std::fmod(time_s_, period_s);
+  }
+  return Status::ok;
+}
+
+Pose Character::pose() const noexcept {
+  if (!library_->is_loaded()) return {};
+  return pose_after(static_cast<float>(time_s_));
+}
+
+Pose Character::pose_after(float time_s) const noexcept {
+  if (is_responding()) return pose_at(response_, time_s);
+  return pose_from(library_->prepared(), state_, origin_, time_s);
+}
+
+Pose Character::pose_over(const Pose& game, const Mask& mask) const noexcept {
+  const auto weight_of = [&mask](Role role) {
+    const float weight = mask.weight * mask.joint[role];
+    return std::isfinite(weight) ? std::clamp(weight, 0.0F, 1.0F) : 0.0F;
+  };
+  const Pose ours = pose();
+  Pose result;
+  result.root_position =
+      game.root_position + weight_of(Role::pelvis) * (ours.root_position - game.root_position);
+  for (Role role : motion::kRoles) {
+    result.rotation[role] =
+        motion::slerp(game.rotation[role], ours.rotation[role], weight_of(role));
+  }
+  return result;
+}
+
+bool Character::is_responding() const noexcept {
+  return is_valid(response_);
+}
+
+bool Character::is_settling() const noexcept {
+  return !is_responding() && !origin_.idles;
+}
+
+Phase Character::phase() const noexcept {
+  if (delayed_clip_ >= 0) return Phase::reacting;
+  if (!is_responding()) return Phase::idle;
+  const float t = response_time_s();
+  if (response_.clip == library_->prepared().library->idle) return Phase::returning;
+  if (t < response_.start_s) return Phase::waiting;
+  if (t < response_.begin_s) return Phase::shifting;
+  if (t < response_.begin_s + response_.blend_s) return Phase::blending;
+  return t < response_.end_s ? Phase::protecting : Phase::returning;
+}
+
+int Character::clip() const noexcept {
+  if (is_responding()) return response_.clip;
+  return library_->is_loaded() ? library_->prepared().library->idle : 0;
+}
+
+std::span<const models::Candidate> Character::candidates() const noexcept {
+  return {candidates_.data(), candidate_count_};
+}
+
+float Character::time_to_impact_s() const noexcept {
+  return static_cast<float>(to_impact_s_);
+}
+
+}  // namespace flinch::runtime
