@@ -6,9 +6,9 @@
 #include <iterator>
 #include <string>
 
+#include "features/random.h"
 #include "tests/scenes/synthetic_library.h"
 #include "tests/scenes/temporary_folder.h"
-#include "features/random.h"
 #include "train/scenario_sampling.h"
 #include "train/store.h"
 
