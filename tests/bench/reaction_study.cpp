@@ -83,7 +83,6 @@ Played play(const Study& study, const Blow& blow, double frame_s) {
 void print_effect(const Study& study, const std::vector<Blow>& blows) {
   std::vector<double> off_mm[motion::kTargetCount];
   std::vector<double> frames_us;
-  std::vector<double> left_mm;
   for (const Blow& blow : blows) {
     const Played played = play(study, blow, kFrame_s);
     double most = 0;
