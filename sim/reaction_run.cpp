@@ -17,8 +17,8 @@ using motion::Role;
 // study in docs/reaction.md).
 constexpr double kFreeStep_s = 1.0 / 120;
 constexpr double kContactStep_s = 1.0 / 1000;
-constexpr double kMostSteps_hz = 240;
-constexpr double kMostStepsSaved = 3;
+constexpr double kMostSteps_hz = 180;
+constexpr double kMostStepsSaved = 2;
 constexpr double kSliver_s = 1e-6;  // not worth a step
 constexpr double kDuringBlow = 1e-4;
 constexpr double kPelvisGrip = 0.7;  // share of the figure's weight that pulls it back
@@ -54,7 +54,7 @@ ReactionRun::ReactionRun(const FigurePlan& plan, const ReactionOptions& options,
       steps_left_(kMostStepsSaved) {}
 
 void ReactionRun::advance(double dt_s, const motion::Pose& wanted) {
-  wanted_.add(wanted, dt_s);
+  wanted_.add(wanted, dt_s, after_.time_s);
   shown_s_ += dt_s;
   while (after_.time_s < shown_s_ - kSliver_s) step();
 }

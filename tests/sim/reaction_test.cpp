@@ -194,6 +194,29 @@ TEST(Reaction, FigureTakesTheMomentumThatTheBallLoses) {
   }
 }
 
+// A character that runs into a ball that hangs in the air before its face.
+TEST(Reaction, FigureMovesFromTheVeryBeginning) {
+  constexpr double kSpeed_mps = 3;
+  const motion::Pose now = standing().poses.front();
+  const auto at = [&](double time_s) {
+    motion::Pose pose = now;
+    pose.root_position.x() += static_cast<float>(kSpeed_mps * time_s);
+    return pose;
+  };
+  const motion::Shape& skull = model()[Body::head].shape;
+  Ball ball;
+  ball.position =
+      (frames_of(now).position[Role::head] + skull.centre).cast<double>() +
+      (static_cast<double>(skull.radius) + ball.radius + 5e-5) * Eigen::Vector3d::UnitX();
+  Reaction reaction(plan());
+  ASSERT_EQ(reaction.begin(at(-kFrame_s), now, kFrame_s, &ball), ReactionStatus::ok);
+  ASSERT_EQ(reaction.advance(0.002, at(0.002), at(0.002)), ReactionStatus::ok);
+  EXPECT_EQ(reaction.contact_s(), 0);
+  // Of a head that weighs much more than the ball: close to (1 + e) v.
+  EXPECT_GT(reaction.ball().velocity.x(), 1.4 * kSpeed_mps);
+  EXPECT_LT(reaction.ball().velocity.x(), 1.7 * kSpeed_mps);
+}
+
 TEST(Reaction, StruckPartGivesWayAlongTheBallsFlight) {
   for (const auto& [body, velocity, least_m, most_m] :
        {std::tuple{Body::head, Eigen::Vector3d(-20, 0, 0), 0.02, 0.2},
