@@ -13,8 +13,8 @@ namespace {
 using motion::Body;
 using motion::Role;
 
-// Twice as fine as the trainer's, whose figure is stiffer: frames then hardly matter (see the
-// study in docs/reaction.md).
+// The free step is half the trainer's, as what is soft swings far and is seen; the contact step
+// twice the trainer's, as a frame must end.
 constexpr double kFreeStep_s = 1.0 / 120;
 constexpr double kContactStep_s = 1.0 / 1000;
 constexpr double kMostSteps_hz = 180;
