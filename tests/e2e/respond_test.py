@@ -49,9 +49,9 @@ class Respond(ProgramTest):
             self.assertEqual(first.read_bytes(), again.read_bytes())
 
     def test_a_heavy_ball_knocks_over_and_a_volleyball_does_not(self):
-        threat = ["--target", "trunk", "--speed", 12, "--time-to-impact", 0.3]
+        threat = ["--target", "trunk", "--speed", 12, "--time-to-impact", 0.05]
         _, light = self.respond("light.glb", *threat)
-        _, heavy = self.respond("heavy.glb", *threat, "--mass", 25, "--radius", 0.2)
+        _, heavy = self.respond("heavy.glb", *threat, "--mass", 20, "--radius", 0.15)
         self.assertFalse(light["knocked_over"])
         self.assertTrue(heavy["hits"])
         self.assertTrue(heavy["knocked_over"])

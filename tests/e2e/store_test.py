@@ -101,10 +101,11 @@ class Store(ProgramTest):
     def test_a_full_disk_is_told_and_loses_nothing(self):
         whole = self.make_whole()
         store = self.folder / "full"
+        room = self.library.stat().st_size + 40_000  # for the library and some observations
 
         def allow_little():
             signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
-            resource.setrlimit(resource.RLIMIT_FSIZE, (40_000, resource.RLIM_INFINITY))
+            resource.setrlimit(resource.RLIMIT_FSIZE, (room, resource.RLIM_INFINITY))
 
         process = subprocess.run([FLINCH, *map(str, self.command(store))], stderr=subprocess.PIPE,
                                  stdout=subprocess.PIPE, text=True, check=False,
