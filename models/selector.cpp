@@ -71,7 +71,7 @@ int select(const Selector& selector, const features::FeatureVector& x, motion::T
 
 ClipMask allowed_clips(std::span<const ClipSummary> clips, int idle, motion::Target threatened,
                        Memory memory) {
-  ClipMask allowed(clips.size(), memory);
+  ClipMask allowed(clips.size(), false, memory);
   for (std::size_t i = 0; i < clips.size(); ++i) {
     allowed[i] =
         static_cast<int>(i) == idle || features::is_allowed(threatened, clips[i].annotation);

@@ -27,12 +27,13 @@ class MainPath(ProgramTest):
         self.succeed("simulate", self.library, "--out", self.store, "-n", SCENARIOS)
 
     def test_from_library_to_clip(self):
-        clips = [c["name"] for c in self.document("info", self.library)["clips"]]
+        library = self.document("info", self.library)
+        clips = [c["name"] for c in library["clips"]]
         done = self.document("simulate", self.library, "--out", self.store, "-n", SCENARIOS)
         self.assertEqual(done["scenarios"], SCENARIOS)
         for model in ("knn", "svm"):
             self.document("train", self.store, "--out", self.selector, "--model", model)
-            self.assertEqual(self.document("info", self.selector)["model"], model)
+            self.check_description(self.document("info", self.selector), model, library)
             for target in ("head", "trunk", "pelvis", "legs"):
                 answer = self.document("select", self.selector, "--azimuth", 40, "--speed", 24,
                                        "--target", target, "--time-to-impact", 0.5)
@@ -46,6 +47,18 @@ class MainPath(ProgramTest):
         self.assertIn("vote", text)
         self.check_comparison()
         self.check_export()
+
+    def check_description(self, selector, model, library):
+        self.assertEqual(selector["model"], model)
+        self.assertTrue(selector["has_clips"])
+        self.assertEqual(selector["library"], library["name"])
+        self.assertEqual(selector["library_hash"], library["hash"])
+        self.assertEqual([c["name"] for c in selector["clips"]],
+                         [c["name"] for c in library["clips"]])
+        poses = [round(c["duration_s"] * library["rate_hz"]) + 1 for c in library["clips"]]
+        self.assertEqual(selector["poses"], sum(poses))
+        # The library's whole file stands in the selector's.
+        self.assertIn(self.library.read_bytes(), self.selector.read_bytes())
 
     def check_comparison(self):
         report = self.folder / "report"

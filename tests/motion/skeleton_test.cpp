@@ -40,6 +40,22 @@ TEST(ForwardKinematics, AgreesWithAProductOfMatrices) {
   }
 }
 
+TEST(ForwardKinematics, OfSomeRolesIsThatOfAllToTheBit) {
+  std::mt19937 random(3);
+  const Skeleton skeleton = tests::with_crooked_bones(default_character().skeleton, random);
+  constexpr std::array kArm{Role::pelvis,        Role::abdomen,        Role::chest,
+                            Role::left_clavicle, Role::left_upper_arm, Role::left_forearm};
+  for (int i = 0; i < 100; ++i) {
+    const Pose pose = random_pose(random);
+    const JointFrames all = forward_kinematics(skeleton, pose);
+    const JointFrames some = forward_kinematics(skeleton, pose, kArm);
+    for (Role role : kArm) {
+      EXPECT_EQ(some.position[role], all.position[role]);
+      EXPECT_EQ(some.orientation[role].coeffs(), all.orientation[role].coeffs());
+    }
+  }
+}
+
 TEST(ForwardKinematics, IsUndoneByPoseFromFrames) {
   std::mt19937 random(2);
   const Skeleton skeleton = default_character().skeleton;
