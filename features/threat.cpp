@@ -18,6 +18,13 @@ Eigen::Vector3f velocity_at(const Threat& threat, float time_s) {
   return threat.velocity + time_s * kFall;
 }
 
+Threat advanced(const Threat& threat, float time_s) {
+  Threat later = threat;
+  later.position = position_at(threat, time_s);
+  later.velocity = velocity_at(threat, time_s);
+  return later;
+}
+
 // At the impact the threat is at p_T with v_T = -speed u, u the unit vector to where it comes from.
 // Run back by T under the fall a = (0, 0, -g):
 //   v_0 = v_T - a T,   p_0 = p_T - v_0 T - a T^2 / 2

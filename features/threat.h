@@ -24,6 +24,9 @@ Eigen::Vector3f position_at(const Threat& threat, float time_s);
 /// Its velocity then: v - g t.
 Eigen::Vector3f velocity_at(const Threat& threat, float time_s);
 
+/// The threat as it is `time_s` later.
+Threat advanced(const Threat& threat, float time_s);
+
 /// An impact as people describe it. Angles in radians.
 struct Approach {
   /// Where the threat comes from, counter-clockwise from the character's facing: 0 is the front,

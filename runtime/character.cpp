@@ -14,7 +14,7 @@ namespace {
 using motion::Pose;
 using motion::Role;
 
-constexpr float kUnit = 1e-2F;         // by which a rotation's length may differ from 1
+constexpr float kUnit = 1e-2F;             // by which a rotation's length may differ from 1
 constexpr float kVelocity_s = 1.0F / 240;  // over which velocities of responses are measured
 
 bool is_usable(const Pose& pose) {
@@ -45,6 +45,8 @@ const char* message_of(Status status) noexcept {
       return "the character has not noticed the threat";
     case Status::not_loaded:
       return "no library is loaded";
+    case Status::other_workspace:
+      return "the workspace was made for another library";
     case Status::bad_clip:
       return "the library has no such clip, or it is not annotated";
     case Status::bad_threat:
@@ -87,8 +89,7 @@ motion::PerRole<float> Mask::whole_body() {
 
 Character::Character(const Library& library) noexcept : library_(&library) {}
 
-Status Character::place(const Eigen::Vector2f& position, float facing,
-                        float idle_time_s) noexcept {
+Status Character::place(const Eigen::Vector2f& position, float facing, float idle_time_s) noexcept {
   if (!position.allFinite() || !std::isfinite(facing) || !std::isfinite(idle_time_s)) {
     return Status::bad_placement;
   }
@@ -159,19 +160,18 @@ Status Character::answer(const features::Scenario& scenario, float delay_s,
                          Workspace& workspace) noexcept {
   const features::FeatureVector x =
       features::to_vector(features::features_of(scenario, library_->prepared().idle()));
-  const std::span<const models::Candidate> ranked =
-      workspace.candidates(library_->selector(), x, scenario.target);
-  candidate_count_ = std::min(ranked.size(), kMostCandidates);
-  std::copy_n(ranked.begin(), candidate_count_, candidates_.begin());
+  const Selection selection =
+      workspace.select(library_->selector(), x, scenario.target, candidates_);
+  if (selection.status != SelectStatus::ok) return Status::other_workspace;
+  candidate_count_ = selection.count;
   target_ = scenario.target;
   to_impact_s_ = double{scenario.time_to_impact_s};
-  const int chosen = candidates_[0].clip;
   if (delay_s > 0) {
-    delayed_clip_ = chosen;
+    delayed_clip_ = selection.clip;
     delay_s_ = double{delay_s};
     return Status::ok;
   }
-  return begin(chosen, scenario.time_to_impact_s);
+  return begin(selection.clip, scenario.time_to_impact_s);
 }
 
 Status Character::respond(int clip, float time_to_impact_s) noexcept {
@@ -205,8 +205,8 @@ Origin Character::origin_now(const features::CharacterState& state) const noexce
 
 Status Character::begin(int clip, float time_to_impact_s) noexcept {
   const features::CharacterState state = state_now();
-  const Response response = make_response(library_->prepared(), state, clip, time_to_impact_s,
-                                          origin_now(state));
+  const Response response =
+      make_response(library_->prepared(), state, clip, time_to_impact_s, origin_now(state));
   if (!is_valid(response)) return Status::bad_clip;
   response_ = response;
   state_ = state;
@@ -263,8 +263,8 @@ Pose Character::pose_over(const Pose& game, const Mask& mask) const noexcept {
   };
   const Pose ours = pose();
   Pose result;
-  result.root_position = game.root_position +
-                         weight_of(Role::pelvis) * (ours.root_position - game.root_position);
+  result.root_position =
+      game.root_position + weight_of(Role::pelvis) * (ours.root_position - game.root_position);
   for (Role role : motion::kRoles) {
     result.rotation[role] =
         motion::slerp(game.rotation[role], ours.rotation[role], weight_of(role));

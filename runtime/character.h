@@ -7,20 +7,22 @@
 #include "runtime/library.h"
 #include "runtime/perception.h"
 #include "runtime/response.h"
+#include "runtime/workspace.h"
 
 namespace flinch::runtime {
 
 /// What a call did, or why it did nothing. A call that fails changes nothing.
 enum class Status : std::uint8_t {
   ok,
-  misses,         ///< the threat will hit nothing: there is nothing to answer
-  unnoticed,      ///< it escaped the character's perception (PerceptionLimits)
-  not_loaded,     ///< the library has no content
-  bad_clip,       ///< no such clip, or one without an annotation
-  bad_threat,     ///< a number that is not finite, or a time that is not positive
-  bad_time,       ///< a step of time that is not positive and finite
-  bad_pose,       ///< a pose with a number that is not finite or a rotation that is not unit
-  bad_placement,  ///< a place or direction that is not finite
+  misses,           ///< the threat will hit nothing: there is nothing to answer
+  unnoticed,        ///< it escaped the character's perception (PerceptionLimits)
+  not_loaded,       ///< the library has no content
+  other_workspace,  ///< made for a selector that takes less memory
+  bad_clip,         ///< no such clip, or one without an annotation
+  bad_threat,       ///< a number that is not finite, or a time that is not positive
+  bad_time,         ///< a step of time that is not positive and finite
+  bad_pose,         ///< a pose with a number that is not finite or a rotation that is not unit
+  bad_placement,    ///< a place or direction that is not finite
 };
 /// What it means, for people; never null.
 const char* message_of(Status status) noexcept;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "database/library.h"
+#include "features/impact_prediction.h"
 #include "runtime/footwork.h"
 
 namespace flinch::runtime {
@@ -15,12 +16,15 @@ struct PreparedLibrary {
   motion::BodyModel bodies;
   motion::PerSide<Sole> soles;
   std::vector<Footwork> footwork;  ///< one a clip
+  features::Sway sway;             ///< of the idle clip
+  float reach_m = 0;               ///< see features::SweptFigure
 
   const motion::Skeleton& skeleton() const { return library->character.skeleton; }
   const motion::Clip& clip(int index) const {
     return library->clips[static_cast<std::size_t>(index)];
   }
   const motion::Motion& idle() const { return clip(library->idle).motion; }
+  features::SweptFigure figure() const { return {&skeleton(), &bodies, reach_m}; }
 };
 
 /// Prepares a library. Allocates; not for every frame.

@@ -13,11 +13,12 @@ constexpr double kNear_m = 2e-3;
 constexpr double kLeastStep_s = 1e-5;
 
 /// The first time within `horizon_s` at which the ball may touch one of the shapes.
-std::optional<double> first_touch(const FreeFlight& ball, std::span<const MovingShape> shapes,
-                                  double horizon_s, double touch_m, double slack_mps2) {
+std::optional<double> first_touch(const features::FreeFlight& ball,
+                                  std::span<const MovingShape> shapes, double horizon_s,
+                                  double touch_m, double slack_mps2) {
   std::optional<double> first;
   for (const MovingShape& shape : shapes) {
-    const Approach near = approach(ball.position, ball.radius, shape);
+    const features::Clearance near = clearance(ball.position, ball.radius, shape);
     if (near.gap <= kTouch_m && !hits(ball, shape, near)) continue;
     const auto time_s = time_of_touch(ball, shape, first.value_or(horizon_s), touch_m, slack_mps2);
     if (time_s) first = time_s;
@@ -25,13 +26,13 @@ std::optional<double> first_touch(const FreeFlight& ball, std::span<const Moving
   return first;
 }
 
-bool hits_any(const FreeFlight& ball, std::span<const MovingShape> shapes) {
+bool hits_any(const features::FreeFlight& ball, std::span<const MovingShape> shapes) {
   return std::any_of(shapes.begin(), shapes.end(), [&](const MovingShape& shape) {
-    return hits(ball, shape, approach(ball.position, ball.radius, shape));
+    return hits(ball, shape, clearance(ball.position, ball.radius, shape));
   });
 }
 
-double step_among(const FreeFlight& ball, std::span<const MovingShape> shapes,
+double step_among(const features::FreeFlight& ball, std::span<const MovingShape> shapes,
                   const SimulationOptions& options) {
   if (hits_any(ball, shapes)) return options.contact_step_s;
   const auto can_touch =
@@ -58,7 +59,7 @@ BallFlight::BallFlight(dWorldID world, const Ball& ball, double gravity_mps2)
   set_state(body_, state);
 }
 
-FreeFlight BallFlight::flight() const {
+features::FreeFlight BallFlight::flight() const {
   return {position_of(body_), velocity_of(body_), radius_, gravity_mps2_};
 }
 
@@ -78,11 +79,11 @@ void BallFlight::step(const OdeWorld& world, double step_s) const {
   fall(step_s / 2);
 }
 
-StepAhead step_ahead(const FreeFlight& ball, std::span<const MovingShape> shapes,
+StepAhead step_ahead(const features::FreeFlight& ball, std::span<const MovingShape> shapes,
                      const SimulationOptions& options) {
   StepAhead ahead;
   ahead.step_s = step_among(ball, shapes, options);
-  const auto bounce = time_of_bounce(ball, ahead.step_s, kTouch_m);
+  const auto bounce = features::time_of_bounce(ball, ahead.step_s, kTouch_m);
   if (!bounce) return ahead;
   if (*bounce <= kLeastStep_s) {
     ahead.on_ground = true;
@@ -96,7 +97,8 @@ StepAhead step_ahead(const FreeFlight& ball, std::span<const MovingShape> shapes
   return ahead;
 }
 
-bool hits(const FreeFlight& ball, const MovingShape& shape, const Approach& near) {
+bool hits(const features::FreeFlight& ball, const MovingShape& shape,
+          const features::Clearance& near) {
   return near.gap <= kTouch_m && near.normal.dot(ball.velocity - shape.velocity_at(near.point)) < 0;
 }
 

@@ -20,7 +20,7 @@ class BallFlight {
   BallFlight(dWorldID world, const Ball& ball, double gravity_mps2);
 
   dBodyID body() const { return body_; }
-  FreeFlight flight() const;
+  features::FreeFlight flight() const;
   void meet_ground(Contacts& contacts, double restitution) const;
   /// Steps the ball's world.
   void step(const OdeWorld& world, double step_s) const;
@@ -42,10 +42,11 @@ struct StepAhead {
 /// The longest step for a ball among shapes: `free_step_s` while it can touch nothing, up to the
 /// time at which it can; `contact_step_s` while it can; the very time of impact where that comes
 /// first. Shapes that already part from it do not count.
-StepAhead step_ahead(const FreeFlight& ball, std::span<const MovingShape> shapes,
+StepAhead step_ahead(const features::FreeFlight& ball, std::span<const MovingShape> shapes,
                      const SimulationOptions& options);
 
 /// Whether a ball at `near` of a shape touches it and does not part from it.
-bool hits(const FreeFlight& ball, const MovingShape& shape, const Approach& near);
+bool hits(const features::FreeFlight& ball, const MovingShape& shape,
+          const features::Clearance& near);
 
 }  // namespace flinch::sim

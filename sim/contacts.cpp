@@ -49,7 +49,7 @@ void Contacts::measure(dJointID joint, motion::Body first, std::optional<motion:
   dJointSetFeedback(joint, &measured_.back().feedback);
 }
 
-void Contacts::add_hit(dBodyID ball, dBodyID part, motion::Body body, const Approach& at,
+void Contacts::add_hit(dBodyID ball, dBodyID part, motion::Body body, const features::Clearance& at,
                        double restitution) {
   measure(attach(bounce_at(at.point, at.normal, restitution), ball, part), body, std::nullopt);
 }
@@ -59,7 +59,7 @@ void Contacts::add_bounce(dBodyID ball, const Eigen::Vector3d& point, double res
 }
 
 void Contacts::add_push(dBodyID first_part, motion::Body first, dBodyID second_part,
-                        motion::Body second, const Approach& at, double free_closing_mps,
+                        motion::Body second, const features::Clearance& at, double free_closing_mps,
                         bool measured) {
   dContact contact = contact_at(at.point, at.normal);
   contact.surface.mode |= dContactMotionN;

@@ -30,17 +30,17 @@ class Contacts {
   Contacts(const Contacts&) = delete;
   Contacts& operator=(const Contacts&) = delete;
 
-  /// The ball hits a part, at `at` as `approach` gives it: a rigid bounce that gives the relative
+  /// The ball hits a part, at `at` as `clearance` gives it: a rigid bounce that gives the relative
   /// velocity along the normal back `restitution` times, with Coulomb friction, and that corrects
   /// no overlap. Measured.
-  void add_hit(dBodyID ball, dBodyID part, motion::Body body, const Approach& at,
+  void add_hit(dBodyID ball, dBodyID part, motion::Body body, const features::Clearance& at,
                double restitution);
   /// The ball meets the ground: the same law. Not measured.
   void add_bounce(dBodyID ball, const Eigen::Vector3d& point, double restitution);
   /// A part pushes another: no bounce, no friction, no correction of overlap. The normal of `at`
   /// points from `second` to `first`; the two may close at `free_closing_mps` unhindered.
   void add_push(dBodyID first_part, motion::Body first, dBodyID second_part, motion::Body second,
-                const Approach& at, double free_closing_mps, bool measured);
+                const features::Clearance& at, double free_closing_mps, bool measured);
   /// The ground carries `mass_kg` of a part at `point`, `depth_m` below it, as a critically damped
   /// spring without friction. Not measured.
   void add_support(dBodyID part, const Eigen::Vector3d& point, double depth_m, double mass_kg,

@@ -60,6 +60,6 @@ class Figure {
 
 /// How near two parts are: spheres that fill either against the exact other; where each is nearest.
 /// The normal points from `second` to `first`.
-Approach approach(const MovingShape& first, const MovingShape& second);
+features::Clearance clearance(const MovingShape& first, const MovingShape& second);
 
 }  // namespace flinch::sim

@@ -19,14 +19,8 @@ Gains critically_damped(double inertia, double frequency) {
 }
 
 MovingShape outline_of(const motion::BodyProperties& properties) {
-  const motion::Shape& shape = properties.shape;
-  MovingShape outline;
-  outline.kind = shape.kind;
-  outline.radius = static_cast<double>(shape.radius);
-  outline.half_length = static_cast<double>(shape.half_length);
-  outline.half_extents = shape.half_extents.cast<double>();
-  outline.centre = (shape.centre - properties.centre_of_mass).cast<double>();
-  outline.orientation = shape.orientation.cast<double>().normalized();
+  MovingShape outline{features::outline_of(properties.shape), {}, {}};
+  outline.centre = (properties.shape.centre - properties.centre_of_mass).cast<double>();
   return outline;
 }
 
@@ -100,7 +94,7 @@ FigurePlan::FigurePlan(const motion::Character& character)
     for (Body second : motion::kBodies) {
       const bool jointed = parent_of(first) == second || parent_of(second) == first;
       may_touch[first][second] =
-          first != second && !jointed && approach(shapes[first], shapes[second]).gap > 0;
+          first != second && !jointed && clearance(shapes[first], shapes[second]).gap > 0;
     }
   }
 }

@@ -12,7 +12,8 @@ constexpr double kDriveTime_s = 0.1;  // six times 1 / w of the joints' springs
 constexpr double kBlowSpeed_mps = 0.1;
 constexpr double kTouch_m = 1e-3;
 
-double closing_speed(const MovingShape& first, const MovingShape& second, const Approach& near) {
+double closing_speed(const MovingShape& first, const MovingShape& second,
+                     const features::Clearance& near) {
   return -near.normal.dot(first.velocity_at(near.point) - second.velocity_at(near.point));
 }
 
@@ -23,7 +24,7 @@ Eigen::Vector3d reference_velocity(const BodyState& reference, const Eigen::Vect
 
 /// How fast the reference lets the two close where they are nearest, m/s; 0 where it parts them.
 double reference_closing_speed(const BodyState& first, const BodyState& second,
-                               const Approach& near) {
+                               const features::Clearance& near) {
   const Eigen::Vector3d relative =
       reference_velocity(first, near.point) - reference_velocity(second, near.point);
   return std::max(0.0, -near.normal.dot(relative));
@@ -63,7 +64,7 @@ void Pushes::add(const Figure& figure, const motion::PerBody<MovingShape>& shape
                  const ReferenceState& reference, Contacts& contacts) {
   motion::PerBody<double> driven_until_s = driven_until_s_;
   for_each_pair([&](Body first, Body second) {
-    const Approach near = approach(shapes[first], shapes[second]);
+    const features::Clearance near = clearance(shapes[first], shapes[second]);
     if (near.gap > kTouch_m) return;
     const double free_closing =
         reference_closing_speed(reference.body[first], reference.body[second], near);
@@ -84,7 +85,7 @@ bool Pushes::ahead(const motion::PerBody<MovingShape>& shapes, const ReferenceSt
                    double horizon_s) const {
   bool found = false;
   for_each_pair([&](Body first, Body second) {
-    const Approach near = approach(shapes[first], shapes[second]);
+    const features::Clearance near = clearance(shapes[first], shapes[second]);
     const double closing = closing_speed(shapes[first], shapes[second], near);
     const double free_closing =
         reference_closing_speed(reference.body[first], reference.body[second], near);

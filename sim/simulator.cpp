@@ -78,10 +78,10 @@ class Run {
 
   /// Adds what the ball touches now, and says how long a step it allows.
   double meet(const motion::PerBody<MovingShape>& shapes) {
-    const FreeFlight flight = ball_->flight();
+    const features::FreeFlight flight = ball_->flight();
     const StepAhead ahead = step_ahead(flight, {&*shapes.begin(), motion::kBodyCount}, options_);
     for (Body body : motion::kBodies) {
-      const Approach near = approach(flight.position, flight.radius, shapes[body]);
+      const features::Clearance near = clearance(flight.position, flight.radius, shapes[body]);
       if (!hits(flight, shapes[body], near)) continue;
       contacts_.add_hit(ball_->body(), figure_.body(body), body, near, options_.restitution);
       pushes_.hit(body);

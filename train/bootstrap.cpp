@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "train/random.h"
+#include "features/random.h"
 
 namespace flinch::train {
 
@@ -24,7 +24,7 @@ std::vector<std::vector<std::uint32_t>> draw_resamples(std::size_t count, std::s
                                                        std::uint64_t seed) {
   std::vector<std::vector<std::uint32_t>> drawn(resamples, std::vector<std::uint32_t>(count));
   for (std::size_t i = 0; i < resamples; ++i) {
-    Random random(seed, Purpose::bootstrap, i);
+    features::Random random(seed, features::Purpose::bootstrap, i);
     for (std::uint32_t& index : drawn[i]) index = static_cast<std::uint32_t>(random.index(count));
   }
   return drawn;

@@ -5,10 +5,10 @@
 #include <limits>
 #include <span>
 
+#include "features/random.h"
 #include "models/baseline.h"
 #include "motion/error.h"
 #include "train/labels.h"
-#include "train/random.h"
 
 namespace flinch::train {
 
@@ -67,7 +67,7 @@ void add_rows(const Store& store, std::span<const Observation> fitted, const Lab
   };
   add("idle", [&](const Observation&) { return header.idle; });
   add("random", [&](const Observation& observation) {
-    Random random(seed, Purpose::baseline, observation.number);
+    features::Random random(seed, features::Purpose::baseline, observation.number);
     return models::random_allowed(header.clips, header.idle, observation.scenario.target,
                                   random.bits());
   });

@@ -4,14 +4,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "features/random.h"
 #include "motion/error.h"
-#include "train/random.h"
 
 namespace flinch::train {
 
 namespace {
 
-Eigen::Vector3f point_in_ball(double radius, Random& random) {
+Eigen::Vector3f point_in_ball(double radius, features::Random& random) {
   for (;;) {
     const double x = random.uniform(-1, 1);
     const double y = random.uniform(-1, 1);
@@ -72,7 +72,7 @@ features::Scenario sample_scenario(const database::Library& library,
                                    const ScenarioDistribution& distribution, std::uint64_t seed,
                                    std::uint64_t number) {
   constexpr int kMostDraws = 10'000;
-  Random random(seed, Purpose::scenario, number);
+  features::Random random(seed, features::Purpose::scenario, number);
   const motion::Motion& idle = library.clips[static_cast<std::size_t>(library.idle)].motion;
 
   features::Scenario scenario;

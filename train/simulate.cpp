@@ -164,9 +164,10 @@ Trial try_clip(const SimulationSubject& subject, const features::Scenario& scena
 double reference_work_j(const SimulationSubject& subject, int clip) {
   const auto& annotation = subject.library.clips[static_cast<std::size_t>(clip)].annotation;
   if (clip == subject.library.idle || !annotation) return 0;
-  // The peak falls on the impact when the clip begins at its onset, unhurried, at once or later.
+  // With time enough to shift the weight, the clip plays unhurried.
+  constexpr float kTimeToShift = 0.5F;  // s
   const runtime::Response response =
-      runtime::make_response(subject.prepared, {}, clip, annotation->peak_s);
+      runtime::make_response(subject.prepared, {}, clip, annotation->peak_s + kTimeToShift);
   const motion::Motion reference =
       sampled(response, subject.library.rate_hz, double{runtime::duration_s(response)});
   return response_work_j(subject, response, reference);

@@ -24,6 +24,17 @@ TEST(Threat, FallsAsThrownBallsDo) {
   EXPECT_EQ(position_at(ball, 0), ball.position);
 }
 
+TEST(Threat, AdvancedFliesOnAlongTheSamePath) {
+  Threat ball;
+  ball.position = {1, 2, 3};
+  ball.velocity = {4, -1, 5};
+  ball.radius = 0.2F;
+  const Threat later = advanced(ball, 0.3F);
+  EXPECT_LT((position_at(later, 0.4F) - position_at(ball, 0.7F)).norm(), 1e-5F);
+  EXPECT_LT((velocity_at(later, 0.4F) - velocity_at(ball, 0.7F)).norm(), 1e-5F);
+  EXPECT_EQ(later.radius, ball.radius);
+}
+
 // The flight from perception is what Newton gives step by step.
 TEST(Threat, FollowsStepwiseIntegration) {
   Threat ball;

@@ -37,7 +37,8 @@ class FreeSphere {
       const MovingShape shape = outline();
       contacts_.clear();
       const StepAhead ahead = step_ahead(ball_.flight(), {&shape, 1}, options_);
-      const Approach near = approach(ball_.flight().position, ball_.flight().radius, shape);
+      const features::Clearance near =
+          clearance(ball_.flight().position, ball_.flight().radius, shape);
       if (hits(ball_.flight(), shape, near)) {
         contacts_.add_hit(ball_.body(), body_, Body::head, near, options_.restitution);
       }
@@ -50,7 +51,7 @@ class FreeSphere {
   }
 
   double impulse() const { return impulse_; }
-  FreeFlight ball() const { return ball_.flight(); }
+  features::FreeFlight ball() const { return ball_.flight(); }
   Eigen::Vector3d sphere_velocity() const { return velocity_of(body_); }
 
  private:

@@ -8,7 +8,7 @@
 
 #include "tests/scenes/synthetic_library.h"
 #include "tests/scenes/temporary_folder.h"
-#include "train/random.h"
+#include "features/random.h"
 #include "train/scenario_sampling.h"
 #include "train/store.h"
 

@@ -23,6 +23,7 @@ void add_train(CLI::App& program);
 void add_compare(CLI::App& program);
 void add_export(CLI::App& program);
 void add_select(CLI::App& program);
+void add_respond(CLI::App& program);
 
 /// The option that every command has.
 void add_json_option(CLI::App& command, bool& json);

@@ -62,5 +62,6 @@ int main(int argument_count, char** arguments) {
   add_compare(program);
   add_export(program);
   add_select(program);
+  add_respond(program);
   return run(program, argument_count, arguments);
 }

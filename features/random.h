@@ -4,7 +4,7 @@
 #include <array>
 #include <cstdint>
 
-namespace flinch::train {
+namespace flinch::features {
 
 /// Philox4x32-10 of Salmon, Moraes, Dror and Shaw (2011), "Parallel random numbers: as easy as
 /// 1, 2, 3": a keyed bijection of 128-bit counters whose outputs pass for random. No state: the
@@ -13,7 +13,7 @@ std::array<std::uint32_t, 4> philox4x32(std::array<std::uint32_t, 4> counter,
                                         std::array<std::uint32_t, 2> key);
 
 /// What numbers are drawn for. Draws for one purpose do not disturb those for another.
-enum class Purpose : std::uint32_t { scenario, baseline, bootstrap, cross_validation };
+enum class Purpose : std::uint32_t { scenario, baseline, bootstrap, cross_validation, perception };
 
 /// The numbers of one (seed, purpose, stream), in order. For scenarios the stream is the scenario's
 /// number, so that a scenario does not depend on which others are drawn, or by whom. Uses no
@@ -28,6 +28,8 @@ class Random {
   double uniform();
   /// Uniform in [least, most).
   double uniform(double least, double most);
+  /// Normally distributed with mean 0 and standard deviation 1, from two uniform draws.
+  double normal();
   /// Uniform in [0, count), without bias; count is positive.
   std::uint64_t index(std::uint64_t count);
 
@@ -40,4 +42,4 @@ class Random {
   std::size_t used_ = 2;  ///< of words_
 };
 
-}  // namespace flinch::train
+}  // namespace flinch::features

@@ -42,11 +42,11 @@ class Filling {
   std::size_t count_ = 0;
 };
 
-Approach nearest(const Filling& spheres, const MovingShape& shape) {
-  Approach best;
+features::Clearance nearest(const Filling& spheres, const MovingShape& shape) {
+  features::Clearance best;
   best.gap = std::numeric_limits<double>::infinity();
   for (const Sphere& sphere : spheres) {
-    const Approach near = approach(sphere.centre, sphere.radius, shape);
+    const features::Clearance near = clearance(sphere.centre, sphere.radius, shape);
     if (near.gap < best.gap) best = near;
   }
   return best;
@@ -54,9 +54,9 @@ Approach nearest(const Filling& spheres, const MovingShape& shape) {
 
 }  // namespace
 
-Approach approach(const MovingShape& first, const MovingShape& second) {
-  const Approach on_second = nearest(Filling(first), second);
-  Approach on_first = nearest(Filling(second), first);
+features::Clearance clearance(const MovingShape& first, const MovingShape& second) {
+  const features::Clearance on_second = nearest(Filling(first), second);
+  features::Clearance on_first = nearest(Filling(second), first);
   if (on_second.gap <= on_first.gap) return on_second;
   on_first.normal = -on_first.normal;
   return on_first;

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "train/random.h"
+#include "features/random.h"
 
-namespace flinch::train {
+#include <cmath>
+#include <numbers>
+
+namespace flinch::features {
 
 std::array<std::uint32_t, 4> philox4x32(std::array<std::uint32_t, 4> counter,
                                         std::array<std::uint32_t, 2> key) {
@@ -45,6 +48,13 @@ double Random::uniform(double least, double most) {
   return least + (most - least) * uniform();
 }
 
+// Box and Muller (1958): sqrt(-2 ln u) cos(2 pi v), u in (0, 1].
+double Random::normal() {
+  const double u = 1 - uniform();
+  const double v = uniform();
+  return std::sqrt(-2 * std::log(u)) * std::cos(2 * std::numbers::pi * v);
+}
+
 std::uint64_t Random::index(std::uint64_t count) {
   // Draws below 2^64 mod count would favour the low indices: draw again.
   const std::uint64_t reject_below = (0 - count) % count;
@@ -53,4 +63,4 @@ std::uint64_t Random::index(std::uint64_t count) {
   return draw % count;
 }
 
-}  // namespace flinch::train
+}  // namespace flinch::features

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "train/random.h"
+#include "features/random.h"
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <set>
 #include <vector>
 
-namespace flinch::train {
+namespace flinch::features {
 namespace {
 
 using Words = std::array<std::uint32_t, 4>;
@@ -55,6 +56,25 @@ TEST(Random, UniformStaysInItsRangeWithTheRightMeanAndVariance) {
   EXPECT_NEAR(squares / kCount - mean * mean, 1.0 / 12, 0.002);
 }
 
+TEST(Random, NormalHasTheMomentsAndTailsOfANormalDistribution) {
+  Random random(1, Purpose::perception, 0);
+  constexpr int kCount = 100'000;
+  std::array<double, 4> moments{};
+  int beyond_two = 0;
+  for (int i = 0; i < kCount; ++i) {
+    const double value = random.normal();
+    double power = 1;
+    for (double& moment : moments) moment += (power *= value) / kCount;
+    if (std::abs(value) > 2) ++beyond_two;
+  }
+  // Five standard errors each: sqrt(1, 2, 15, 96) / sqrt(n).
+  EXPECT_NEAR(moments[0], 0, 0.016);
+  EXPECT_NEAR(moments[1], 1, 0.023);
+  EXPECT_NEAR(moments[2], 0, 0.062);
+  EXPECT_NEAR(moments[3], 3, 0.155);
+  EXPECT_NEAR(beyond_two, 4550, 330);  // 4.55 %
+}
+
 TEST(Random, IndexGivesEveryValueItsShare) {
   Random random(1, Purpose::scenario, 0);
   constexpr int kDraws = 70'000;
@@ -64,4 +84,4 @@ TEST(Random, IndexGivesEveryValueItsShare) {
 }
 
 }  // namespace
-}  // namespace flinch::train
+}  // namespace flinch::features

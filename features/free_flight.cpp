@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#include "features/free_flight.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace flinch::features {
+
+Eigen::Vector3d FreeFlight::position_at(double time_s) const {
+  return position + time_s * velocity -
+         0.5 * gravity_mps2 * time_s * time_s * Eigen::Vector3d::UnitZ();
+}
+
+Eigen::Vector3d FreeFlight::velocity_at(double time_s) const {
+  return velocity - gravity_mps2 * time_s * Eigen::Vector3d::UnitZ();
+}
+
+// z + v t - g t^2 / 2 = r + touch; the later root is the falling one.
+std::optional<double> time_of_bounce(const FreeFlight& ball, double horizon_s, double touch_m) {
+  const double height = ball.position.z() - ball.radius - touch_m;
+  const double rise = ball.velocity.z();
+  if (ball.gravity_mps2 <= 0) {
+    if (rise >= 0) return std::nullopt;
+    const double time_s = std::max(-height / rise, 0.0);
+    return time_s <= horizon_s ? std::optional(time_s) : std::nullopt;
+  }
+  const double discriminant = rise * rise + 2 * ball.gravity_mps2 * height;
+  const double root = std::sqrt(std::max(discriminant, 0.0));
+  const double time_s = std::max((rise + root) / ball.gravity_mps2, 0.0);
+  return time_s <= horizon_s ? std::optional(time_s) : std::nullopt;
+}
+
+}  // namespace flinch::features

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#include "runtime/perception.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "features/random.h"
+#include "motion/rotation.h"
+
+namespace flinch::runtime {
+namespace {
+
+constexpr float kSimpleReaction_s = 0.22F;
+constexpr float kDelayPerDoubling_s = 0.15F;
+
+bool is_at_least_zero(float number) {
+  return number >= 0 && std::isfinite(number);
+}
+
+/// What one threat's perception is off by: standard normal, but for the chance.
+struct Draws {
+  double chance;  ///< uniform in [0, 1)
+  std::array<float, 2> bearing;
+  float distance;
+  std::array<float, 2> heading;
+  float speed;
+};
+
+// Always all, in one order, so that no limit moves another's.
+Draws draw(std::uint64_t seed, std::uint64_t number) {
+  features::Random random(seed, features::Purpose::perception, number);
+  const auto normal = [&] { return static_cast<float>(random.normal()); };
+  Draws draws{};
+  draws.chance = random.uniform();
+  for (float& angle : draws.bearing) angle = normal();
+  draws.distance = normal();
+  for (float& angle : draws.heading) angle = normal();
+  draws.speed = normal();
+  return draws;
+}
+
+/// The vector turned across itself by these angles and stretched by a factor.
+Eigen::Vector3f disturbed(const Eigen::Vector3f& vector, const std::array<float, 2>& angles,
+                          float angle_noise, float size, float size_noise) {
+  Eigen::Vector3f result = vector;
+  const float length = vector.norm();
+  if (angle_noise > 0 && length > 0) {
+    const Eigen::Vector3f first = vector.unitOrthogonal();
+    const Eigen::Vector3f second = vector.cross(first) / length;
+    result =
+        motion::rotation_by<float>(angle_noise * (angles[0] * first + angles[1] * second)) * vector;
+  }
+  if (size_noise > 0) result *= std::exp(size_noise * size);
+  return result;
+}
+
+}  // namespace
+
+bool is_valid(const PerceptionLimits& limits) noexcept {
+  return is_at_least_zero(limits.reaction_delay_s) && is_at_least_zero(limits.bearing_noise) &&
+         is_at_least_zero(limits.distance_noise) && is_at_least_zero(limits.heading_noise) &&
+         is_at_least_zero(limits.speed_noise) && is_at_least_zero(limits.chance_to_fail) &&
+         limits.chance_to_fail <= 1;
+}
+
+// Hick: delay = a + b log2(choices).
+PerceptionLimits human(int choices) noexcept {
+  const float doublings = std::log2(static_cast<float>(std::max(choices, 1)));
+  return {.reaction_delay_s = kSimpleReaction_s + kDelayPerDoubling_s * doublings,
+          .bearing_noise = motion::radians(0.5F),
+          .distance_noise = 0.1F,
+          .heading_noise = motion::radians(0.7F),
+          .speed_noise = 0.1F,
+          .chance_to_fail = 0.03F};
+}
+
+Perceived perceive(const features::Threat& threat, const Eigen::Vector3f& eye,
+                   const PerceptionLimits& limits, std::uint64_t seed,
+                   std::uint64_t number) noexcept {
+  Perceived perceived{.noticed = true, .delay_s = 0, .threat = threat};
+  if (!is_valid(limits)) return perceived;
+  perceived.delay_s = limits.reaction_delay_s;
+  if (!threat.position.allFinite() || !threat.velocity.allFinite() || !eye.allFinite()) {
+    return perceived;
+  }
+  const Draws draws = draw(seed, number);
+  perceived.noticed = !(draws.chance < static_cast<double>(limits.chance_to_fail));
+  if (limits.bearing_noise > 0 || limits.distance_noise > 0) {
+    perceived.threat.position =
+        eye + disturbed(threat.position - eye, draws.bearing, limits.bearing_noise, draws.distance,
+                        limits.distance_noise);
+  }
+  perceived.threat.velocity = disturbed(threat.velocity, draws.heading, limits.heading_noise,
+                                        draws.speed, limits.speed_noise);
+  return perceived;
+}
+
+}  // namespace flinch::runtime

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+// How well the predicted impact agrees with what the trainer aims: the tables of
+// docs/perception.md.
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+#include "database/library_file.h"
+#include "features/impact_prediction.h"
+#include "train/scenario_sampling.h"
+
+namespace flinch {
+namespace {
+
+using features::Outcome;
+using features::PredictedImpact;
+using motion::kTargetCount;
+
+std::size_t index_of(motion::Target target) {
+  return static_cast<std::size_t>(target);
+}
+
+struct Row {
+  int misses = 0;
+  std::array<int, kTargetCount> aimed_at{};
+  std::array<int, kTargetCount> struck{};
+};
+
+struct Agreement {
+  std::array<Row, kTargetCount> row;
+  std::vector<double> error_ms;  ///< of the time to impact
+  std::vector<double> lead_ms;   ///< of the touch before the trainer's time
+};
+
+Agreement agreement_of(const database::Library& library, std::uint64_t count, std::uint64_t seed) {
+  const motion::BodyModel model = make_body_model(library.character);
+  const motion::Skeleton& skeleton = library.character.skeleton;
+  const motion::Motion& idle = library.clips[static_cast<std::size_t>(library.idle)].motion;
+  const features::SweptFigure figure = features::make_swept_figure(skeleton, model);
+  const features::Sway sway = features::sway_of(skeleton, model, idle);
+  Agreement agreement;
+  for (std::uint64_t number = 0; number < count; ++number) {
+    const auto scenario = train::sample_scenario(library, model, {}, seed, number);
+    const PredictedImpact impact =
+        features::predict_impact(scenario.threat, figure, idle, sway, scenario.state);
+    Row& row = agreement.row[index_of(scenario.target)];
+    if (impact.outcome != Outcome::impact) {
+      ++row.misses;
+      continue;
+    }
+    ++row.aimed_at[index_of(impact.aimed_at)];
+    ++row.struck[index_of(impact.struck)];
+    const double time_ms = 1000 * static_cast<double>(scenario.time_to_impact_s);
+    agreement.error_ms.push_back(
+        std::abs(1000 * static_cast<double>(impact.time_to_impact_s) - time_ms));
+    agreement.lead_ms.push_back(time_ms - 1000 * static_cast<double>(impact.touch_s));
+  }
+  return agreement;
+}
+
+void print(const char* name, std::vector<double> values) {
+  if (values.empty()) return;
+  std::sort(values.begin(), values.end());
+  const auto share = [&](std::size_t percent) {
+    return values[(values.size() - 1) * percent / 100];
+  };
+  std::printf("| %s | %.1f | %.1f | %.1f |\n", name, share(50), share(99), share(100));
+}
+
+void print(const Agreement& agreement, std::uint64_t count) {
+  std::printf(
+      "| trainer aims at | `aimed_at` agrees | `struck` agrees | struck: head, trunk, pelvis, "
+      "legs | missed |\n| --- | ---: | ---: | --- | ---: |\n");
+  int aimed = 0;
+  int struck = 0;
+  for (std::size_t i = 0; i < kTargetCount; ++i) {
+    const Row& row = agreement.row[i];
+    int hits = 0;
+    for (int of_target : row.struck) hits += of_target;
+    const double percent = 100.0 / std::max(hits, 1);
+    std::printf("| %s | %.2f %% | %.1f %% | %d, %d, %d, %d | %d |\n",
+                std::string(name_of(static_cast<motion::Target>(i))).c_str(),
+                row.aimed_at[i] * percent, row.struck[i] * percent, row.struck[0], row.struck[1],
+                row.struck[2], row.struck[3], row.misses);
+    aimed += row.aimed_at[i];
+    struck += row.struck[i];
+  }
+  std::printf("\nOf %llu scenarios, `aimed_at` agrees in %d and `struck` in %d.\n\n",
+              static_cast<unsigned long long>(count), aimed, struck);
+  std::printf("| ms | median | 99 %% | most |\n| --- | ---: | ---: | ---: |\n");
+  print("`time_to_impact_s`, off the trainer's by", agreement.error_ms);
+  print("`touch_s`, before the trainer's by", agreement.lead_ms);
+}
+
+}  // namespace
+}  // namespace flinch
+
+int main(int argc, char** argv) {
+  if (argc < 2 || argc > 4) {
+    std::fprintf(stderr, "Usage: prediction_agreement LIBRARY [SCENARIOS [SEED]]\n");
+    return 2;
+  }
+  flinch::database::Library library;
+  if (flinch::database::read_library(std::string(argv[1]), library) !=
+      flinch::database::LoadStatus::ok) {
+    std::fprintf(stderr, "prediction_agreement: %s: not a library that can be read\n", argv[1]);
+    return 1;
+  }
+  const std::uint64_t count = argc > 2 ? std::strtoull(argv[2], nullptr, 10) : 20000;
+  const std::uint64_t seed = argc > 3 ? std::strtoull(argv[3], nullptr, 10) : 1;
+  print(flinch::agreement_of(library, count, seed), count);
+}

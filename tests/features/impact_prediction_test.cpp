@@ -1,0 +1,411 @@
+// SPDX-License-Identifier: MIT
+#include "features/impact_prediction.h"
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cmath>
+#include <limits>
+
+#include "features/free_flight.h"
+#include "features/outline.h"
+#include "motion/rotation.h"
+#include "tests/features/swaying_figure.h"
+#include "tests/motion/random_motion.h"
+
+namespace flinch::features {
+namespace {
+
+using motion::Body;
+using motion::Target;
+using tests::uniform;
+
+constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
+constexpr double kTouch_m = 1e-3;
+
+const tests::SwayingFigure& figure() {
+  static const tests::SwayingFigure figure;
+  return figure;
+}
+
+PredictedImpact predicted(const Threat& threat, const CharacterState& state = {},
+                          const PredictionOptions& options = {}) {
+  return predict_impact(threat, figure().swept, figure().idle, figure().sway, state, options);
+}
+
+double gap_at(const Threat& threat, const motion::Pose& pose, double time_s, float gravity_mps2) {
+  const FreeFlight ball{threat.position.cast<double>(), threat.velocity.cast<double>(),
+                        static_cast<double>(threat.radius), static_cast<double>(gravity_mps2)};
+  return figure().gap(pose, ball.position_at(time_s), ball.radius);
+}
+
+/// When a threat is within kTouch_m / 2 of the figure, by looking at very many moments: one every
+/// 2 mm of the ball's path while it may be near. Infinite if never before it bounces.
+template <class PoseAt>
+double sampled_touch_s(const Threat& threat, const PoseAt& pose_at,
+                       const PredictionOptions& options) {
+  const double gravity_mps2 = static_cast<double>(options.gravity_mps2);
+  const double radius = static_cast<double>(threat.radius);
+  const Eigen::Vector3d start = threat.position.cast<double>();
+  const Eigen::Vector3d velocity = threat.velocity.cast<double>();
+  const double horizon_s = static_cast<double>(options.horizon_s);
+  const double step_s = 0.002 / std::max(velocity.norm() + gravity_mps2 * horizon_s, 1.0);
+  for (double t = 0; t <= horizon_s; t += step_s) {
+    const Eigen::Vector3d ball =
+        start + t * velocity - 0.5 * gravity_mps2 * t * t * Eigen::Vector3d::UnitZ();
+    const bool falls = velocity.z() - gravity_mps2 * t < 0;
+    if (ball.z() < radius && falls) break;
+    const motion::Pose pose = pose_at(static_cast<float>(t));
+    if ((ball - pose.root_position.cast<double>()).norm() > 1.6 + radius) continue;
+    if (figure().gap(pose, ball, radius) <= 0.5 * kTouch_m) return t;
+  }
+  return std::numeric_limits<double>::infinity();
+}
+
+/// Whether the prediction is what the samples allow. Counts impacts.
+template <class PoseAt>
+void expect_as_sampled(const Threat& threat, const PredictedImpact& impact, const PoseAt& pose_at,
+                       const PredictionOptions& options, int& impacts, int& misses) {
+  ASSERT_NE(impact.outcome, Outcome::unusable);
+  const double sampled_s = sampled_touch_s(threat, pose_at, options);
+  if (impact.outcome == Outcome::miss) {
+    ++misses;
+    EXPECT_TRUE(std::isinf(sampled_s)) << "missed a touch at " << sampled_s;
+    return;
+  }
+  ++impacts;
+  const double touch_s = static_cast<double>(impact.touch_s);
+  EXPECT_LE(touch_s, std::min(sampled_s, static_cast<double>(options.horizon_s)) + 1e-6);
+  // At the time found it does touch, and what is named is what it touches. Time is a float.
+  const double rounding_m =
+      1e-6 + 1e-7 * touch_s * static_cast<double>(threat.velocity.norm() + 30);
+  const motion::Pose pose = pose_at(impact.touch_s);
+  EXPECT_LE(gap_at(threat, pose, touch_s, options.gravity_mps2), kTouch_m + rounding_m);
+  EXPECT_LE(figure().gap_of(impact.body, pose, impact.point.cast<double>(), 0), 1e-5);
+  EXPECT_EQ(impact.struck, motion::target_of(impact.body));
+  EXPECT_NEAR(impact.normal.norm(), 1, 1e-5F);
+  EXPECT_GE(impact.time_to_impact_s, impact.touch_s);
+}
+
+/// A ball whose centre passes `aside` from a random point of the figure's surface or inside, at
+/// `speed_mps`, after `time_s`.
+Threat thrown_near(std::mt19937& random, const motion::Pose& pose, float speed_mps, float time_s,
+                   const Eigen::Vector3f& from, float aside) {
+  const auto body = static_cast<Body>(random() % motion::kBodyCount);
+  const Eigen::Vector3f centre = figure().outlines(pose)[body].centre.cast<float>();
+  const Eigen::Vector3f across = from.cross(tests::random_direction(random)).normalized();
+  Threat threat;
+  threat.radius = uniform(random, 0.02F, 0.2F);
+  threat.velocity = -speed_mps * from + Eigen::Vector3f(0, 0, kGravity * time_s);
+  const Eigen::Vector3f goal = centre + aside * across;
+  threat.position =
+      goal - time_s * threat.velocity + Eigen::Vector3f(0, 0, 0.5F * kGravity * time_s * time_s);
+  return threat;
+}
+
+/// Threats that are hard in one way or another.
+Threat hard_threat(std::mt19937& random, const motion::Pose& pose) {
+  const Eigen::Vector3f anywhere = tests::random_direction(random);
+  const float speed = uniform(random, 3, 30);
+  const float time_s = uniform(random, 0.1F, 1.2F);
+  switch (random() % 8) {
+    case 0:  // close by a surface, on either side
+      return thrown_near(random, pose, speed, time_s, anywhere, uniform(random, 0.05F, 0.5F));
+    case 1:  // from behind
+      return thrown_near(random, pose, speed, time_s, {-1, 0, 0}, uniform(random, 0, 0.2F));
+    case 2: {  // from straight above, at rest or dropped
+      Threat threat = thrown_near(random, pose, 0.001F, 0, {0, 0, 1}, uniform(random, 0, 0.3F));
+      threat.position.z() = uniform(random, 1.9F, 6);
+      return threat;
+    }
+    case 3:  // a bullet
+      return thrown_near(random, pose, 300, 0.05F, anywhere, uniform(random, 0, 0.3F));
+    case 4:  // hardly moving
+      return thrown_near(random, pose, uniform(random, 0, 1), uniform(random, 0, 0.3F), anywhere,
+                         uniform(random, 0, 0.3F));
+    case 5: {  // thrown up, to come down on it
+      Threat threat = thrown_near(random, pose, 1, 0, {0, 0, 1}, uniform(random, 0, 0.2F));
+      threat.position.z() = uniform(random, 2, 3);
+      threat.velocity = {uniform(random, -0.2F, 0.2F), 0, uniform(random, 0, 8)};
+      return threat;
+    }
+    case 6:  // flying off
+      return thrown_near(random, pose, speed, -0.3F, anywhere, uniform(random, 0, 0.3F));
+    default:
+      return thrown_near(random, pose, speed, time_s, anywhere, uniform(random, 0, 0.1F));
+  }
+}
+
+TEST(PredictImpact, OfAnIdlingFigureIsWhatVeryManySamplesShow) {
+  std::mt19937 random(1);
+  const PredictionOptions options{.horizon_s = 1.5F};
+  int impacts = 0;
+  int misses = 0;
+  for (int i = 0; i < 400; ++i) {
+    const CharacterState state{.idle_time_s = uniform(random, 0, 9),
+                               .position = tests::random_vector(random, 3).head<2>(),
+                               .facing = uniform(random, -3, 3)};
+    const auto pose_at = [&](float time_s) { return idle_pose(figure().idle, state, time_s); };
+    const Threat threat = hard_threat(random, pose_at(0.5F));
+    SCOPED_TRACE(i);
+    expect_as_sampled(threat, predicted(threat, state, options), pose_at, options, impacts, misses);
+  }
+  EXPECT_GT(impacts, 100);
+  EXPECT_GT(misses, 80);
+}
+
+TEST(PredictImpact, OfAHeldPoseIsWhatVeryManySamplesShow) {
+  std::mt19937 random(2);
+  int impacts = 0;
+  int misses = 0;
+  for (int i = 0; i < 400; ++i) {
+    motion::Pose pose = tests::random_pose(random, 0.8F);
+    pose.root_position = {uniform(random, -1, 1), uniform(random, -1, 1), 1};
+    const PredictionOptions options{.horizon_s = 1.5F, .gravity_mps2 = i % 3 == 0 ? 0 : kGravity};
+    const Threat threat = hard_threat(random, pose);
+    SCOPED_TRACE(i);
+    expect_as_sampled(
+        threat, predict_impact(threat, figure().swept, pose, options), [&](float) { return pose; },
+        options, impacts, misses);
+  }
+  EXPECT_GT(impacts, 100);
+  EXPECT_GT(misses, 80);
+}
+
+// A level throw at the head's middle, without gravity: the head is an upright capsule.
+TEST(PredictImpact, GivesTheTimesOfAThrowAtTheHead) {
+  const motion::Pose& pose = figure().standing;
+  const motion::JointFrames frames = forward_kinematics(figure().character.skeleton, pose);
+  const Eigen::Vector3f middle = target_centre(figure().model, frames, Target::head);
+  const Outline head = figure().outlines(pose)[Body::head];
+  Threat threat;
+  threat.position = middle + Eigen::Vector3f(10, 0, 0);
+  threat.velocity = {-20, 0, 0};
+  ASSERT_LT(std::abs(middle.z() - static_cast<float>(head.centre.z())),
+            static_cast<float>(head.half_length));
+  const PredictedImpact impact = predict_impact(threat, figure().swept, pose, {.gravity_mps2 = 0});
+  const double surface = head.centre.x() + head.radius;
+  ASSERT_EQ(impact.outcome, Outcome::impact);
+  EXPECT_NEAR(impact.touch_s, (static_cast<double>(threat.position.x()) - 0.105 - surface) / 20,
+              kTouch_m / 20);
+  EXPECT_NEAR(impact.time_to_impact_s, 0.5, 1e-6);
+  EXPECT_EQ(impact.body, Body::head);
+  EXPECT_EQ(impact.struck, Target::head);
+  EXPECT_EQ(impact.aimed_at, Target::head);
+  EXPECT_LT(
+      (impact.point - Eigen::Vector3f(static_cast<float>(surface), middle.y(), middle.z())).norm(),
+      1e-5F);
+  EXPECT_LT((impact.normal - Eigen::Vector3f::UnitX()).norm(), 1e-5F);
+}
+
+// sqrt(2 h / g) of free fall onto the crown.
+TEST(PredictImpact, OfABallAtRestIsWhenItHasFallenOnTheHead) {
+  const Outline head = figure().outlines(figure().standing)[Body::head];
+  const float crown = static_cast<float>(head.centre.z() + head.half_length + head.radius);
+  Threat threat;
+  threat.position = head.centre.cast<float>();
+  threat.position.z() = crown + threat.radius + 0.5F;
+  const PredictedImpact impact = predict_impact(threat, figure().swept, figure().standing);
+  ASSERT_EQ(impact.outcome, Outcome::impact);
+  EXPECT_EQ(impact.body, Body::head);
+  EXPECT_NEAR(impact.touch_s, std::sqrt(1 / kGravity), 1e-3F);
+  // Without a fall, or beside the figure, it comes to nothing.
+  EXPECT_EQ(predict_impact(threat, figure().swept, figure().standing, {.gravity_mps2 = 0}).outcome,
+            Outcome::miss);
+  threat.position.x() += 2;
+  EXPECT_EQ(predict_impact(threat, figure().swept, figure().standing).outcome, Outcome::miss);
+}
+
+// Down at 45 degrees before the toes: it would reach them by going on into the ground.
+TEST(PredictImpact, ABallThatBouncesFirstMisses) {
+  const Outline foot = figure().outlines(figure().standing)[Body::left_foot];
+  Threat threat;
+  threat.velocity = {-10, 0, -10};
+  Eigen::Vector3f bounce = foot.centre.cast<float>();
+  bounce.z() = threat.radius;
+  while (figure().gap(figure().standing, bounce.cast<double>(), 0.105) < 0.02) bounce.x() += 0.001F;
+  const auto outcome = [&] {
+    return predict_impact(threat, figure().swept, figure().standing, {.gravity_mps2 = 0}).outcome;
+  };
+  threat.position = bounce - 0.1F * threat.velocity;
+  EXPECT_EQ(outcome(), Outcome::miss);
+  threat.position.x() -= 0.03F;
+  EXPECT_EQ(outcome(), Outcome::impact);
+}
+
+TEST(PredictImpact, ABallThatRollsIsToldByNoGravity) {
+  Threat threat;
+  threat.position = {3,
+                     figure().outlines(figure().standing)[Body::left_foot].centre.cast<float>().y(),
+                     threat.radius};
+  threat.velocity = {-3, 0, 0};
+  EXPECT_EQ(predict_impact(threat, figure().swept, figure().standing).outcome, Outcome::miss);
+  const PredictedImpact impact =
+      predict_impact(threat, figure().swept, figure().standing, {.gravity_mps2 = 0});
+  ASSERT_EQ(impact.outcome, Outcome::impact);
+  EXPECT_EQ(impact.struck, Target::legs);
+  EXPECT_EQ(impact.aimed_at, Target::legs);
+}
+
+TEST(PredictImpact, LaterThanTheHorizonIsAMiss) {
+  Threat threat;
+  threat.position = {20, 0, 1.2F};
+  threat.velocity = {-20, 0, kGravity / 2};
+  const PredictedImpact impact = predict_impact(threat, figure().swept, figure().standing);
+  ASSERT_EQ(impact.outcome, Outcome::impact);
+  const PredictionOptions shorter{.horizon_s = impact.touch_s - 0.001F};
+  EXPECT_EQ(predict_impact(threat, figure().swept, figure().standing, shorter).outcome,
+            Outcome::miss);
+}
+
+TEST(PredictImpact, ABallInsideABodyTouchesIt) {
+  for (const Outline& outline : figure().outlines(figure().standing)) {
+    Threat threat;
+    threat.position = outline.centre.cast<float>();
+    threat.velocity = {0, 0, 3};
+    const PredictedImpact impact = predict_impact(threat, figure().swept, figure().standing);
+    EXPECT_EQ(impact.outcome, Outcome::touching);
+    EXPECT_EQ(impact.touch_s, 0);
+    EXPECT_GE(impact.time_to_impact_s, 0);
+  }
+}
+
+TEST(PredictImpact, DoesNotChangeWhenTheWholeWorldIsTurnedAndMoved) {
+  std::mt19937 random(3);
+  int impacts = 0;
+  for (int i = 0; i < 300; ++i) {
+    const CharacterState state{.idle_time_s = uniform(random, 0, 9)};
+    const Threat threat = hard_threat(random, figure().standing);
+    CharacterState moved = state;
+    moved.position = {3, -2};
+    moved.facing = uniform(random, -3, 3);
+    const Eigen::Quaternionf turn = motion::turn_about(Eigen::Vector3f::UnitZ(), moved.facing);
+    Threat turned = threat;
+    turned.position = turn * threat.position + Eigen::Vector3f(3, -2, 0);
+    turned.velocity = turn * threat.velocity;
+    const PredictedImpact here = predicted(threat, state);
+    const PredictedImpact there = predicted(turned, moved);
+    if (here.outcome != Outcome::impact || there.outcome != Outcome::impact) {
+      continue;  // a graze may fall on either side
+    }
+    ++impacts;
+    EXPECT_NEAR(here.touch_s, there.touch_s, 2e-3F / threat.velocity.norm() + 1e-4F);
+    EXPECT_EQ(here.aimed_at, there.aimed_at);
+    EXPECT_NEAR(here.time_to_impact_s, there.time_to_impact_s, 1e-3F);
+  }
+  EXPECT_GT(impacts, 80);
+}
+
+TEST(PredictImpact, AHeldPoseIsAnIdleClipOfOnePose) {
+  std::mt19937 random(4);
+  motion::Motion still;
+  still.poses.push_back(figure().standing);
+  const Sway sway = sway_of(figure().character.skeleton, figure().model, still);
+  for (int i = 0; i < 200; ++i) {
+    const Threat threat = hard_threat(random, figure().standing);
+    const PredictedImpact held = predict_impact(threat, figure().swept, figure().standing);
+    const PredictedImpact idle = predict_impact(threat, figure().swept, still, sway, {});
+    EXPECT_EQ(held.outcome, idle.outcome);
+    EXPECT_EQ(held.body, idle.body);
+    EXPECT_NEAR(held.touch_s, idle.touch_s, 1e-5F);
+    EXPECT_NEAR(held.time_to_impact_s, idle.time_to_impact_s, 1e-5F);
+  }
+}
+
+TEST(PredictImpact, TakesPosesFromAnyFunctionOfTime) {
+  // Walks into a ball that hangs in the air 1 m ahead of its chest.
+  const Outline chest = figure().outlines(figure().standing)[Body::chest];
+  Threat threat;
+  threat.position = chest.centre.cast<float>() + Eigen::Vector3f(1, 0, 0);
+  const auto walks = [&](float time_s) {
+    motion::Pose pose = figure().standing;
+    pose.root_position.x() += 1.5F * time_s;
+    return pose;
+  };
+  const Sway sway{.middle = walks(0.5F).root_position, .radius = 1, .most_speed_mps = 1.5F};
+  const PredictedImpact impact = predict_impact(threat, figure().swept, PosesAhead(walks, sway),
+                                                {.horizon_s = 1, .gravity_mps2 = 0});
+  ASSERT_EQ(impact.outcome, Outcome::impact);
+  EXPECT_EQ(impact.body, Body::chest);
+  EXPECT_NEAR(static_cast<double>(impact.touch_s), (1 - 0.105 - chest.half_extents.x()) / 1.5,
+              kTouch_m / 1.5 + 1e-6);
+}
+
+TEST(PredictImpact, RefusesWhatCannotBeUsed) {
+  Threat threat;
+  threat.position = {5, 0, 1.2F};
+  threat.velocity = {-15, 0, 1};
+  ASSERT_EQ(predicted(threat).outcome, Outcome::impact);
+  for (float bad : {kNan, kInfinity, -kInfinity, 2e6F}) {
+    for (int i = 0; i < 3; ++i) {
+      Threat wrong = threat;
+      wrong.position[i] = bad;
+      EXPECT_EQ(predicted(wrong).outcome, Outcome::unusable);
+      wrong = threat;
+      wrong.velocity[i] = bad;
+      EXPECT_EQ(predicted(wrong).outcome, Outcome::unusable);
+    }
+    Threat wrong = threat;
+    wrong.radius = bad;
+    EXPECT_EQ(predicted(wrong).outcome, Outcome::unusable);
+    EXPECT_EQ(predicted(threat, {}, {.horizon_s = bad}).outcome, Outcome::unusable);
+    EXPECT_EQ(predicted(threat, {}, {.gravity_mps2 = bad}).outcome, Outcome::unusable);
+    EXPECT_EQ(predicted(threat, {.position = {bad, 0}}).outcome, Outcome::unusable);
+  }
+  for (float bad : {kNan, kInfinity}) {
+    EXPECT_EQ(predicted(threat, {.facing = bad}).outcome, Outcome::unusable);
+    EXPECT_EQ(predicted(threat, {.idle_time_s = bad}).outcome, Outcome::unusable);
+    motion::Pose pose = figure().standing;
+    pose.rotation[motion::Role::chest].x() = bad;
+    EXPECT_EQ(predict_impact(threat, figure().swept, pose).outcome, Outcome::unusable);
+    pose = figure().standing;
+    pose.root_position.y() = bad;
+    EXPECT_EQ(predict_impact(threat, figure().swept, pose).outcome, Outcome::unusable);
+  }
+  Threat negative = threat;
+  negative.radius = -0.1F;
+  EXPECT_EQ(predicted(negative).outcome, Outcome::unusable);
+  EXPECT_EQ(predict_impact(threat, {}, figure().standing).outcome, Outcome::unusable);
+  EXPECT_EQ(predict_impact(threat, figure().swept, motion::Motion{}, Sway{}, {}).outcome,
+            Outcome::unusable);
+}
+
+/// Any float at all, or one of everyday size.
+float any_float(std::mt19937& random) {
+  if (random() % 4 == 0) return std::bit_cast<float>(static_cast<std::uint32_t>(random()));
+  if (random() % 4 == 0) return 0;
+  const float size = std::pow(10.0F, uniform(random, -4, 6));
+  return uniform(random, -size, size);
+}
+
+TEST(PredictImpact, EndsWithFiniteNumbersForAnyInput) {
+  std::mt19937 random(5);
+  int usable = 0;
+  int impacts = 0;
+  for (int i = 0; i < 20000; ++i) {
+    Threat threat;
+    for (int k = 0; k < 3; ++k) {
+      threat.position[k] = any_float(random);
+      threat.velocity[k] = any_float(random);
+    }
+    if (random() % 2 == 0) threat.radius = any_float(random);
+    PredictionOptions options;
+    if (random() % 2 == 0) options.horizon_s = any_float(random);
+    if (random() % 2 == 0) options.gravity_mps2 = any_float(random);
+    const PredictedImpact impact =
+        random() % 2 == 0 ? predicted(threat, {}, options)
+                          : predict_impact(threat, figure().swept, figure().standing, options);
+    if (impact.outcome != Outcome::unusable) ++usable;
+    if (impact.outcome == Outcome::impact || impact.outcome == Outcome::touching) ++impacts;
+    EXPECT_TRUE(std::isfinite(impact.touch_s) && std::isfinite(impact.time_to_impact_s) &&
+                impact.point.allFinite() && impact.normal.allFinite());
+    EXPECT_LE(0, impact.touch_s);
+    EXPECT_LE(impact.touch_s, impact.time_to_impact_s);
+  }
+  EXPECT_GT(usable, 2000);
+  EXPECT_GT(impacts, 200);
+}
+
+}  // namespace
+}  // namespace flinch::features
