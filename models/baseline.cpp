@@ -10,7 +10,7 @@ namespace flinch::models {
 
 int nearest_annotation(std::span<const ClipSummary> clips, int idle, motion::Target threatened,
                        float azimuth) {
-  const std::vector<bool> allowed = allowed_clips(clips, idle, threatened);
+  const ClipMask allowed = allowed_clips(clips, idle, threatened);
   int best = idle;
   std::pair<bool, double> least{true, 2 * std::numbers::pi};  // other target, angle
   for (std::size_t i = 0; i < clips.size(); ++i) {
@@ -32,7 +32,7 @@ int nearest_annotation(std::span<const ClipSummary> clips, int idle, motion::Tar
 // Reducing 64 bits by the few clips of a library favours none by more than one in 2^50.
 int random_allowed(std::span<const ClipSummary> clips, int idle, motion::Target threatened,
                    std::uint64_t draw) {
-  const std::vector<bool> allowed = allowed_clips(clips, idle, threatened);
+  const ClipMask allowed = allowed_clips(clips, idle, threatened);
   std::vector<int> choices;
   for (std::size_t i = 0; i < allowed.size(); ++i) {
     if (allowed[i]) {

@@ -65,7 +65,7 @@ Choices no_choices(const TrainingSet& set, std::size_t rows) {
 class MaskedNeighbours {
  public:
   explicit MaskedNeighbours(const TrainingSet& set) {
-    for (const std::vector<bool>& mask : set.masks) {
+    for (const ClipMask& mask : set.masks) {
       std::vector<int> rows;
       for (int i = 0; i < set.size(); ++i) {
         if (mask[static_cast<std::size_t>(set.label[static_cast<std::size_t>(i)])]) {
@@ -103,7 +103,7 @@ void choose_for_fold(const TrainingSet& set, std::span<const KnnParameters> grid
         neighbours.nearest(set.mask[i], set.point(observation), most);
     for (std::size_t row = 0; row < grid.size(); ++row) {
       const auto k = std::min(static_cast<std::size_t>(grid[row].k), found.size());
-      const std::vector<Candidate> ranked =
+      const std::pmr::vector<Candidate> ranked =
           count_votes(std::span(found).first(k), neighbours.labels(set.mask[i]), grid[row].vote);
       choices[row][i] = ranked.empty() ? set.idle : ranked.front().clip;
     }

@@ -18,9 +18,9 @@ double squared_distance(std::span<const double> a, const double* b) {
 
 // The nearest so far are a heap with the farthest on top. Observations come by rising index, so one
 // that is as far as the top is behind it in order and does not enter.
-std::vector<Neighbour> nearest(const KnnModel& model, std::span<const double> scaled, int k,
-                               const std::vector<bool>& allowed_clips) {
-  std::vector<Neighbour> found;
+std::pmr::vector<Neighbour> nearest(const KnnModel& model, std::span<const double> scaled, int k,
+                                    const ClipMask& allowed_clips, Memory memory) {
+  std::pmr::vector<Neighbour> found(memory);
   const auto most = std::min(static_cast<std::size_t>(std::max(k, 0)), model.label.size());
   if (most == 0) {
     return found;
@@ -46,13 +46,15 @@ std::vector<Neighbour> nearest(const KnnModel& model, std::span<const double> sc
   return found;
 }
 
-std::vector<Candidate> count_votes(std::span<const Neighbour> neighbours,
-                                   std::span<const int> label, KnnVote vote) {
+std::pmr::vector<Candidate> count_votes(std::span<const Neighbour> neighbours,
+                                        std::span<const int> label, KnnVote vote, Memory memory) {
   struct Tally {
     int clip;
     double votes;
+    std::size_t place;  // in the order of each clip's nearest neighbour
   };
-  std::vector<Tally> tallies;  // in the order of each clip's nearest neighbour
+  std::pmr::vector<Tally> tallies(memory);
+  tallies.reserve(neighbours.size());
   double cast = 0;
   for (const Neighbour& neighbour : neighbours) {
     const int clip = label[static_cast<std::size_t>(neighbour.observation)];
@@ -61,15 +63,17 @@ std::vector<Candidate> count_votes(std::span<const Neighbour> neighbours,
     auto tally = std::find_if(tallies.begin(), tallies.end(),
                               [clip](const Tally& other) { return other.clip == clip; });
     if (tally == tallies.end()) {
-      tally = tallies.insert(tally, {clip, 0});
+      tally = tallies.insert(tally, {clip, 0, tallies.size()});
     }
     tally->votes += weight;
     cast += weight;
   }
-  std::stable_sort(tallies.begin(), tallies.end(),
-                   [](const Tally& a, const Tally& b) { return a.votes > b.votes; });
-  std::vector<Candidate> candidates;
-  candidates.reserve(tallies.size());
+  // Not std::stable_sort, which allocates.
+  std::sort(tallies.begin(), tallies.end(), [](const Tally& a, const Tally& b) {
+    return a.votes != b.votes ? a.votes > b.votes : a.place < b.place;
+  });
+  std::pmr::vector<Candidate> candidates(memory);
+  candidates.reserve(neighbours.size());
   for (const Tally& tally : tallies) {
     candidates.push_back({tally.clip, static_cast<float>(tally.votes / cast)});
   }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "models/candidate.h"
+#include "models/clip_mask.h"
 
 namespace flinch::models {
 
@@ -40,12 +41,14 @@ double squared_distance(std::span<const double> a, const double* b);
 
 /// The k nearest observations whose label is allowed (all when `allowed_clips` is empty), nearest
 /// first, ties by the lower index; fewer when there are not k.
-std::vector<Neighbour> nearest(const KnnModel& model, std::span<const double> scaled, int k,
-                               const std::vector<bool>& allowed_clips);
+std::pmr::vector<Neighbour> nearest(const KnnModel& model, std::span<const double> scaled, int k,
+                                    const ClipMask& allowed_clips,
+                                    Memory memory = std::pmr::get_default_resource());
 
 /// What the neighbours, nearest first, vote for: more votes first, then the clip with the nearer
 /// neighbour. `label` is the clip index of each observation. Empty only without neighbours.
-std::vector<Candidate> count_votes(std::span<const Neighbour> neighbours,
-                                   std::span<const int> label, KnnVote vote);
+std::pmr::vector<Candidate> count_votes(std::span<const Neighbour> neighbours,
+                                        std::span<const int> label, KnnVote vote,
+                                        Memory memory = std::pmr::get_default_resource());
 
 }  // namespace flinch::models

@@ -6,11 +6,19 @@
 #include <cstddef>
 
 namespace flinch::models {
+namespace {
 
-std::vector<Candidate> candidates(const SvmModel& model, std::span<const double> scaled,
-                                  const std::vector<bool>& allowed_clips, int idle) {
-  std::vector<char> allowed(model.label.size());
-  std::vector<std::size_t> classes;
+std::pmr::vector<Candidate> only(const Candidate& candidate, Memory memory) {
+  return {std::size_t{1}, candidate, memory};
+}
+
+}  // namespace
+
+std::pmr::vector<Candidate> candidates(const SvmModel& model, std::span<const double> scaled,
+                                       const ClipMask& allowed_clips, int idle, Memory memory) {
+  std::pmr::vector<char> allowed(model.label.size(), memory);
+  std::pmr::vector<std::size_t> classes(memory);
+  classes.reserve(model.label.size());
   for (std::size_t c = 0; c < model.label.size(); ++c) {
     allowed[c] = allowed_clips[static_cast<std::size_t>(model.label[c])];
     if (allowed[c]) {
@@ -18,17 +26,19 @@ std::vector<Candidate> candidates(const SvmModel& model, std::span<const double>
     }
   }
   if (classes.empty()) {
-    return {{idle, 0.0F}};
+    return only({idle, 0.0F}, memory);
   }
   if (classes.size() == 1) {
-    return {{model.label[classes[0]], 1.0F}};
+    return only({model.label[classes[0]], 1.0F}, memory);
   }
-  std::vector<int> votes(model.label.size());
-  vote(model, scaled, allowed, votes);
-  std::stable_sort(classes.begin(), classes.end(),
-                   [&](std::size_t a, std::size_t b) { return votes[a] > votes[b]; });
+  std::pmr::vector<int> votes(model.label.size(), memory);
+  vote(model, scaled, allowed, votes, memory);
+  // Not std::stable_sort, which allocates.
+  std::sort(classes.begin(), classes.end(), [&](std::size_t a, std::size_t b) {
+    return votes[a] != votes[b] ? votes[a] > votes[b] : a < b;
+  });
   const auto machines = static_cast<float>(classes.size() * (classes.size() - 1) / 2);
-  std::vector<Candidate> ranked;
+  std::pmr::vector<Candidate> ranked(memory);
   ranked.reserve(classes.size());
   for (const std::size_t c : classes) {
     ranked.push_back({model.label[c], static_cast<float>(votes[c]) / machines});
@@ -36,23 +46,22 @@ std::vector<Candidate> candidates(const SvmModel& model, std::span<const double>
   return ranked;
 }
 
-std::vector<Candidate> candidates(const KnnModel& model, std::span<const double> scaled,
-                                  const std::vector<bool>& allowed_clips, int idle) {
-  std::vector<Candidate> ranked =
-      count_votes(nearest(model, scaled, model.k, allowed_clips), model.label, model.vote);
-  if (ranked.empty()) {
-    ranked.push_back({idle, 0.0F});
+std::pmr::vector<Candidate> candidates(const KnnModel& model, std::span<const double> scaled,
+                                       const ClipMask& allowed_clips, int idle, Memory memory) {
+  const auto neighbours = nearest(model, scaled, model.k, allowed_clips, memory);
+  if (neighbours.empty()) {
+    return only({idle, 0.0F}, memory);
   }
-  return ranked;
+  return count_votes(neighbours, model.label, model.vote, memory);
 }
 
-std::vector<Candidate> candidates(const Selector& selector, const features::FeatureVector& x,
-                                  motion::Target threatened) {
+std::pmr::vector<Candidate> candidates(const Selector& selector, const features::FeatureVector& x,
+                                       motion::Target threatened, Memory memory) {
   std::array<double, features::kFeatureCount> scaled{};
   selector.scaling.apply(x, scaled);
-  const std::vector<bool> allowed = allowed_clips(selector.clips, selector.idle, threatened);
+  const ClipMask allowed = allowed_clips(selector.clips, selector.idle, threatened, memory);
   return std::visit(
-      [&](const auto& model) { return candidates(model, scaled, allowed, selector.idle); },
+      [&](const auto& model) { return candidates(model, scaled, allowed, selector.idle, memory); },
       selector.model);
 }
 
@@ -60,9 +69,9 @@ int select(const Selector& selector, const features::FeatureVector& x, motion::T
   return candidates(selector, x, threatened).front().clip;
 }
 
-std::vector<bool> allowed_clips(std::span<const ClipSummary> clips, int idle,
-                                motion::Target threatened) {
-  std::vector<bool> allowed(clips.size());
+ClipMask allowed_clips(std::span<const ClipSummary> clips, int idle, motion::Target threatened,
+                       Memory memory) {
+  ClipMask allowed(clips.size(), memory);
   for (std::size_t i = 0; i < clips.size(); ++i) {
     allowed[i] =
         static_cast<int>(i) == idle || features::is_allowed(threatened, clips[i].annotation);

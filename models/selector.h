@@ -45,20 +45,23 @@ struct Selector {
 /// the model's class order; a KNN's are its neighbours' labels, ties by the nearer neighbour. Where
 /// the model knows no allowed clip the idle clip is the last resort, with no vote: never empty.
 /// `scaled` has the model's feature_count values.
-std::vector<Candidate> candidates(const SvmModel& model, std::span<const double> scaled,
-                                  const std::vector<bool>& allowed_clips, int idle);
-std::vector<Candidate> candidates(const KnnModel& model, std::span<const double> scaled,
-                                  const std::vector<bool>& allowed_clips, int idle);
+std::pmr::vector<Candidate> candidates(const SvmModel& model, std::span<const double> scaled,
+                                       const ClipMask& allowed_clips, int idle,
+                                       Memory memory = std::pmr::get_default_resource());
+std::pmr::vector<Candidate> candidates(const KnnModel& model, std::span<const double> scaled,
+                                       const ClipMask& allowed_clips, int idle,
+                                       Memory memory = std::pmr::get_default_resource());
 
 /// The candidates of the selector's model. `x` is not scaled.
-std::vector<Candidate> candidates(const Selector& selector, const features::FeatureVector& x,
-                                  motion::Target threatened);
+std::pmr::vector<Candidate> candidates(const Selector& selector, const features::FeatureVector& x,
+                                       motion::Target threatened,
+                                       Memory memory = std::pmr::get_default_resource());
 
 /// The first of the candidates.
 int select(const Selector& selector, const features::FeatureVector& x, motion::Target threatened);
 
 /// Which clips are allowed for a threat at this target, by index; the idle clip always is.
-std::vector<bool> allowed_clips(std::span<const ClipSummary> clips, int idle,
-                                motion::Target threatened);
+ClipMask allowed_clips(std::span<const ClipSummary> clips, int idle, motion::Target threatened,
+                       Memory memory = std::pmr::get_default_resource());
 
 }  // namespace flinch::models

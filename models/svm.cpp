@@ -44,15 +44,17 @@ void evaluate_kernel(const SvmModel& model, std::span<const double> scaled, std:
 // libsvm adds the terms of one machine after another; here the vectors are the outer loop and all
 // machines of their class the inner one, which adds the same terms to each sum in the same order.
 void vote(const SvmModel& model, std::span<const double> scaled, std::span<const char> allowed,
-          std::span<int> votes) {
+          std::span<int> votes, Memory memory) {
   std::fill(votes.begin(), votes.end(), 0);
   const std::size_t classes = model.label.size();
   if (classes < 2) {
     return;
   }
   const std::size_t machines = classes - 1;  // of one class
-  std::vector<double> sums(classes * machines, 0.0);
-  std::vector<double> kernel(static_cast<std::size_t>(model.vector_count()));
+  std::pmr::vector<double> sums(classes * machines, 0.0, memory);
+  const int most_vectors =
+      *std::max_element(model.vectors_of_class.begin(), model.vectors_of_class.end());
+  std::pmr::vector<double> kernel_of_class(static_cast<std::size_t>(most_vectors), memory);
   std::size_t first = 0;
   for (std::size_t c = 0; c < classes; ++c) {
     const auto count = static_cast<std::size_t>(model.vectors_of_class[c]);
@@ -61,9 +63,10 @@ void vote(const SvmModel& model, std::span<const double> scaled, std::span<const
       for (std::size_t lower = 0; lower < c; ++lower) {
         own[lower] = sums[lower * machines + c - 1];
       }
-      evaluate_kernel(model, scaled, first, std::span(kernel).subspan(first, count));
-      for (std::size_t vector = first; vector < first + count; ++vector) {
-        const double* coefficients = &model.coefficients[vector * machines];
+      const auto kernel = std::span(kernel_of_class).first(count);
+      evaluate_kernel(model, scaled, first, kernel);
+      for (std::size_t vector = 0; vector < count; ++vector) {
+        const double* coefficients = &model.coefficients[(first + vector) * machines];
         for (std::size_t machine = 0; machine < machines; ++machine) {
           own[machine] += coefficients[machine] * kernel[vector];
         }

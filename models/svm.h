@@ -5,6 +5,8 @@
 #include <span>
 #include <vector>
 
+#include "models/clip_mask.h"
+
 namespace flinch::models {
 
 /// A C-SVC with a polynomial kernel K(u, v) = (gamma u.v + coef0)^degree and one machine for each
@@ -35,10 +37,9 @@ struct SvmModel {
 };
 
 /// Votes for each class by the pairwise machines, of pairs of allowed classes only. `scaled` has
-/// feature_count values, `allowed` and `votes` class_count; allocates only while it evaluates the
-/// machines.
+/// feature_count values, `allowed` and `votes` class_count.
 void vote(const SvmModel& model, std::span<const double> scaled, std::span<const char> allowed,
-          std::span<int> votes);
+          std::span<int> votes, Memory memory = std::pmr::get_default_resource());
 
 /// The class index with the most votes among all classes, the lowest on a tie: svm_predict's rule.
 int predict(const SvmModel& model, std::span<const double> scaled);

@@ -22,7 +22,7 @@ void check_observation(const TrainingSet& set, int observation) {
     throw Error("", which + " names mask " + std::to_string(set.mask[i]) + " of " +
                         std::to_string(set.masks.size()));
   }
-  const std::vector<bool>& allowed = set.allowed_clips(observation);
+  const ClipMask& allowed = set.allowed_clips(observation);
   const int label = set.label[i];
   if (label < 0 || static_cast<std::size_t>(label) >= allowed.size() ||
       !allowed[static_cast<std::size_t>(label)]) {

@@ -4,6 +4,8 @@
 #include <span>
 #include <vector>
 
+#include "models/clip_mask.h"
+
 namespace flinch::models {
 
 /// Labelled observations that a model is fitted to.
@@ -13,7 +15,7 @@ struct TrainingSet {
   std::vector<int> label;      ///< clip index, one an observation
   std::vector<int> mask;       ///< index into `masks`, one an observation
   /// Which clips are allowed, by clip index: one mask a target.
-  std::vector<std::vector<bool>> masks;
+  std::vector<ClipMask> masks;
   int idle = 0;  ///< the library's idle clip
 
   int size() const { return static_cast<int>(label.size()); }
@@ -21,7 +23,7 @@ struct TrainingSet {
     const auto count = static_cast<std::size_t>(feature_count);
     return {points.data() + static_cast<std::size_t>(observation) * count, count};
   }
-  const std::vector<bool>& allowed_clips(int observation) const {
+  const ClipMask& allowed_clips(int observation) const {
     return masks[static_cast<std::size_t>(mask[static_cast<std::size_t>(observation)])];
   }
 };

@@ -144,7 +144,7 @@ TEST(ChooseParameters, MinimisesTheScoreItIsGiven) {
 TrainingSet masked_clouds(int count) {
   TrainingSet set = random_clouds(8, count, 9, 6);
   set.idle = 0;
-  set.masks.assign(3, std::vector<bool>(18, true));
+  set.masks.assign(3, ClipMask(18, true));
   for (std::size_t mask = 0; mask < 3; ++mask) {
     for (std::size_t clip = mask; clip < 18; clip += 3) {
       set.masks[mask][clip] = false;

@@ -19,7 +19,7 @@ namespace {
 
 /// Every observation sorted by distance and then by index.
 std::vector<Neighbour> all_sorted(const KnnModel& model, std::span<const double> query,
-                                  const std::vector<bool>& allowed) {
+                                  const ClipMask& allowed) {
   std::vector<Neighbour> all;
   const auto count = static_cast<std::size_t>(model.feature_count);
   for (std::size_t i = 0; i < model.label.size(); ++i) {
@@ -39,7 +39,7 @@ std::vector<Neighbour> all_sorted(const KnnModel& model, std::span<const double>
   return all;
 }
 
-void expect_same(const std::vector<Neighbour>& found, const std::vector<Neighbour>& sorted, int k) {
+void expect_same(std::span<const Neighbour> found, std::span<const Neighbour> sorted, int k) {
   ASSERT_EQ(found.size(), std::min(sorted.size(), static_cast<std::size_t>(k)));
   for (std::size_t i = 0; i < found.size(); ++i) {
     ASSERT_EQ(found[i].observation, sorted[i].observation) << "neighbour " << i;
@@ -65,7 +65,7 @@ TEST(Knn, FindsTheNearestAllowedObservations) {
   for (const KnnModel& model : {random_model(2, 700, 5), model_of_ties(3, 700, 5)}) {
     for (int i = 0; i < 300; ++i) {
       const std::vector<double> query = random_point(random, 5);
-      std::vector<bool> allowed(16);
+      ClipMask allowed(16);
       for (std::size_t clip = 0; clip < allowed.size(); ++clip) {
         allowed[clip] = random() % 3 == 0;
       }
@@ -80,7 +80,7 @@ TEST(Knn, FindsFewerWhereThereAreFewer) {
   const KnnModel model = random_model(4, 20, 3);
   const std::vector<double> query{0, 0, 0};
   EXPECT_EQ(nearest(model, query, 50, {}).size(), 20U);
-  EXPECT_TRUE(nearest(model, query, 3, std::vector<bool>(16, false)).empty());
+  EXPECT_TRUE(nearest(model, query, 3, ClipMask(16, false)).empty());
   EXPECT_TRUE(nearest(model, query, 0, {}).empty());
 }
 
@@ -140,7 +140,7 @@ TEST(Knn, DistancesAreFlanns) {
     std::vector<std::vector<double>> distances;
     index.knnSearch(flann::Matrix<double>(query.data(), 1, 16), indices, distances, 10,
                     flann::SearchParams(flann::FLANN_CHECKS_UNLIMITED));
-    const std::vector<Neighbour> found = nearest(model, query, 10, {});
+    const auto found = nearest(model, query, 10, {});
     for (std::size_t n = 0; n < 10; ++n) {
       ASSERT_EQ(found[n].observation, indices[0][n]);
       ASSERT_NEAR(found[n].squared_distance, distances[0][n], 1e-12);
@@ -148,7 +148,7 @@ TEST(Knn, DistancesAreFlanns) {
   }
 }
 
-std::vector<int> clips_of(const std::vector<Candidate>& candidates) {
+std::vector<int> clips_of(std::span<const Candidate> candidates) {
   std::vector<int> clips;
   for (const Candidate& candidate : candidates) {
     clips.push_back(candidate.clip);

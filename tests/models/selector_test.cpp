@@ -31,7 +31,7 @@ SvmModel hand_made_svm() {
 
 TEST(SvmCandidates, RankByVotesThenByTheModelsOrder) {
   const SvmModel model = hand_made_svm();
-  const std::vector<bool> all(6, true);
+  const ClipMask all(6, true);
   // x = 3: (0,1) -> 0, (0,2) -> 0, (1,2) -> 1.
   auto ranked = candidates(model, std::vector<double>{3}, all, 0);
   ASSERT_EQ(ranked.size(), 3U);
@@ -49,7 +49,7 @@ TEST(SvmCandidates, RankByVotesThenByTheModelsOrder) {
 }
 
 TEST(SvmCandidates, ForbiddenClipsNeitherVoteNorStand) {
-  std::vector<bool> allowed(6, true);
+  ClipMask allowed(6, true);
   allowed[3] = false;
   const auto ranked = candidates(hand_made_svm(), std::vector<double>{1}, allowed, 0);
   ASSERT_EQ(ranked.size(), 2U);
@@ -59,7 +59,7 @@ TEST(SvmCandidates, ForbiddenClipsNeitherVoteNorStand) {
 }
 
 TEST(SvmCandidates, AnOnlyChoiceHasAllVotes) {
-  std::vector<bool> allowed(6, false);
+  ClipMask allowed(6, false);
   allowed[3] = true;
   const auto ranked = candidates(hand_made_svm(), std::vector<double>{1}, allowed, 0);
   ASSERT_EQ(ranked.size(), 1U);
@@ -68,7 +68,7 @@ TEST(SvmCandidates, AnOnlyChoiceHasAllVotes) {
 }
 
 TEST(Candidates, IdleIsTheLastResort) {
-  std::vector<bool> allowed(6, false);
+  ClipMask allowed(6, false);
   allowed[0] = allowed[4] = true;
   auto ranked = candidates(hand_made_svm(), std::vector<double>{1}, allowed, 4);
   ASSERT_EQ(ranked.size(), 1U);
@@ -84,7 +84,7 @@ TEST(Candidates, IdleIsTheLastResort) {
 
 TEST(KnnCandidates, AreTheNeighboursAllowedLabels) {
   const KnnModel knn{3, KnnVote::majority, 1, {0.0, 1.0, 2.0, 3.0, 4.0}, {5, 3, 5, 1, 1}};
-  std::vector<bool> allowed(6, true);
+  ClipMask allowed(6, true);
   auto ranked = candidates(knn, std::vector<double>{0.9}, allowed, 0);
   ASSERT_EQ(ranked.size(), 2U);
   EXPECT_EQ(ranked[0].clip, 5);

@@ -28,7 +28,7 @@ inline TrainingSet make_set(int feature_count, std::vector<double> points, std::
   set.points = std::move(points);
   set.mask.assign(label.size(), 0);
   set.label = std::move(label);
-  set.masks = {std::vector<bool>(static_cast<std::size_t>(clip_count), true)};
+  set.masks = {ClipMask(static_cast<std::size_t>(clip_count), true)};
   return set;
 }
 
