@@ -42,6 +42,8 @@ flinch_status status_of(Status status) noexcept {
       return FLINCH_UNNOTICED;
     case Status::not_loaded:
       return FLINCH_BAD_HANDLE;
+    case Status::other_workspace:
+      return FLINCH_OTHER_LIBRARY;
     case Status::bad_clip:
       return FLINCH_BAD_CLIP;
     case Status::bad_threat:
@@ -79,9 +81,10 @@ flinch_status status_of(LoadStatus status) noexcept {
 }
 
 features::Threat threat_of(const flinch_threat& threat) {
-  const features::Threat usual;
-  const flinch_threat from =
-      read_struct(threat, flinch_threat{.radius = usual.radius, .mass_kg = usual.mass_kg});
+  flinch_threat defaults{};
+  defaults.radius = features::Threat{}.radius;
+  defaults.mass_kg = features::Threat{}.mass_kg;
+  const flinch_threat from = read_struct(threat, defaults);
   return {.position = Eigen::Vector3f(from.position),
           .velocity = Eigen::Vector3f(from.velocity),
           .radius = from.radius,

@@ -14,6 +14,7 @@
 #include "runtime/c_values.h"
 #include "runtime/character.h"
 #include "runtime/library.h"
+#include "runtime/pose_check.h"
 #include "runtime/workspace.h"
 
 namespace motion = flinch::motion;
