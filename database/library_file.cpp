@@ -97,6 +97,7 @@ bool read_stored(const schema::Library& stored, Library& library) {
 }
 
 LoadStatus read_unsealed(const Unsealed& file, Library& library) {
+  if (file.status != LoadStatus::ok) return file.status;
   flatbuffers::Verifier verifier(reinterpret_cast<const std::uint8_t*>(file.content.data()),
                                  file.content.size());
   if (!schema::VerifyLibraryBuffer(verifier)) return LoadStatus::damaged;
@@ -109,20 +110,18 @@ LoadStatus read_unsealed(const Unsealed& file, Library& library) {
   return LoadStatus::ok;
 }
 
-bool is_aligned(std::span<const std::byte> bytes) {
-  return reinterpret_cast<std::uintptr_t>(bytes.data()) % alignof(std::max_align_t) == 0;
-}
-
 }  // namespace
 
 LoadStatus read_library(std::span<const std::byte> bytes, Library& library) noexcept try {
-  std::vector<std::byte> aligned;
-  if (!is_aligned(bytes)) {
-    aligned.assign(bytes.begin(), bytes.end());
-    bytes = aligned;
-  }
-  const Unsealed file = unseal(kLibraryKind, bytes);
-  return file.status == LoadStatus::ok ? read_unsealed(file, library) : file.status;
+  std::vector<std::byte> storage;
+  return read_unsealed(unseal(kLibraryKind, aligned(bytes, storage)), library);
+} catch (const std::bad_alloc&) {
+  return LoadStatus::out_of_memory;
+}
+
+LoadStatus read_enclosed_library(std::span<const std::byte> bytes, Library& library) noexcept try {
+  std::vector<std::byte> storage;
+  return read_unsealed(unseal_enclosed(kLibraryKind, aligned(bytes, storage)), library);
 } catch (const std::bad_alloc&) {
   return LoadStatus::out_of_memory;
 }

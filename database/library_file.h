@@ -19,6 +19,10 @@ LoadStatus read_library(std::span<const std::byte> bytes, Library& library) noex
 /// The same from a file.
 LoadStatus read_library(const std::string& path, Library& library) noexcept;
 
+/// The same from the bytes of a library file that stands inside another sealed file, which was
+/// found whole; see unseal_enclosed().
+LoadStatus read_enclosed_library(std::span<const std::byte> bytes, Library& library) noexcept;
+
 /// Why a library could not be used.
 struct LibraryFault {
   std::optional<std::size_t> clip;  ///< index of the clip that is at fault, if one is

@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <new>
+#include <system_error>
 
 namespace flinch::database {
 namespace {
@@ -28,20 +30,12 @@ const char* message_of(LoadStatus status) noexcept {
       return "is damaged or cut short";
     case LoadStatus::other_layout:
       return "was trained on other features than this version of Flinch computes";
+    case LoadStatus::without_clips:
+      return "has no clips in it";
     case LoadStatus::out_of_memory:
       return "does not fit into memory";
   }
   return "has an unknown status";
-}
-
-// http://www.isthe.com/chongo/tech/comp/fnv/ : for each byte, hash = (hash xor byte) * prime.
-// Both steps are one to one, so two contents that differ in one byte never share a hash.
-std::uint64_t content_hash(std::span<const std::byte> bytes) noexcept {
-  constexpr std::uint64_t kOffsetBasis = 0xCBF29CE484222325;
-  constexpr std::uint64_t kPrime = 0x00000100000001B3;
-  std::uint64_t hash = kOffsetBasis;
-  for (const std::byte byte : bytes) hash = (hash ^ std::to_integer<std::uint64_t>(byte)) * kPrime;
-  return hash;
 }
 
 std::array<std::byte, kSealSize> make_seal(const SealedKind& kind,
@@ -57,7 +51,7 @@ std::array<std::byte, kSealSize> make_seal(const SealedKind& kind,
   return seal;
 }
 
-Unsealed unseal(const SealedKind& kind, std::span<const std::byte> file) noexcept {
+Unsealed unseal_enclosed(const SealedKind& kind, std::span<const std::byte> file) noexcept {
   const auto same = [](std::byte byte, char c) { return byte == static_cast<std::byte>(c); };
   const auto mark = file.first(std::min(file.size(), kMarkSize));
   if (!std::equal(mark.begin(), mark.end(), kind.mark.begin(), kind.mark.end(), same)) {
@@ -67,14 +61,26 @@ Unsealed unseal(const SealedKind& kind, std::span<const std::byte> file) noexcep
   if (file[kMarkSize] != static_cast<std::byte>(kind.version)) {
     return {.status = LoadStatus::other_version};
   }
-  const auto content = file.subspan(kSealSize);
-  const auto seal = make_seal(kind, content);
-  if (!std::equal(seal.begin(), seal.end(), file.begin())) return {.status = LoadStatus::damaged};
   std::uint64_t hash = 0;
   for (std::size_t i = 0; i < sizeof(hash); ++i) {
-    hash |= std::to_integer<std::uint64_t>(seal[kHashPosition + i]) << (8 * i);
+    hash |= std::to_integer<std::uint64_t>(file[kHashPosition + i]) << (8 * i);
   }
-  return {.status = LoadStatus::ok, .hash = hash, .content = content};
+  return {.status = LoadStatus::ok, .hash = hash, .content = file.subspan(kSealSize)};
+}
+
+Unsealed unseal(const SealedKind& kind, std::span<const std::byte> file) noexcept {
+  const Unsealed unsealed = unseal_enclosed(kind, file);
+  if (unsealed.status != LoadStatus::ok || unsealed.hash == content_hash(unsealed.content)) {
+    return unsealed;
+  }
+  return {.status = LoadStatus::damaged};
+}
+
+std::span<const std::byte> aligned(std::span<const std::byte> bytes,
+                                   std::vector<std::byte>& storage) {
+  if (reinterpret_cast<std::uintptr_t>(bytes.data()) % alignof(std::max_align_t) == 0) return bytes;
+  storage.assign(bytes.begin(), bytes.end());
+  return storage;
 }
 
 LoadStatus read_bytes(const std::string& path, std::vector<std::byte>& bytes) noexcept try {
@@ -83,6 +89,9 @@ LoadStatus read_bytes(const std::string& path, std::vector<std::byte>& bytes) no
   if (!file) return LoadStatus::cannot_open;
   std::vector<std::byte> read;
   constexpr std::size_t kChunk = 1 << 16;
+  std::error_code not_told;  // the size of what is no regular file
+  const std::uintmax_t whole = std::filesystem::file_size(path, not_told);
+  if (!not_told) read.reserve(static_cast<std::size_t>(whole) + kChunk);
   std::size_t count = kChunk;
   while (count == kChunk) {
     const std::size_t size = read.size();

@@ -14,11 +14,11 @@ namespace {
 using motion::Body;
 using motion::Target;
 
-constexpr double kTouch_m = 1e-3;
+constexpr double kTouch = 1e-3;  // m
 /// Nearer than this to the sphere about the figure, its bodies are looked at.
-constexpr double kNear_m = 0.05;
+constexpr double kNear = 0.05;  // m
 /// A path that comes no nearer than by this to another target is aimed at the one that it strikes.
-constexpr double kPreference_m = 0.05;
+constexpr double kPreference = 0.05;  // m
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 constexpr std::array<std::string_view, 4> kOutcomeNames{"unusable", "miss", "impact", "touching"};
@@ -35,7 +35,7 @@ bool can_use(const Threat& threat, const SweptFigure& figure, const Sway& sway,
              const PredictionOptions& options) {
   return figure.skeleton && figure.model && is_within(figure.reach_m, kMostExtent) &&
          is_within(threat.position, kMostExtent) && is_within(threat.velocity, kMostExtent) &&
-         is_within(threat.radius, kMostExtent) && is_within(options.horizon_s, kMostHorizon_s) &&
+         is_within(threat.radius, kMostExtent) && is_within(options.horizon_s, kMostHorizon) &&
          is_within(options.gravity_mps2, kMostExtent) && is_within(sway.middle, kMostExtent) &&
          is_within(sway.radius, kMostExtent) && is_within(sway.most_speed_mps, kMostSwaySpeed);
 }
@@ -85,7 +85,7 @@ class Sweep {
       }
       const double step_inside_s = look_at_bodies(time_s);
       if (std::isnan(step_inside_s)) return {};
-      if (nearest_.gap <= kTouch_m) return impact_at(time_s);
+      if (nearest_.gap <= kTouch) return impact_at(time_s);
       time_s += step_inside_s;
     }
     return {.outcome = Outcome::miss};
@@ -98,7 +98,7 @@ class Sweep {
     const double distance = offset.norm();
     const Sway& sway = ahead_.sway();
     const double gap = distance - ball_.radius - static_cast<double>(sway.radius + figure_.reach_m);
-    if (gap < kNear_m) return 0;
+    if (gap < kNear) return 0;
     const double closing_mps = -offset.dot(ball_.velocity_at(time_s)) / distance;
     return safe_step(gap, closing_mps, ball_.gravity_mps2);
   }
@@ -119,10 +119,10 @@ class Sweep {
         nearest_ = near;
         nearest_body_ = body;
       }
-      // Half of kTouch_m may be skipped too: it keeps a ball that glides past from taking for ever.
+      // Half of kTouch may be skipped too: it keeps a ball that glides past from taking for ever.
       const double closing_mps =
           static_cast<double>(sway.most_speed_mps) - near.normal.dot(velocity);
-      step_s = std::min(step_s, safe_step(std::max(near.gap - 0.5 * kTouch_m, 0.0), closing_mps,
+      step_s = std::min(step_s, safe_step(std::max(near.gap - 0.5 * kTouch, 0.0), closing_mps,
                                           ball_.gravity_mps2));
     }
     return std::isfinite(sum) ? step_s : std::numeric_limits<double>::quiet_NaN();
@@ -160,7 +160,7 @@ class Sweep {
       const Eigen::Vector3d centre = target_centre(*figure_.model, frames_, target).cast<double>();
       const double nearest_s = time_nearest(ball_, centre, touch_s);
       double distance = (ball_.position_at(nearest_s) - centre).norm();
-      if (target == impact.struck) distance -= kPreference_m;
+      if (target == impact.struck) distance -= kPreference;
       if (!(distance < least)) continue;
       least = distance;
       time_s = nearest_s;

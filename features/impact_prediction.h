@@ -26,7 +26,9 @@ struct PredictedImpact {
   float time_to_impact_s = 0;
   motion::Body body = motion::Body::head;        ///< that is struck first
   motion::Target struck = motion::Target::head;  ///< target_of(body)
-  /// The target whose centre the threat's path comes nearest to: what scenarios call the target.
+  /// The target whose centre the threat's path comes nearest to, that which it strikes if another
+  /// is nearer by no more than 5 cm: what scenarios call the target. Not always what is struck:
+  /// arms hang before pelvis and legs.
   motion::Target aimed_at = motion::Target::head;
   Eigen::Vector3f point = Eigen::Vector3f::Zero();    ///< on the body's surface, world, m
   Eigen::Vector3f normal = Eigen::Vector3f::UnitZ();  ///< unit, from the body to the threat, world
@@ -42,12 +44,12 @@ struct SweptFigure {
 SweptFigure make_swept_figure(const motion::Skeleton& skeleton, const motion::BodyModel& model);
 
 struct PredictionOptions {
-  float horizon_s = 2;            ///< later impacts are not looked for; at most kMostHorizon_s
+  float horizon_s = 2;            ///< later impacts are not looked for; at most kMostHorizon
   float gravity_mps2 = kGravity;  ///< 0 for what flies or rolls straight on
 };
 
 /// Inputs beyond these are unusable: no figure of ours meets them, and sums lose their digits.
-inline constexpr float kMostHorizon_s = 100;
+inline constexpr float kMostHorizon = 100;  ///< s
 inline constexpr float kMostExtent = 1e6F;  ///< of a position, m, a velocity, m/s, a gravity, m/s²
 inline constexpr float kMostSwaySpeed = 100;  ///< m/s
 

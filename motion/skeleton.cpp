@@ -10,11 +10,12 @@ Pose::Pose() {
 }
 
 // p_i = p_parent + R_parent * offset_i,  R_i = R_parent * r_i,  parents first.
-JointFrames forward_kinematics(const Skeleton& skeleton, const Pose& pose) {
+JointFrames forward_kinematics(const Skeleton& skeleton, const Pose& pose,
+                               std::span<const Role> roles) {
   JointFrames frames;
   frames.position[Role::pelvis] = pose.root_position;
   frames.orientation[Role::pelvis] = pose.rotation[Role::pelvis];
-  for (Role role : kRoles) {
+  for (Role role : roles) {
     const std::optional<Role> parent = parent_of(role);
     if (!parent) continue;
     const Eigen::Quaternionf& parent_orientation = frames.orientation[*parent];
@@ -22,6 +23,10 @@ JointFrames forward_kinematics(const Skeleton& skeleton, const Pose& pose) {
     frames.orientation[role] = parent_orientation * pose.rotation[role];
   }
   return frames;
+}
+
+JointFrames forward_kinematics(const Skeleton& skeleton, const Pose& pose) {
+  return forward_kinematics(skeleton, pose, kRoles);
 }
 
 Pose pose_from_frames(const JointFrames& frames) {

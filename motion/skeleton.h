@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <span>
 
 #include "motion/role.h"
 
@@ -39,6 +40,11 @@ struct JointFrames {
 
 /// A pose's joints in the world. About a microsecond; allocates nothing.
 JointFrames forward_kinematics(const Skeleton& skeleton, const Pose& pose);
+
+/// The same of some roles only: parents first, each after its parent. The frames of others are not
+/// set.
+JointFrames forward_kinematics(const Skeleton& skeleton, const Pose& pose,
+                               std::span<const Role> roles);
 
 /// The pose that has these joint orientations and this pelvis position: the inverse of
 /// forward_kinematics, whose other positions follow from the skeleton.

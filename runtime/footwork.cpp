@@ -2,6 +2,7 @@
 #include "runtime/footwork.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <optional>
 
@@ -11,10 +12,15 @@ namespace flinch::runtime {
 namespace {
 
 using motion::JointFrames;
+using motion::Role;
 using motion::Side;
 
 constexpr float kShortest = 0.05F;  // s, of a swing and of a stand between two
 constexpr float kOpening = 0.2F;    // s, in which weight is compared
+
+constexpr std::array kLegs{Role::pelvis,     Role::left_thigh, Role::left_shin,
+                           Role::left_foot,  Role::left_toes,  Role::right_thigh,
+                           Role::right_shin, Role::right_foot, Role::right_toes};
 
 // Adds the swing that ends at `end_s`, or joins it to the last one.
 void close_swing(float begin_s, float end_s, std::vector<Swing>& swings) {
@@ -75,7 +81,10 @@ Footwork footwork_of(const motion::Skeleton& skeleton, const motion::BodyModel& 
   for (std::size_t k = 0; k < motion.poses.size(); ++k) {
     const float time_s = static_cast<float>(k) / motion.rate_hz;
     if (time_s < onset_s) continue;
-    const JointFrames frames = motion::forward_kinematics(skeleton, motion.poses[k]);
+    const bool opening = time_s <= onset_s + kOpening;  // the centre of mass is of all bodies
+    const JointFrames frames = opening
+                                   ? motion::forward_kinematics(skeleton, motion.poses[k])
+                                   : motion::forward_kinematics(skeleton, motion.poses[k], kLegs);
     for (Side side : motion::kSides) {
       std::optional<float>& begin_s = left_ground_s[motion::index_of(side)];
       if (lowest_point(soles[motion::index_of(side)], frames, side) > kStanding) {
@@ -86,7 +95,7 @@ Footwork footwork_of(const motion::Skeleton& skeleton, const motion::BodyModel& 
         begin_s.reset();
       }
     }
-    if (time_s <= onset_s + kOpening) {
+    if (opening) {
       const Eigen::Vector3f centre = motion::centre_of_mass(bodies, frames);
       const auto distance = [&](Side side) {
         return (motion::foot_place(frames, side).ankle - centre).head<2>().norm();

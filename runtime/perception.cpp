@@ -2,6 +2,7 @@
 #include "runtime/perception.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "features/random.h"
@@ -10,8 +11,8 @@
 namespace flinch::runtime {
 namespace {
 
-constexpr float kSimpleReaction_s = 0.22F;
-constexpr float kDelayPerDoubling_s = 0.15F;
+constexpr float kSimpleReaction = 0.22F;    // s
+constexpr float kDelayPerDoubling = 0.15F;  // s
 
 bool is_at_least_zero(float number) {
   return number >= 0 && std::isfinite(number);
@@ -39,19 +40,19 @@ Draws draw(std::uint64_t seed, std::uint64_t number) {
   return draws;
 }
 
-/// The vector turned across itself by these angles and stretched by a factor.
-Eigen::Vector3f disturbed(const Eigen::Vector3f& vector, const std::array<float, 2>& angles,
-                          float angle_noise, float size, float size_noise) {
-  Eigen::Vector3f result = vector;
+/// The vector turned about two axes across it.
+Eigen::Vector3f turned(const Eigen::Vector3f& vector, const std::array<float, 2>& normals,
+                       float noise) {
   const float length = vector.norm();
-  if (angle_noise > 0 && length > 0) {
-    const Eigen::Vector3f first = vector.unitOrthogonal();
-    const Eigen::Vector3f second = vector.cross(first) / length;
-    result =
-        motion::rotation_by<float>(angle_noise * (angles[0] * first + angles[1] * second)) * vector;
-  }
-  if (size_noise > 0) result *= std::exp(size_noise * size);
-  return result;
+  if (!(noise > 0 && length > 0)) return vector;
+  const Eigen::Vector3f first = vector.unitOrthogonal();
+  const Eigen::Vector3f second = vector.cross(first) / length;
+  return motion::rotation_by<float>(noise * (normals[0] * first + normals[1] * second)) * vector;
+}
+
+/// exp(sigma n): exactly 1 without noise.
+float factor(float normal, float noise) {
+  return std::exp(noise * normal);
 }
 
 }  // namespace
@@ -66,11 +67,11 @@ bool is_valid(const PerceptionLimits& limits) noexcept {
 // Hick: delay = a + b log2(choices).
 PerceptionLimits human(int choices) noexcept {
   const float doublings = std::log2(static_cast<float>(std::max(choices, 1)));
-  return {.reaction_delay_s = kSimpleReaction_s + kDelayPerDoubling_s * doublings,
-          .bearing_noise = motion::radians(0.5F),
-          .distance_noise = 0.1F,
-          .heading_noise = motion::radians(0.7F),
-          .speed_noise = 0.1F,
+  return {.reaction_delay_s = kSimpleReaction + kDelayPerDoubling * doublings,
+          .bearing_noise = motion::radians(0.1F),
+          .distance_noise = 0.05F,
+          .heading_noise = motion::radians(0.2F),
+          .speed_noise = 0.07F,
           .chance_to_fail = 0.03F};
 }
 
@@ -85,13 +86,13 @@ Perceived perceive(const features::Threat& threat, const Eigen::Vector3f& eye,
   }
   const Draws draws = draw(seed, number);
   perceived.noticed = !(draws.chance < static_cast<double>(limits.chance_to_fail));
+  const float distance_factor = factor(draws.distance, limits.distance_noise);
   if (limits.bearing_noise > 0 || limits.distance_noise > 0) {
     perceived.threat.position =
-        eye + disturbed(threat.position - eye, draws.bearing, limits.bearing_noise, draws.distance,
-                        limits.distance_noise);
+        eye + distance_factor * turned(threat.position - eye, draws.bearing, limits.bearing_noise);
   }
-  perceived.threat.velocity = disturbed(threat.velocity, draws.heading, limits.heading_noise,
-                                        draws.speed, limits.speed_noise);
+  perceived.threat.velocity = distance_factor * factor(draws.speed, limits.speed_noise) *
+                              turned(threat.velocity, draws.heading, limits.heading_noise);
   return perceived;
 }
 

@@ -14,8 +14,7 @@ PreparedLibrary prepare(const database::Library& library) {
   prepared.reach_m = features::make_swept_figure(skeleton, prepared.bodies).reach_m;
   const auto idle = static_cast<std::size_t>(library.idle);
   if (idle < library.clips.size() && !library.clips[idle].motion.poses.empty()) {
-    prepared.sway =
-        features::sway_of(skeleton, prepared.bodies, library.clips[idle].motion);
+    prepared.sway = features::sway_of(skeleton, prepared.bodies, library.clips[idle].motion);
   }
   prepared.footwork.reserve(library.clips.size());
   for (const motion::Clip& clip : library.clips) {

@@ -81,4 +81,13 @@ bool is_sound(const models::Selector& selector) {
                     selector.model);
 }
 
+bool are_of_one_kind(const models::Selector& selector, const database::Library& library) {
+  const auto is_same = [](const models::ClipSummary& summary, const motion::Clip& clip) {
+    return summary.name == clip.name && (clip.annotation || !summary.annotation);
+  };
+  return selector.library_hash == library.hash && selector.idle == library.idle &&
+         std::equal(selector.clips.begin(), selector.clips.end(), library.clips.begin(),
+                    library.clips.end(), is_same);
+}
+
 }  // namespace flinch::runtime

@@ -86,25 +86,45 @@ bool read_stored(const schema::Selector& stored, models::Selector& selector) {
   return is_sound(selector);
 }
 
+/// The library that the file has in it, where it has one.
+LoadStatus read_clips(const schema::Selector& stored, SelectorFile& file) {
+  if (stored.library() == nullptr) return LoadStatus::ok;
+  const std::span<const std::byte> bytes =
+      std::as_bytes(std::span(stored.library()->data(), stored.library()->size()));
+  const LoadStatus status = database::read_enclosed_library(bytes, file.library.emplace());
+  if (status == LoadStatus::out_of_memory) return status;
+  // Whatever else is wrong with it: it is this file that cannot be used.
+  return status == LoadStatus::ok && are_of_one_kind(file.selector, *file.library)
+             ? LoadStatus::ok
+             : LoadStatus::damaged;
+}
+
 }  // namespace
 
-LoadStatus read_selector(std::span<const std::byte> bytes, models::Selector& selector) noexcept
-    try {
-  // FlatBuffers reads in place and wants its numbers aligned; the caller's bytes need not be.
-  const std::vector<std::byte> aligned(bytes.begin(), bytes.end());
-  const database::Unsealed file = database::unseal(database::kSelectorKind, aligned);
-  if (file.status != LoadStatus::ok) return file.status;
-  flatbuffers::Verifier verifier(reinterpret_cast<const std::uint8_t*>(file.content.data()),
-                                 file.content.size());
+LoadStatus read_selector_file(std::span<const std::byte> bytes, SelectorFile& file) noexcept try {
+  std::vector<std::byte> storage;
+  const database::Unsealed unsealed =
+      database::unseal(database::kSelectorKind, database::aligned(bytes, storage));
+  if (unsealed.status != LoadStatus::ok) return unsealed.status;
+  flatbuffers::Verifier verifier(reinterpret_cast<const std::uint8_t*>(unsealed.content.data()),
+                                 unsealed.content.size());
   if (!schema::VerifySelectorBuffer(verifier)) return LoadStatus::damaged;
-  const schema::Selector& stored = *schema::GetSelector(file.content.data());
+  const schema::Selector& stored = *schema::GetSelector(unsealed.content.data());
   if (!has_our_layout(stored)) return LoadStatus::other_layout;
-  models::Selector read;
-  if (!read_stored(stored, read)) return LoadStatus::damaged;
-  selector = std::move(read);
-  return LoadStatus::ok;
+  SelectorFile read;
+  if (!read_stored(stored, read.selector)) return LoadStatus::damaged;
+  const LoadStatus status = read_clips(stored, read);
+  if (status == LoadStatus::ok) file = std::move(read);
+  return status;
 } catch (const std::bad_alloc&) {
   return LoadStatus::out_of_memory;
+}
+
+LoadStatus read_selector(std::span<const std::byte> bytes, models::Selector& selector) noexcept {
+  SelectorFile file;
+  const LoadStatus status = read_selector_file(bytes, file);
+  if (status == LoadStatus::ok) selector = std::move(file.selector);
+  return status;
 }
 
 LoadStatus read_selector(const std::string& path, models::Selector& selector) noexcept {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -10,9 +11,21 @@
 
 namespace flinch::runtime {
 
-/// Reads a selector from a file's bytes: verified against the content hash, the schema, the feature
-/// layout that this build computes and is_sound() before anything is used. On failure `selector` is
-/// left as it was. Throws nothing.
+/// What a selector file holds.
+struct SelectorFile {
+  models::Selector selector;
+  /// Of the selector's `library_hash`; none where the file was written without clips.
+  std::optional<database::Library> library;
+};
+
+/// Reads a selector file's bytes: verified against the content hash, the schemas, the feature
+/// layout that this build computes, is_sound() and, where it has clips, the library's invariants
+/// and are_of_one_kind() before anything is used. On failure `file` is left as it was. Throws
+/// nothing.
+database::LoadStatus read_selector_file(std::span<const std::byte> bytes,
+                                        SelectorFile& file) noexcept;
+
+/// The same, of which only the selector is kept.
 database::LoadStatus read_selector(std::span<const std::byte> bytes,
                                    models::Selector& selector) noexcept;
 database::LoadStatus read_selector(const std::string& path, models::Selector& selector) noexcept;
@@ -21,5 +34,9 @@ database::LoadStatus read_selector(const std::string& path, models::Selector& se
 /// and degrees; scaling and model of kFeatureCount features; vectors of the sizes that go together;
 /// labels that are clips; finite numbers throughout.
 bool is_sound(const models::Selector& selector);
+
+/// Whether what the selector chooses can be played from the library: the hash that the selector
+/// names, the same clips by name, the same idle clip, and all clips annotated that it takes for so.
+bool are_of_one_kind(const models::Selector& selector, const database::Library& library);
 
 }  // namespace flinch::runtime

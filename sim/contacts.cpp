@@ -7,6 +7,9 @@
 namespace flinch::sim {
 namespace {
 
+// The ball with every body, and every pair of bodies.
+constexpr std::size_t kMostMeasured =
+    motion::kBodyCount + motion::kBodyCount * (motion::kBodyCount - 1) / 2;
 constexpr double kFriction = 0.5;           // of ball and body or ground
 constexpr double kGroundFrequency_hz = 20;  // of the figure on its feet
 
@@ -32,7 +35,10 @@ dContact bounce_at(const Eigen::Vector3d& point, const Eigen::Vector3d& normal,
 
 }  // namespace
 
-Contacts::Contacts(dWorldID world) : world_(world), group_(dJointGroupCreate(0)) {}
+Contacts::Contacts(dWorldID world) : world_(world), group_(dJointGroupCreate(0)) {
+  measured_.reserve(kMostMeasured);
+  impulses_.reserve(kMostMeasured);
+}
 
 Contacts::~Contacts() {
   dJointGroupDestroy(group_);
@@ -83,15 +89,14 @@ void Contacts::add_support(dBodyID part, const Eigen::Vector3d& point, double de
   attach(contact, part, nullptr);
 }
 
-std::vector<ContactImpulse> Contacts::impulses(double step_s) const {
-  std::vector<ContactImpulse> result;
-  result.reserve(measured_.size());
+std::span<const ContactImpulse> Contacts::impulses(double step_s) {
+  impulses_.clear();
   for (const Measured& contact : measured_) {
     const dReal* force = contact.feedback.f1;
-    result.push_back(
+    impulses_.push_back(
         {contact.first, contact.second, step_s * std::hypot(force[0], force[1], force[2])});
   }
-  return result;
+  return impulses_;
 }
 
 void Contacts::clear() {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <deque>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "motion/body.h"
@@ -22,7 +22,7 @@ struct ContactImpulse {
   double impulse_ns = 0;
 };
 
-/// The contact joints of one step.
+/// The contact joints of one step. Allocates nothing once made but what ODE does.
 class Contacts {
  public:
   explicit Contacts(dWorldID world);
@@ -46,8 +46,9 @@ class Contacts {
   void add_support(dBodyID part, const Eigen::Vector3d& point, double depth_m, double mass_kg,
                    double step_s);
 
-  /// What the last step's measured contacts gave, in the order in which they were added.
-  std::vector<ContactImpulse> impulses(double step_s) const;
+  /// What the last step's measured contacts gave, in the order in which they were added. Valid
+  /// until the next call.
+  std::span<const ContactImpulse> impulses(double step_s);
 
   /// Before the next step's contacts are added.
   void clear();
@@ -63,7 +64,8 @@ class Contacts {
 
   dWorldID world_;
   dJointGroupID group_;
-  std::deque<Measured> measured_;  // ODE keeps pointers to the feedback: they must not move
+  std::vector<Measured> measured_;  // ODE keeps pointers to the feedback: it never grows
+  std::vector<ContactImpulse> impulses_;
 };
 
 }  // namespace flinch::sim

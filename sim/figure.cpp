@@ -19,37 +19,9 @@ constexpr double kStraight_rad = 0.1;
 // The pelvis is pulled and turned back as from no farther than this: what pulls it has a limit.
 constexpr double kMostPelvisError_m = 0.1;
 constexpr double kMostPelvisError_rad = 0.35;
-
-/// Parameters of one axis of a motor: ODE numbers them in groups.
-void set_axis(dJointID motor, int axis, double velocity, double softness,
-              void (*set)(dJointID, int, dReal)) {
-  set(motor, dParamVel + axis * dParamGroup, velocity);
-  set(motor, dParamCFM + axis * dParamGroup, softness);
-}
-
-// A spring k to an error e and a damper c to a velocity w_d, both taken at the end of a step h:
-//
-//   f = k (e - h w) + c (w_d - w)   <=>   w + f / (h k + c) = (k e + c w_d) / (h k + c)
-//
-// which is ODE's motor row with CFM = 1 / (h k + c) and that velocity. It is stable for every h.
-void set_spring(dJointID motor, int axis, const Gains& gains, double pull, double wanted_velocity,
-                double step_s, void (*set)(dJointID, int, dReal)) {
-  const double stiffness = step_s * gains.stiffness + gains.damping;
-  set_axis(motor, axis, (pull + gains.damping * wanted_velocity) / stiffness, 1 / stiffness, set);
-}
-
-// An axis that has no freedom of its own: the velocity that takes the error back, with no give.
-void set_rigid(dJointID motor, int axis, double error, double wanted_velocity, double step_s) {
-  const double velocity = wanted_velocity + joint_error_reduction(step_s) * error / step_s;
-  set_axis(motor, axis, velocity, 0, dJointSetAMotorParam);
-}
-
-void set_axes(dJointID motor, dBodyID second, const Eigen::Matrix3d& axes_world) {
-  for (int axis = 0; axis < 3; ++axis) {
-    const Eigen::Vector3d direction = axes_world.col(axis);
-    dJointSetAMotorAxis(motor, axis, second ? 2 : 0, direction.x(), direction.y(), direction.z());
-  }
-}
+// Of a fallen figure: how many points share its weight, and how soon the ground stops a part.
+constexpr double kLyingPoints = 12;
+constexpr double kGroundDrag_hz = 10;
 
 /// The axes of a joint's motor in the parent's frame; the first `free` are driven by springs, the
 /// others are rigid.
@@ -77,32 +49,6 @@ JointAxes axes_of(JointKind kind, const JointLimits& limits, const Eigen::Quater
   return axes;
 }
 
-/// A motor about the three axes, that turns with `second` where there is one. Its force knows no
-/// bound, which keeps its rows out of the solver's pivoting.
-dJointID make_motor(dWorldID world, dBodyID first, dBodyID second,
-                    const Eigen::Matrix3d& axes_world) {
-  const dJointID motor = dJointCreateAMotor(world, nullptr);
-  dJointAttach(motor, first, second);
-  dJointSetAMotorNumAxes(motor, 3);
-  set_axes(motor, second, axes_world);
-  for (int axis = 0; axis < 3; ++axis) {
-    dJointSetAMotorParam(motor, dParamFMax + axis * dParamGroup, dInfinity);
-  }
-  return motor;
-}
-
-dJointID make_linear_motor(dWorldID world, dBodyID body) {
-  const dJointID motor = dJointCreateLMotor(world, nullptr);
-  dJointAttach(motor, body, nullptr);
-  dJointSetLMotorNumAxes(motor, 3);
-  for (int axis = 0; axis < 3; ++axis) {
-    const Eigen::Vector3d direction = Eigen::Vector3d::Unit(axis);
-    dJointSetLMotorAxis(motor, axis, 0, direction.x(), direction.y(), direction.z());
-    dJointSetLMotorParam(motor, dParamFMax + axis * dParamGroup, dInfinity);
-  }
-  return motor;
-}
-
 dJointID make_ball_joint(dWorldID world, dBodyID child, dBodyID parent,
                          const Eigen::Vector3d& place) {
   const dJointID joint = dJointCreateBall(world, nullptr);
@@ -128,9 +74,19 @@ std::array<Eigen::Vector3d, 2> sole_ends(const MovingShape& foot) {
   return {foot.centre + foot.orientation * heel, foot.centre + foot.orientation * toe};
 }
 
-Eigen::Vector3d shortened(const Eigen::Vector3d& error, double most) {
-  const double length = error.norm();
-  return length > most ? Eigen::Vector3d(most / length * error) : error;
+/// Where a part would touch the ground first, at either end: of a box, those of the largest capsule
+/// along its longest axis.
+std::array<Eigen::Vector3d, 2> low_points(const MovingShape& shape) {
+  double radius = shape.radius;
+  Eigen::Vector3d end(0, 0, shape.half_length);
+  if (shape.kind == motion::Shape::Kind::box) {
+    int longest = 0;
+    const double half_length = shape.half_extents.maxCoeff(&longest);
+    radius = shape.half_extents.minCoeff();
+    end = (half_length - radius) * Eigen::Vector3d::Unit(longest);
+  }
+  const Eigen::Vector3d low = shape.centre - radius * Eigen::Vector3d::UnitZ();
+  return {low + shape.orientation * end, low - shape.orientation * end};
 }
 
 }  // namespace
@@ -158,21 +114,28 @@ Figure::Figure(const FigurePlan& plan, dWorldID world, const ReferenceState& sta
   }
 }
 
-void Figure::drive(const ReferenceState& target, double step_s) {
-  drive_pelvis(target.body[Body::pelvis], step_s);
+void Figure::drive(const ReferenceState& target, double step_s, const Drive& drive) {
+  if (!fallen_) drive_pelvis(target.body[Body::pelvis], step_s, drive);
   for (Body body : motion::kBodies) {
-    if (parent_of(body)) drive_joint(body, target, step_s);
+    if (parent_of(body)) drive_joint(body, target, step_s, drive.joints);
   }
 }
 
-void Figure::drive_pelvis(const BodyState& target, double step_s) {
+// A pull beyond the limit is one of softer gains: f = k e + c (w_d - w) scales with them.
+void Figure::drive_pelvis(const BodyState& target, double step_s, const Drive& drive) {
   const BodyState now = state_of(bodies_[Body::pelvis]);
-  const Gains& turning = plan_.gains[Body::pelvis];
-  const Gains& moving = plan_.pelvis_gains;
+  const Gains turning = weakened(plan_.gains[Body::pelvis], drive.pelvis);
+  Gains moving = weakened(plan_.pelvis_gains, drive.pelvis);
   const Eigen::Vector3d turn =
       shortened(motion::rotation_vector(target.orientation * now.orientation.conjugate()),
                 kMostPelvisError_rad);
   const Eigen::Vector3d shift = shortened(target.position - now.position, kMostPelvisError_m);
+  const double force_n =
+      (moving.stiffness * shift + moving.damping * (target.velocity - now.velocity)).norm();
+  if (force_n > drive.most_pelvis_force_n) {
+    const double share = drive.most_pelvis_force_n / force_n;
+    moving = {share * moving.stiffness, share * moving.damping};
+  }
   for (int axis = 0; axis < 3; ++axis) {
     set_spring(joints_[Body::pelvis], axis, moving, moving.stiffness * shift[axis],
                target.velocity[axis], step_s, dJointSetLMotorParam);
@@ -182,8 +145,8 @@ void Figure::drive_pelvis(const BodyState& target, double step_s) {
 }
 
 // In the axes that the joint's motor has: F's columns, in the parent's frame. At a stop the springs
-// along the way back stiffen, each axis by its share of that way.
-void Figure::drive_joint(Body body, const ReferenceState& target, double step_s) {
+// along the way back stiffen, each axis by its share of that way; a stop never weakens.
+void Figure::drive_joint(Body body, const ReferenceState& target, double step_s, double share) {
   const Body parent = *parent_of(body);
   const BodyState& wanted = target.body[body];
   const BodyState& wanted_parent = target.body[parent];
@@ -208,10 +171,11 @@ void Figure::drive_joint(Body body, const ReferenceState& target, double step_s)
       set_rigid(motor, axis, error[axis], velocity[axis], step_s);
       continue;
     }
-    Gains gains = plan_.gains[body];
+    Gains gains = weakened(plan_.gains[body], share);
     double pull = gains.stiffness * error[axis];
     if (way > 0) {
-      const double stop = kStopStiffening * gains.stiffness * back[axis] * back[axis] / way;
+      const double stop =
+          kStopStiffening * plan_.gains[body].stiffness * back[axis] * back[axis] / way;
       pull += stop * back[axis];
       gains.stiffness += stop;
     }
@@ -226,6 +190,7 @@ void Figure::drive_joint(Body body, const ReferenceState& target, double step_s)
 // of the recording must not become a force.
 void Figure::stand(Contacts& contacts, const ReferenceState& target, double step_s) const {
   for (Body foot : {Body::left_foot, Body::right_foot}) {
+    if (held_[foot]) continue;
     const BodyState now = state_of(bodies_[foot]);
     const BodyState& wanted = target.body[foot];
     for (const Eigen::Vector3d& end : sole_ends(plan_.outline[foot])) {
@@ -234,6 +199,56 @@ void Figure::stand(Contacts& contacts, const ReferenceState& target, double step
       if (point.z() >= ground) continue;
       contacts.add_support(bodies_[foot], point, ground - point.z(), plan_.mass_kg / 4, step_s);
     }
+  }
+}
+
+// What each part needs to change its momentum and its angular momentum as the reference does,
+//   F = m (v_1 - v_0) / h,   T = (L_1 - L_0) / h,   L = R I R^T w,
+// so that the joints bear nothing (d'Alembert).
+void Figure::carry(const ReferenceState& before, const ReferenceState& after, double step_s) {
+  for (Body body : motion::kBodies) {
+    const BodyState& from = before.body[body];
+    const BodyState& to = after.body[body];
+    const auto angular_momentum = [&](const BodyState& state) {
+      const Eigen::Quaterniond& turn = state.orientation;
+      const Eigen::Vector3d local = turn.conjugate() * state.angular_velocity;
+      return Eigen::Vector3d(turn * (plan_.inertia[body] * local));
+    };
+    const double mass_kg = static_cast<double>(plan_.model[body].mass_kg);
+    const Eigen::Vector3d force = mass_kg / step_s * (to.velocity - from.velocity);
+    const Eigen::Vector3d torque = (angular_momentum(to) - angular_momentum(from)) / step_s;
+    dBodySetGravityMode(bodies_[body], 0);
+    dBodyAddForce(bodies_[body], force.x(), force.y(), force.z());
+    dBodyAddTorque(bodies_[body], torque.x(), torque.y(), torque.z());
+  }
+}
+
+void Figure::let_fall() {
+  fallen_ = true;
+  dJointDisable(joints_[Body::pelvis]);
+  dJointDisable(motors_[Body::pelvis]);
+  for (dBodyID body : bodies_) dBodySetGravityMode(body, 1);
+}
+
+void Figure::freeze() {
+  for (dBodyID body : bodies_) dBodyDisable(body);
+}
+
+// Instead of friction, which would cost the solver
+// two bounded rows a point, a part that touches is slowed down as if in mud.
+void Figure::lie(Contacts& contacts, double step_s) const {
+  const motion::PerBody<MovingShape> outlines = shapes();
+  for (Body body : motion::kBodies) {
+    bool touches = false;
+    for (const Eigen::Vector3d& point : low_points(outlines[body])) {
+      if (point.z() >= 0) continue;
+      contacts.add_support(bodies_[body], point, -point.z(), plan_.mass_kg / kLyingPoints, step_s);
+      touches = true;
+    }
+    if (!touches) continue;
+    const double drag = kGroundDrag_hz * static_cast<double>(plan_.model[body].mass_kg);
+    const Eigen::Vector3d velocity = velocity_of(bodies_[body]);
+    dBodyAddForce(bodies_[body], -drag * velocity.x(), -drag * velocity.y(), 0);
   }
 }
 

@@ -1,20 +1,17 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <limits>
+
 #include "motion/body.h"
 #include "sim/contacts.h"
 #include "sim/joint_limits.h"
+#include "sim/motors.h"
 #include "sim/ode_world.h"
 #include "sim/reference.h"
 #include "sim/sweep.h"
 
 namespace flinch::sim {
-
-/// A spring and damper.
-struct Gains {
-  double stiffness = 0;  ///< N·m/rad or N/m
-  double damping = 0;    ///< N·m·s/rad or N·s/m
-};
 
 /// What a figure is made of: all that does not change from one simulation to the next.
 struct FigurePlan {
@@ -33,6 +30,13 @@ struct FigurePlan {
   motion::PerBody<motion::PerBody<bool>> may_touch;
 };
 
+/// How hard a figure is driven to its reference: shares of the plan's stiffness (see weakened).
+struct Drive {
+  double joints = 1;
+  double pelvis = 1;
+  double most_pelvis_force_n = std::numeric_limits<double>::infinity();
+};
+
 /// The 17 bodies in a world, tracking a reference.
 class Figure {
  public:
@@ -40,19 +44,35 @@ class Figure {
   Figure(const FigurePlan& plan, dWorldID world, const ReferenceState& start);
 
   /// Sets the motors of the next step, of `step_s`, at whose end `target` is wanted.
-  void drive(const ReferenceState& target, double step_s);
-  /// Adds the ground's support of the feet in that step.
+  void drive(const ReferenceState& target, double step_s, const Drive& drive = {});
+  /// Adds to that step, beforehand, the forces that move the undisturbed figure exactly as its
+  /// reference moves, whatever its springs: they then answer to disturbances alone. Takes gravity
+  /// off the figure, which those forces would have to bear.
+  void carry(const ReferenceState& before, const ReferenceState& after, double step_s);
+  /// Lets go of the pelvis for good and gives the figure its weight.
+  void let_fall();
+  bool is_fallen() const { return fallen_; }
+  /// Takes the figure out of the world's steps for good: it stays as it is.
+  void freeze();
+  /// Adds the ground's support of the feet in that step, but of those that something else holds.
   void stand(Contacts& contacts, const ReferenceState& target, double step_s) const;
+
+  /// Adds the ground's support of whatever part touches it, for a figure that has fallen.
+  void lie(Contacts& contacts, double step_s) const;
+
+  void set_held(motion::Body foot, bool held) { held_[foot] = held; }
 
   dBodyID body(motion::Body body) const { return bodies_[body]; }
   /// The outlines where they are now, as they move now.
   motion::PerBody<MovingShape> shapes() const;
 
  private:
-  void drive_joint(motion::Body body, const ReferenceState& target, double step_s);
-  void drive_pelvis(const BodyState& target, double step_s);
+  void drive_joint(motion::Body body, const ReferenceState& target, double step_s, double share);
+  void drive_pelvis(const BodyState& target, double step_s, const Drive& drive);
 
   const FigurePlan& plan_;
+  bool fallen_ = false;
+  motion::PerBody<bool> held_;
   motion::PerBody<dBodyID> bodies_;
   motion::PerBody<dJointID> joints_;  // the pelvis has a linear motor in place of a joint
   motion::PerBody<dJointID> motors_;

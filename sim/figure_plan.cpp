@@ -13,13 +13,8 @@ using motion::Body;
 constexpr double kJointFrequency = 60;
 constexpr double kPelvisFrequency = 60;
 
-/// Critically damped: k = I w^2, c = 2 I w.
-Gains critically_damped(double inertia, double frequency) {
-  return {inertia * frequency * frequency, 2 * inertia * frequency};
-}
-
 MovingShape outline_of(const motion::BodyProperties& properties) {
-  MovingShape outline{features::outline_of(properties.shape), {}, {}};
+  MovingShape outline{features::outline_of(properties.shape)};
   outline.centre = (properties.shape.centre - properties.centre_of_mass).cast<double>();
   return outline;
 }

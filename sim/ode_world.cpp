@@ -30,6 +30,16 @@ void count_message(int, const char*, va_list) {
                                 "); this is a fault of the program, please report it");
 }
 
+Eigen::Vector3d vector(const dReal* values) {
+  return {values[0], values[1], values[2]};
+}
+
+}  // namespace
+
+int solver_messages_on_this_thread() {
+  return message_count;
+}
+
 // ODE stays initialised until the process ends: closing it would need every thread to be done.
 void prepare_this_thread() {
   static std::once_flag once;
@@ -42,16 +52,6 @@ void prepare_this_thread() {
   if (dAllocateODEDataForThread(dAllocateMaskAll) == 0) {
     throw Error("simulation", "the physics engine has no memory for this thread");
   }
-}
-
-Eigen::Vector3d vector(const dReal* values) {
-  return {values[0], values[1], values[2]};
-}
-
-}  // namespace
-
-int solver_messages_on_this_thread() {
-  return message_count;
 }
 
 OdeWorld::OdeWorld() {

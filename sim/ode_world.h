@@ -12,6 +12,9 @@ namespace flinch::sim {
 /// counts on the thread that the message came from, so that a simulation can tell its own.
 int solver_messages_on_this_thread();
 
+/// To be called on a thread before a world that was made on another is stepped there. Cheap.
+void prepare_this_thread();
+
 /// An empty ODE world with its own threading object, so that worlds can be stepped on different
 /// threads at a time. Prepares ODE, and the calling thread for it, first. What ODE holds to be an
 /// error is thrown as flinch::Error; nothing is ever printed.

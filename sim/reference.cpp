@@ -26,6 +26,21 @@ motion::PerBody<BodyState> places(const motion::BodyModel& model,
 
 }  // namespace
 
+ReferenceState state_at_rest(const motion::Skeleton& skeleton, const motion::BodyModel& model,
+                             const motion::Pose& pose) {
+  const motion::JointFrames frames = forward_kinematics(skeleton, pose);
+  ReferenceState state;
+  state.body = places(model, frames);
+  for (Body body : motion::kBodies) {
+    if (const auto parent = parent_of(body)) {
+      const BodyState& holder = state.body[*parent];
+      state.socket[body] = holder.orientation.conjugate() *
+                           (frames.position[role_of(body)].cast<double>() - holder.position);
+    }
+  }
+  return state;
+}
+
 Reference::Reference(const motion::Skeleton& skeleton, const motion::BodyModel& model,
                      const motion::Motion& motion)
     : skeleton_(skeleton), model_(model), motion_(motion) {
@@ -52,18 +67,8 @@ Reference::Reference(const motion::Skeleton& skeleton, const motion::BodyModel& 
 }
 
 ReferenceState Reference::at(double time_s) const {
-  const motion::Pose pose = sample(motion_, static_cast<float>(time_s));
-  const motion::JointFrames frames = forward_kinematics(skeleton_, pose);
-  ReferenceState state;
-  state.body = places(model_, frames);
-  for (Body body : motion::kBodies) {
-    if (const auto parent = parent_of(body)) {
-      const BodyState& holder = state.body[*parent];
-      state.socket[body] = holder.orientation.conjugate() *
-                           (frames.position[role_of(body)].cast<double>() - holder.position);
-    }
-  }
-
+  ReferenceState state =
+      state_at_rest(skeleton_, model_, sample(motion_, static_cast<float>(time_s)));
   const double position = std::max(time_s * static_cast<double>(motion_.rate_hz), 0.0);
   const auto index = static_cast<std::size_t>(position);
   if (index + 1 >= velocities_.size()) return state;  // at rest at and beyond the end

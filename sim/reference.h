@@ -17,6 +17,10 @@ struct ReferenceState {
   motion::PerBody<Eigen::Vector3d> socket;
 };
 
+/// Where a pose has the figure, at rest.
+ReferenceState state_at_rest(const motion::Skeleton& skeleton, const motion::BodyModel& model,
+                             const motion::Pose& pose);
+
 /// A motion as the controller wants it. Velocities are central differences over two frames,
 /// interpolated; beyond the last pose the figure holds still.
 class Reference {

@@ -18,10 +18,6 @@ Eigen::Vector3d MovingShape::velocity_at(const Eigen::Vector3d& point) const {
   return velocity + angular_velocity.cross(point - centre);
 }
 
-double MovingShape::reach() const {
-  return kind == motion::Shape::Kind::capsule ? half_length : half_extents.norm();
-}
-
 // |d gap / dt| <= |v_ball - v_shape| + g T + |w| reach, and the slack grows by at most a T.
 std::optional<double> time_of_touch(const features::FreeFlight& ball, const MovingShape& shape,
                                     double horizon_s, double touch_m, double slack_mps2) {

@@ -16,8 +16,6 @@ struct MovingShape : features::Outline {
   MovingShape at(double time_s) const;
   /// Velocity of the material point that is now at `point`, m/s.
   Eigen::Vector3d velocity_at(const Eigen::Vector3d& point) const;
-  /// How far the farthest point that can touch is moved by a turn about the centre, m.
-  double reach() const;
 };
 
 /// The first time in [0, horizon_s] at which the gap between ball and shape is at most

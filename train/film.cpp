@@ -12,10 +12,10 @@ namespace flinch::train {
 namespace {
 
 // The reaction takes over this long before the impact, so that a ball that comes early is met.
-constexpr float kAhead = 0.15F;    // s
-constexpr float kAfter = 0.5F;     // s of idling at the end
-constexpr float kFall = 1.5F;      // s that a fall is shown for
-constexpr float kLongest = 15;     // s
+constexpr float kAhead = 0.15F;  // s
+constexpr float kAfter = 0.5F;   // s of idling at the end
+constexpr float kFall = 1.5F;    // s that a fall is shown for
+constexpr float kLongest = 15;   // s
 
 struct Scene {
   runtime::Character character;
@@ -92,8 +92,8 @@ Film film_response(const runtime::Library& library, const features::Threat& thre
       film.knocked_over = true;
       ends_s = time_s + kFall;
     }
-    const bool is_over = phase == sim::ReactionPhase::over &&
-                         scene.character.phase() == runtime::Phase::idle;
+    const bool is_over =
+        phase == sim::ReactionPhase::over && scene.character.phase() == runtime::Phase::idle;
     if (is_over) ends_s = std::min(ends_s, time_s + kAfter);
   }
   film.contact_s = begun_s + static_cast<float>(scene.reaction.contact_s());

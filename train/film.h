@@ -13,10 +13,10 @@ namespace flinch::train {
 struct Film {
   motion::Motion motion;
   database::BallTrack ball;
-  int clip = 0;             ///< that answers
-  float impact_s = 0;       ///< predicted
-  float contact_s = 0;      ///< of ball and body; infinite where the ball hits nothing
-  float impulse_ns = 0;     ///< that the body took
+  int clip = 0;          ///< that answers
+  float impact_s = 0;    ///< predicted
+  float contact_s = 0;   ///< of ball and body; infinite where the ball hits nothing
+  float impulse_ns = 0;  ///< that the body took
   bool knocked_over = false;
 };
 

@@ -56,7 +56,16 @@ schema::Model kind_of(const models::KnnModel&) {
   return schema::Model::Knn;
 }
 
-void store(FlatBufferBuilder& builder, const models::Selector& selector) {
+// At a multiple of 16 bytes, so that the library is read in place.
+Offset<flatbuffers::Vector<std::uint8_t>> store(FlatBufferBuilder& builder,
+                                                std::span<const std::byte> library_file) {
+  builder.ForceVectorAlignment(library_file.size(), 1, 16);
+  return builder.CreateVector(reinterpret_cast<const std::uint8_t*>(library_file.data()),
+                              library_file.size());
+}
+
+void store(FlatBufferBuilder& builder, const models::Selector& selector,
+           std::span<const std::byte> library_file) {
   std::vector<Offset<schema::Clip>> stored;
   for (const models::ClipSummary& clip : selector.clips) stored.push_back(store(builder, clip));
   const auto clips = builder.CreateVector(stored);
@@ -71,9 +80,11 @@ void store(FlatBufferBuilder& builder, const models::Selector& selector) {
   const auto kind = std::visit([](const auto& model) { return kind_of(model); }, selector.model);
   const auto model =
       std::visit([&builder](const auto& one) { return store(builder, one); }, selector.model);
+  Offset<flatbuffers::Vector<std::uint8_t>> library;
+  if (!library_file.empty()) library = store(builder, library_file);
   schema::FinishSelectorBuffer(
       builder, schema::CreateSelector(builder, selector.library_hash, clips, selector.idle, names,
-                                      least, most, selector.brawn, centres, kind, model));
+                                      least, most, selector.brawn, centres, kind, model, library));
 }
 
 std::span<const std::byte> bytes_of(std::string_view text) {
@@ -82,9 +93,10 @@ std::span<const std::byte> bytes_of(std::string_view text) {
 
 }  // namespace
 
-std::string selector_bytes(const models::Selector& selector) {
+std::string selector_bytes(const models::Selector& selector,
+                           std::span<const std::byte> library_file) {
   FlatBufferBuilder builder;
-  store(builder, selector);
+  store(builder, selector, library_file);
   const std::string_view content(reinterpret_cast<const char*>(builder.GetBufferPointer()),
                                  builder.GetSize());
   const auto seal = database::make_seal(database::kSelectorKind, bytes_of(content));
@@ -99,8 +111,9 @@ std::string selector_bytes(const models::Selector& selector) {
   return bytes;
 }
 
-void write_selector(const models::Selector& selector, const std::string& path) {
-  database::write_file_atomically(path, selector_bytes(selector));
+void write_selector(const models::Selector& selector, std::span<const std::byte> library_file,
+                    const std::string& path) {
+  database::write_file_atomically(path, selector_bytes(selector, library_file));
 }
 
 }  // namespace flinch::train

@@ -8,8 +8,11 @@
 #include <mutex>
 #include <nlohmann/json.hpp>
 #include <numbers>
+#include <span>
 #include <utility>
 
+#include "database/library_writer.h"
+#include "database/sealed_file.h"
 #include "motion/error.h"
 #include "runtime/response.h"
 #include "sim/work.h"
@@ -176,7 +179,10 @@ double reference_work_j(const SimulationSubject& subject, int clip) {
 StoreHeader make_store_header(const SimulationSubject& subject) {
   const database::Library& library = subject.library;
   StoreHeader header;
-  header.library_hash = library.hash;
+  const std::string file = database::library_bytes(library);
+  const auto bytes = std::as_bytes(std::span(file));
+  header.library_file.assign(bytes.begin(), bytes.end());
+  header.library_hash = database::unseal(database::kLibraryKind, bytes).hash;
   header.library_name = library.name;
   header.seed = subject.plan.seed;
   header.distribution = describe(subject.plan.distribution);

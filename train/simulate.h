@@ -51,7 +51,8 @@ Trial try_clip(const SimulationSubject& subject, const features::Scenario& scena
 /// from the idle clip's start, played at its own rate. 0 for the idle clip.
 double reference_work_j(const SimulationSubject& subject, int clip);
 
-/// What the store of this plan says of itself. Throws Error if no clip of the library is annotated.
+/// What the store of this plan says of itself. Throws Error if no clip of the library is annotated
+/// or the library breaks its invariants.
 StoreHeader make_store_header(const SimulationSubject& subject);
 
 /// Simulates scenarios first, first + 1, …, one a slot of `observations`, on `threads` threads. The

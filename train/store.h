@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -13,12 +14,13 @@
 
 namespace flinch::train {
 
-inline constexpr int kStoreFormatVersion = 1;
+inline constexpr int kStoreFormatVersion = 2;
 
-/// What a store says of all its observations, so that training needs no library.
+/// What a store says of all its observations, so that training needs no other file.
 struct StoreHeader {
-  std::uint64_t library_hash = 0;
+  std::uint64_t library_hash = 0;  ///< as `library_file` has it
   std::string library_name;
+  std::vector<std::byte> library_file;  ///< whole, for the selectors that are trained
   std::uint64_t seed = 0;
   std::string distribution;  ///< JSON text, see describe()
   std::string simulation;    ///< JSON text, see describe()

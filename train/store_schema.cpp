@@ -8,6 +8,7 @@
 #include <numbers>
 #include <optional>
 
+#include "database/sealed_file.h"
 #include "motion/error.h"
 
 namespace flinch::train {
@@ -80,6 +81,20 @@ void write_clips(Database& database, const StoreHeader& header) {
   }
 }
 
+void write_library_file(Database& database, const StoreHeader& header) {
+  database.prepare("INSERT INTO library(file) VALUES(?)")
+      .bind(std::span<const std::byte>(header.library_file))
+      .run();
+}
+
+void read_library_file(Database& database, StoreHeader& header) {
+  Statement row = database.prepare("SELECT file FROM library");
+  if (row.step()) header.library_file = row.blob(0);
+  const database::Unsealed file = database::unseal(database::kLibraryKind, header.library_file);
+  if (file.status != database::LoadStatus::ok || file.hash != header.library_hash)
+    throw Error(database.path(), kDamaged);
+}
+
 void read_clips(Database& database, StoreHeader& header) {
   Statement row = database.prepare(
       "SELECT clip, name, work_j, target, direction_degrees, degree, onset_s, peak_s, end_s "
@@ -146,9 +161,10 @@ void require_store(Database& database) {
     throw Error(database.path(), "not a store; `flinch simulate` makes one");
   const std::int64_t version = pragma(database, "user_version");
   if (version != kStoreFormatVersion)
-    throw Error(database.path(),
-                "a store of format " + std::to_string(version) + ", this program reads format " +
-                    std::to_string(kStoreFormatVersion) + "; run `flinch simulate` again");
+    throw Error(database.path(), "a store of format " + std::to_string(version) +
+                                     ", this program reads format " +
+                                     std::to_string(kStoreFormatVersion) +
+                                     "; delete it and run `flinch simulate` again");
 }
 
 }  // namespace
@@ -156,6 +172,7 @@ void require_store(Database& database) {
 void write_header(Database& database, const StoreHeader& header) {
   database.execute("PRAGMA application_id = " + std::to_string(kStoreApplicationId));
   database.execute("PRAGMA user_version = " + std::to_string(kStoreFormatVersion));
+  database.execute("CREATE TABLE library(file BLOB NOT NULL)");
   database.execute("CREATE TABLE meta(key TEXT PRIMARY KEY, value) WITHOUT ROWID");
   database.execute(
       "CREATE TABLE clip(clip INTEGER PRIMARY KEY, name TEXT NOT NULL, work_j REAL NOT NULL, "
@@ -173,6 +190,7 @@ void write_header(Database& database, const StoreHeader& header) {
   write_meta(database, "reference_impulse_ns", header.reference_impulse_ns);
   write_meta(database, "reference_work_j", header.reference_work_j);
   write_meta(database, "idle_clip", std::int64_t{header.idle});
+  write_library_file(database, header);
   write_clips(database, header);
   write_bodies_and_targets(database, header);
 }
@@ -188,6 +206,7 @@ StoreHeader read_header(Database& database) {
   header.reference_impulse_ns = meta(database, "reference_impulse_ns").real(0);
   header.reference_work_j = meta(database, "reference_work_j").real(0);
   header.idle = static_cast<int>(meta(database, "idle_clip").integer(0));
+  read_library_file(database, header);
   read_clips(database, header);
   Statement row = database.prepare("SELECT name, x, y, z FROM target");
   while (row.step()) {

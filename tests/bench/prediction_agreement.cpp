@@ -10,6 +10,7 @@
 
 #include "database/library_file.h"
 #include "features/impact_prediction.h"
+#include "runtime/perception.h"
 #include "train/scenario_sampling.h"
 
 namespace flinch {
@@ -35,7 +36,9 @@ struct Agreement {
   std::vector<double> lead_ms;   ///< of the touch before the trainer's time
 };
 
-Agreement agreement_of(const database::Library& library, std::uint64_t count, std::uint64_t seed) {
+/// Every threat as it is perceived within `limits` from between the eyes.
+Agreement agreement_of(const database::Library& library, const runtime::PerceptionLimits& limits,
+                       std::uint64_t count, std::uint64_t seed) {
   const motion::BodyModel model = make_body_model(library.character);
   const motion::Skeleton& skeleton = library.character.skeleton;
   const motion::Motion& idle = library.clips[static_cast<std::size_t>(library.idle)].motion;
@@ -44,8 +47,13 @@ Agreement agreement_of(const database::Library& library, std::uint64_t count, st
   Agreement agreement;
   for (std::uint64_t number = 0; number < count; ++number) {
     const auto scenario = train::sample_scenario(library, model, {}, seed, number);
+    const motion::JointFrames frames =
+        forward_kinematics(skeleton, features::idle_pose(idle, scenario.state, 0));
+    const Eigen::Vector3f eye = target_centre(model, frames, motion::Target::head);
+    const runtime::Perceived perceived =
+        runtime::perceive(scenario.threat, eye, limits, seed, number);
     const PredictedImpact impact =
-        features::predict_impact(scenario.threat, figure, idle, sway, scenario.state);
+        features::predict_impact(perceived.threat, figure, idle, sway, scenario.state);
     Row& row = agreement.row[index_of(scenario.target)];
     if (impact.outcome != Outcome::impact) {
       ++row.misses;
@@ -111,5 +119,7 @@ int main(int argc, char** argv) {
   }
   const std::uint64_t count = argc > 2 ? std::strtoull(argv[2], nullptr, 10) : 20000;
   const std::uint64_t seed = argc > 3 ? std::strtoull(argv[3], nullptr, 10) : 1;
-  print(flinch::agreement_of(library, count, seed), count);
+  print(flinch::agreement_of(library, {}, count, seed), count);
+  std::printf("\nAs a human perceives them:\n\n");
+  print(flinch::agreement_of(library, flinch::runtime::human(), count, seed), count);
 }

@@ -12,7 +12,7 @@ from flinch_program import FLINCH, ProgramTest, make_library
 from store_costs import costs
 
 SCENARIOS = 48
-COMMANDS = ["author", "import", "info", "simulate", "train", "compare", "export", "select"]
+COMMANDS = ["author", "import", "info", "simulate", "train", "compare", "export", "select", "respond"]
 
 
 class MainPath(ProgramTest):

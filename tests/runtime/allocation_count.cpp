@@ -16,11 +16,29 @@ void* operator new(std::size_t size) {
   throw std::bad_alloc();
 }
 
+void* operator new(std::size_t size, std::align_val_t alignment) {
+  ++count;
+  const auto boundary = static_cast<std::size_t>(alignment);
+  // aligned_alloc wants whole multiples of the boundary.
+  if (void* memory = std::aligned_alloc(boundary, (size + boundary - 1) / boundary * boundary)) {
+    return memory;
+  }
+  throw std::bad_alloc();
+}
+
 void operator delete(void* memory) noexcept {
   std::free(memory);
 }
 
 void operator delete(void* memory, std::size_t) noexcept {
+  std::free(memory);
+}
+
+void operator delete(void* memory, std::align_val_t) noexcept {
+  std::free(memory);
+}
+
+void operator delete(void* memory, std::size_t, std::align_val_t) noexcept {
   std::free(memory);
 }
 

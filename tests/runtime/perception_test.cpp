@@ -88,17 +88,22 @@ TEST(Perception, NoiseHasTheMeanAndDeviationThatTheLimitsSay) {
       .bearing_noise = 0.02F, .distance_noise = 0.1F, .heading_noise = 0.05F, .speed_noise = 0.2F};
   Errors position;
   Errors velocity;
+  Sample log_time;
   for (std::uint64_t number = 0; number < kDraws; ++number) {
     const Perceived perceived = perceive(thrown(), kEye, limits, 3, number);
     position.add(thrown().position - kEye, perceived.threat.position - kEye);
     velocity.add(thrown().velocity, perceived.threat.velocity);
+    log_time.add(std::log(static_cast<double>(
+        (perceived.threat.position - kEye).norm() * thrown().velocity.norm() /
+        ((thrown().position - kEye).norm() * perceived.threat.velocity.norm()))));
   }
   expect_normal(position.up, 0.02);
   expect_normal(position.aside, 0.02);
   expect_normal(position.log_length, 0.1);
   expect_normal(velocity.up, 0.05);
   expect_normal(velocity.aside, 0.05);
-  expect_normal(velocity.log_length, 0.2);
+  expect_normal(velocity.log_length, std::hypot(0.1, 0.2));
+  expect_normal(log_time, 0.2);  // an error of the distance does not change it
 }
 
 TEST(Perception, FailsAsOftenAsTheLimitsSay) {
@@ -138,7 +143,12 @@ TEST(Perception, ALimitDoesNotChangeWhatAnotherDraws) {
   PerceptionLimits heading{.heading_noise = 0.1F};
   const Threat one = perceive(thrown(), kEye, heading, 1, 2).threat;
   EXPECT_TRUE(same_bits(one.position, thrown().position));
-  heading.distance_noise = 0.2F;
+  for (std::uint64_t number = 0; number < 100; ++number) {
+    Threat threat = thrown();
+    threat.position *= 1 + 0.0137F * static_cast<float>(number);
+    EXPECT_TRUE(
+        same_bits(perceive(threat, kEye, heading, 1, number).threat.position, threat.position));
+  }
   heading.bearing_noise = 0.2F;
   heading.chance_to_fail = 0.5F;
   const Threat both = perceive(thrown(), kEye, heading, 1, 2).threat;

@@ -4,11 +4,14 @@
 #include <cmath>
 #include <fstream>
 #include <iterator>
+#include <span>
 #include <string>
 
+#include "database/library_writer.h"
+#include "database/sealed_file.h"
+#include "features/random.h"
 #include "tests/scenes/synthetic_library.h"
 #include "tests/scenes/temporary_folder.h"
-#include "features/random.h"
 #include "train/scenario_sampling.h"
 #include "train/store.h"
 
@@ -25,7 +28,10 @@ inline std::string bytes_of(const std::string& path) {
 inline StoreHeader made_up_header() {
   const database::Library library = scenes::synthetic_library();
   StoreHeader header;
-  header.library_hash = 0x0123456789abcdef;
+  const std::string file = database::library_bytes(library);
+  const auto bytes = std::as_bytes(std::span(file));
+  header.library_file.assign(bytes.begin(), bytes.end());
+  header.library_hash = database::unseal(database::kLibraryKind, bytes).hash;
   header.library_name = library.name;
   header.seed = 5;
   header.distribution = "{\"made\":\"up\"}";

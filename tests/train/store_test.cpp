@@ -45,6 +45,7 @@ TEST(Store, ReadsBackEveryBitThatWasWritten) {
   const Store store = read_store(folder / "a.flinchobs");
   EXPECT_EQ(store.header.library_hash, header.library_hash);
   EXPECT_EQ(store.header.library_name, header.library_name);
+  EXPECT_TRUE(store.header.library_file == header.library_file);
   EXPECT_EQ(store.header.seed, header.seed);
   EXPECT_EQ(store.header.reference_impulse_ns, header.reference_impulse_ns);
   EXPECT_EQ(store.header.reference_work_j, header.reference_work_j);
@@ -180,11 +181,14 @@ TEST(Store, FilesThatAreNoStoreAreRefusedByName) {
 
 TEST(Store, DamagedRowsAreRefused) {
   const TemporaryFolder folder;
-  for (const char* damage : {"UPDATE observation SET trials = x'0000' WHERE number = 3",
-                             "UPDATE observation SET target = 'nose' WHERE number = 3",
-                             "UPDATE observation SET feature_speed_mps = 1e999 WHERE number = 3",
-                             "UPDATE meta SET value = 999 WHERE key = 'idle_clip'",
-                             "DELETE FROM meta", "DELETE FROM clip"}) {
+  for (const char* damage :
+       {"UPDATE observation SET trials = x'0000' WHERE number = 3",
+        "UPDATE observation SET target = 'nose' WHERE number = 3",
+        "UPDATE observation SET feature_speed_mps = 1e999 WHERE number = 3",
+        "UPDATE meta SET value = 999 WHERE key = 'idle_clip'", "DELETE FROM meta",
+        "DELETE FROM clip", "DELETE FROM library", "UPDATE library SET file = x'464C'",
+        "UPDATE library SET file = substr(file, 1, length(file) - 1)",
+        "UPDATE meta SET value = '1' WHERE key = 'library_hash'"}) {
     const std::string path = folder / "damaged";
     std::filesystem::remove(path);
     write_store(path, made_up_header(), 5);

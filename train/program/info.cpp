@@ -124,7 +124,14 @@ void print_store(const StoreSummary& store) {
             << table.text();
 }
 
-Json selector_document(const models::Selector& selector) {
+std::size_t pose_count(const database::Library& library) {
+  std::size_t count = 0;
+  for (const motion::Clip& clip : library.clips) count += clip.motion.poses.size();
+  return count;
+}
+
+Json selector_document(const runtime::SelectorFile& file) {
+  const models::Selector& selector = file.selector;
   Json clips = Json::array();
   for (const models::ClipSummary& clip : selector.clips)
     clips.push_back({{"name", clip.name}, {"annotation", to_json(clip)}});
@@ -144,11 +151,16 @@ Json selector_document(const models::Selector& selector) {
   }
   document["idle"] = selector.clips[static_cast<std::size_t>(selector.idle)].name;
   document["clips"] = clips;
+  document["has_clips"] = file.library.has_value();
+  if (file.library) {
+    document["library"] = file.library->name;
+    document["poses"] = pose_count(*file.library);
+  }
   return document;
 }
 
-void print_selector(const models::Selector& selector) {
-  const Json document = selector_document(selector);
+void print_selector(const runtime::SelectorFile& file) {
+  const Json document = selector_document(file);
   std::cout << "selector for library " << document["library_hash"].get<std::string>();
   for (const char* key : {"model", "classes", "support_vectors", "k", "observations", "brawn"})
     if (document.contains(key))
@@ -156,7 +168,13 @@ void print_selector(const models::Selector& selector) {
                 << key << ": "
                 << (document[key].is_string() ? document[key].get<std::string>()
                                               : document[key].dump());
-  std::cout << "\nclips: " << selector.clips.size() << '\n';
+  std::cout << "\nclips: " << file.selector.clips.size();
+  if (file.library) {
+    std::cout << ", in this file: " << pose_count(*file.library) << " poses at "
+              << file.library->rate_hz << " Hz of library " << file.library->name << '\n';
+  } else {
+    std::cout << ", not in this file: train it again to respond with it\n";
+  }
 }
 
 void print_source(const database::SourceReport& source) {
@@ -197,7 +215,7 @@ void run(const Options& options) {
     case FileKind::store:
       return show(options, summarise_store(options.file), store_document, print_store);
     case FileKind::selector:
-      return show(options, load_selector(options.file), selector_document, print_selector);
+      return show(options, load_selector_file(options.file), selector_document, print_selector);
     case FileKind::bvh:
       return show(options, database::inspect_bvh(options.file, source_options(options.bvh)),
                   source_document, print_source);

@@ -6,16 +6,15 @@
 #include "database/file_io.h"
 #include "database/file_kind.h"
 #include "motion/error.h"
-#include "runtime/selector_file.h"
 
 namespace flinch::train::program {
 
-models::Selector load_selector(const std::string& path) {
+runtime::SelectorFile load_selector_file(const std::string& path) {
   const std::string bytes = database::read_file(path);
-  models::Selector selector;
+  runtime::SelectorFile file;
   const database::LoadStatus status =
-      runtime::read_selector(std::as_bytes(std::span(bytes.data(), bytes.size())), selector);
-  if (status == database::LoadStatus::ok) return selector;
+      runtime::read_selector_file(std::as_bytes(std::span(bytes.data(), bytes.size())), file);
+  if (status == database::LoadStatus::ok) return file;
   if (database::file_kind_of(bytes) != database::FileKind::selector)
     throw Error(path, "is " + std::string(name_of(database::file_kind_of(bytes))) +
                           ", not a selector; `flinch train` makes one");

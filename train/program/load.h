@@ -3,12 +3,12 @@
 
 #include <string>
 
-#include "models/selector.h"
+#include "runtime/selector_file.h"
 
 namespace flinch::train::program {
 
-/// Reads a selector. Throws Error that says what is wrong, and what the file is instead where that
-/// can be told.
-models::Selector load_selector(const std::string& path);
+/// Reads a selector file, with its clips where it has any. Throws Error that says what is wrong,
+/// and what the file is instead where that can be told.
+runtime::SelectorFile load_selector_file(const std::string& path);
 
 }  // namespace flinch::train::program

@@ -55,8 +55,7 @@ void write_filmstrip(const runtime::Library& library, const Film& film, const Op
         static_cast<float>(options.threat.azimuth * std::numbers::pi / 180);
   }
   database::write_file_atomically(
-      options.out,
-      database::filmstrip_svg(database::make_figure(library.clips().character), clip));
+      options.out, database::filmstrip_svg(database::make_figure(library.clips().character), clip));
 }
 
 void write(const runtime::Library& library, const Film& film, const Options& options) {
@@ -79,11 +78,11 @@ void run(const Options& options) {
   const runtime::Library library = load(options.selector);
   const TargetCentres& centres = library.selector().target_centres;
   const DescribedThreat threat = described(options.threat, centres);
-  const Film film = film_response(
-      library,
-      features::threat_from_approach(threat.approach,
-                                     centres[static_cast<std::size_t>(threat.target)], 0),
-      threat.target, threat.approach.time_to_impact_s);
+  const Film film =
+      film_response(library,
+                    features::threat_from_approach(
+                        threat.approach, centres[static_cast<std::size_t>(threat.target)], 0),
+                    threat.target, threat.approach.time_to_impact_s);
   write(library, film, options);
 
   const std::string& clip = library.clips().clips[static_cast<std::size_t>(film.clip)].name;

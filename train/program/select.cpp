@@ -66,7 +66,7 @@ void print_text(const models::Selector& selector, const ThreatOptions& threat,
 }
 
 void run(const Options& options) {
-  const models::Selector selector = load_selector(options.selector);
+  const models::Selector selector = load_selector_file(options.selector).selector;
   const DescribedThreat threat = described(options.threat, selector.target_centres);
   const std::pmr::vector<models::Candidate> candidates = models::candidates(
       selector, described_features(threat, selector.target_centres), threat.target);

@@ -22,8 +22,8 @@ struct ThreatOptions {
 
 void add_threat_options(CLI::App& command, ThreatOptions& threat);
 
-/// The threat that the options describe, of a character whose targets are at `centres`. Throws Error
-/// when it would have come out of the ground.
+/// The threat that the options describe, of a character whose targets are at `centres`. Throws
+/// Error when it would have come out of the ground.
 DescribedThreat described(const ThreatOptions& options, const TargetCentres& centres);
 
 }  // namespace flinch::train::program

@@ -58,7 +58,7 @@ void run(const Options& options) {
       make_cost_model(store.header, vulnerability_of(options.cost), options.cost.brawn);
   const Training training = train_selector(store.header, store.observations, cost_model,
                                            *model_kind_named(options.model), store.header.seed);
-  write_selector(training.selector, options.selector);
+  write_selector(training.selector, store.header.library_file, options.selector);
   const Json summary = summary_of(options, store, training);
   if (options.json) {
     print(summary);

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+// What a reaction costs a 60 Hz frame, by what it does in that frame.
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <ctime>
+
+#include "sim/reaction_clips.h"
+#include "tests/sim/reaction_scenes.h"
+
+namespace flinch {
+namespace {
+
+using sim::ReactionPhase;
+
+/// Of this thread, so that other programs do not count.
+double cpu_us() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return 1e6 * static_cast<double>(now.tv_sec) + 1e-3 * static_cast<double>(now.tv_nsec);
+}
+
+void report(benchmark::State& state, std::vector<double>& frames_us) {
+  std::sort(frames_us.begin(), frames_us.end());
+  double sum = 0;
+  for (double frame_us : frames_us) sum += frame_us;
+  const auto count = static_cast<double>(frames_us.size());
+  state.counters["mean_us"] = sum / count;
+  state.counters["p99_us"] = frames_us[static_cast<std::size_t>(0.99 * count)];
+  state.counters["max_us"] = frames_us.back();
+}
+
+/// A second of reaction an iteration; reports the frames in which the phase is one of `phases`.
+void frames(benchmark::State& state, const std::vector<ReactionPhase>& phases, double mass_kg) {
+  const motion::Character man = motion::default_character();
+  const auto motions = scenes::motions_by_rule(man.skeleton);
+  const auto blows = scenes::random_blows(man, motions, 96, 1, mass_kg);
+  sim::Reaction reaction(sim::make_figure_plan(man));
+  std::vector<double> frames_us;
+  std::size_t next = 0;
+  for (auto _ : state) {
+    const scenes::Blow& blow = blows[next++ % blows.size()];
+    scenes::begin(reaction, blow);
+    for (int k = 1; k <= 60; ++k) {
+      const motion::Pose wanted =
+          scenes::pose_at(*blow.motion, blow.begin_s + k * scenes::kFrame_s);
+      const double begin_us = cpu_us();
+      reaction.advance(scenes::kFrame_s, wanted, wanted);
+      const double frame_us = cpu_us() - begin_us;
+      if (std::count(phases.begin(), phases.end(), reaction.phase()) > 0) {
+        frames_us.push_back(frame_us);
+      }
+    }
+  }
+  report(state, frames_us);
+}
+// Each of the 96 once or twice.
+BENCHMARK_CAPTURE(frames, struck, {ReactionPhase::waiting, ReactionPhase::struck}, 0.27)
+    ->Unit(benchmark::kMillisecond)
+    ->Iterations(192);
+BENCHMARK_CAPTURE(frames, recovering, {ReactionPhase::recovering}, 0.27)
+    ->Unit(benchmark::kMillisecond)
+    ->Iterations(192);
+BENCHMARK_CAPTURE(frames, returning, {ReactionPhase::returning, ReactionPhase::over}, 0.27)
+    ->Unit(benchmark::kMillisecond)
+    ->Iterations(192);
+BENCHMARK_CAPTURE(frames, knocked_over, {ReactionPhase::knocked_over}, 20.0)
+    ->Unit(benchmark::kMillisecond)
+    ->Iterations(192);
+
+void begin(benchmark::State& state) {
+  const motion::Character man = motion::default_character();
+  const auto motions = scenes::motions_by_rule(man.skeleton);
+  const auto blows = scenes::random_blows(man, motions, 12, 1);
+  sim::Reaction reaction(sim::make_figure_plan(man));
+  std::size_t next = 0;
+  for (auto _ : state) scenes::begin(reaction, blows[next++ % blows.size()]);
+}
+BENCHMARK(begin)->Unit(benchmark::kMicrosecond);
+
+/// Among 120 clips of two seconds, none of them near: what is never cut short by a good match.
+void find_clip(benchmark::State& state) {
+  const motion::Character man = motion::default_character();
+  std::vector<motion::Clip> clips(120);
+  const motion::Pose stand = scenes::standing(man.skeleton);
+  for (std::size_t i = 0; i < clips.size(); ++i) {
+    clips[i].purpose = motion::Purpose::push;
+    clips[i].motion.poses.assign(120, stand);
+  }
+  const sim::ReactionClips index(man, clips);
+  const motion::Pose raised = scenes::arms_raised(man.skeleton);
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(index.find(raised, raised, 1.0F / 60, 10.0F));
+  }
+  state.counters["frames"] = static_cast<double>(index.size());
+}
+BENCHMARK(find_clip)->Unit(benchmark::kMicrosecond);
+
+}  // namespace
+}  // namespace flinch

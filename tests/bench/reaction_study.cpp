@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: MIT
+// Prints the tables of docs/reaction.md:
+//
+//     reaction_study [LIBRARY]
+//
+// over the motions by rule and, where a library is given, over each of its clips as well.
+#include <algorithm>
+#include <cstdio>
+#include <ctime>
+
+#include "database/library_file.h"
+#include "sim/reaction_clips.h"
+#include "tests/sim/reaction_scenes.h"
+
+namespace flinch {
+namespace {
+
+using motion::Role;
+using scenes::Blow;
+using scenes::kFrame_s;
+
+constexpr std::size_t kBlows = 400;
+constexpr double kDuration_s = 0.9;
+
+struct Study {
+  motion::Character character;
+  std::vector<scenes::NamedMotion> motions;
+  std::shared_ptr<const sim::FigurePlan> plan;
+};
+
+double quantile(std::vector<double> values, double share) {
+  if (values.empty()) return 0;
+  std::sort(values.begin(), values.end());
+  return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
+}
+
+/// Of joints of two poses, the largest distance, mm.
+double distance_mm(const Study& study, const motion::Pose& first, const motion::Pose& second) {
+  const auto a = forward_kinematics(study.character.skeleton, first);
+  const auto b = forward_kinematics(study.character.skeleton, second);
+  float most = 0;
+  for (Role role : motion::kRoles) {
+    most = std::max(most, (a.position[role] - b.position[role]).norm());
+  }
+  return 1e3 * static_cast<double>(most);
+}
+
+struct Played {
+  std::vector<motion::Pose> poses;
+  std::vector<double> frames_us;  // of the frames that simulate
+  bool knocked_over = false;
+  motion::Body most_hit = motion::Body::pelvis;
+};
+
+double cpu_us() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return 1e6 * static_cast<double>(now.tv_sec) + 1e-3 * static_cast<double>(now.tv_nsec);
+}
+
+Played play(const Study& study, const Blow& blow, double frame_s) {
+  sim::Reaction reaction(study.plan);
+  scenes::begin(reaction, blow);
+  Played played;
+  played.poses.push_back(reaction.pose());
+  for (int k = 1; k * frame_s < kDuration_s + 1e-9; ++k) {
+    const motion::Pose wanted = scenes::pose_at(*blow.motion, blow.begin_s + k * frame_s);
+    const double begin_us = cpu_us();
+    reaction.advance(frame_s, wanted, wanted);
+    if (reaction.phase() < sim::ReactionPhase::returning) {
+      played.frames_us.push_back(cpu_us() - begin_us);
+    }
+    played.poses.push_back(reaction.pose());
+    played.knocked_over |= reaction.phase() == sim::ReactionPhase::knocked_over;
+  }
+  const auto impulse = reaction.impulse();
+  for (motion::Body body : motion::kBodies) {
+    if (impulse[body] > impulse[played.most_hit]) played.most_hit = body;
+  }
+  return played;
+}
+
+void print_effect(const Study& study, const std::vector<Blow>& blows) {
+  std::vector<double> off_mm[motion::kTargetCount];
+  std::vector<double> frames_us;
+  for (const Blow& blow : blows) {
+    const Played played = play(study, blow, kFrame_s);
+    double most = 0;
+    for (std::size_t k = 0; k < played.poses.size(); ++k) {
+      const double time_s = blow.begin_s + static_cast<double>(k) * kFrame_s;
+      most = std::max(most,
+                      distance_mm(study, played.poses[k], scenes::pose_at(*blow.motion, time_s)));
+    }
+    off_mm[static_cast<int>(target_of(played.most_hit))].push_back(most);
+    frames_us.insert(frames_us.end(), played.frames_us.begin(), played.frames_us.end());
+  }
+  std::printf("\n### Effect: how far the joint that is farthest is moved, mm\n\n");
+  std::printf("| hit most | blows | median | p90 | worst |\n| --- | --- | --- | --- | --- |\n");
+  for (int target = 0; target < motion::kTargetCount; ++target) {
+    const auto& off = off_mm[target];
+    std::printf("| %s | %zu | %.0f | %.0f | %.0f |\n",
+                std::string(name_of(static_cast<motion::Target>(target))).c_str(), off.size(),
+                quantile(off, 0.5), quantile(off, 0.9), quantile(off, 1));
+  }
+  double sum = 0;
+  for (double frame_us : frames_us) sum += frame_us;
+  std::printf("\n### Cost of a 60 Hz frame that simulates, us of one core\n\n");
+  std::printf("| frames | mean | p99 | p99.9 | worst |\n| --- | --- | --- | --- | --- |\n");
+  std::printf("| %zu | %.0f | %.0f | %.0f | %.0f |\n", frames_us.size(),
+              sum / static_cast<double>(frames_us.size()), quantile(frames_us, 0.99),
+              quantile(frames_us, 0.999), quantile(frames_us, 1));
+}
+
+/// Against frames of 60 Hz, at every tenth of a second.
+void print_frame_rates(const Study& study, const std::vector<Blow>& blows) {
+  std::printf("\n### Frame rate: largest distance of a joint from where 60 Hz has it, mm\n\n");
+  std::printf("| rate | median | p90 | p99 | worst |\n| --- | --- | --- | --- | --- |\n");
+  for (int a_tenth : {3, 12, 24}) {
+    std::vector<double> off_mm;
+    for (const Blow& blow : blows) {
+      const Played usual = play(study, blow, kFrame_s);
+      const Played other = play(study, blow, 0.1 / a_tenth);
+      double most = 0;
+      for (std::size_t tenth = 1; tenth <= 9; ++tenth) {
+        most = std::max(most, distance_mm(study, usual.poses[6 * tenth],
+                                          other.poses[static_cast<std::size_t>(a_tenth) * tenth]));
+      }
+      off_mm.push_back(most);
+    }
+    std::printf("| %d Hz | %.2f | %.2f | %.2f | %.2f |\n", 10 * a_tenth, quantile(off_mm, 0.5),
+                quantile(off_mm, 0.9), quantile(off_mm, 0.99), quantile(off_mm, 1));
+  }
+}
+
+void print_knock_overs(const Study& study) {
+  std::printf(
+      "\n### Knocked over, of balls of 8 to 30 m/s\n\n| ball, kg | share |\n| --- | --- |\n");
+  for (double mass_kg : {0.27, 1.0, 2.0, 5.0, 10.0, 20.0}) {
+    const auto blows = scenes::random_blows(study.character, study.motions, kBlows / 4, 2, mass_kg);
+    const auto fallen = std::count_if(blows.begin(), blows.end(), [&](const Blow& blow) {
+      return play(study, blow, kFrame_s).knocked_over;
+    });
+    std::printf("| %g | %.0f %% |\n", mass_kg,
+                100 * static_cast<double>(fallen) / static_cast<double>(blows.size()));
+  }
+}
+
+/// For the pose at the end of the time that the simulation has alone, among the clips themselves.
+void print_search(const Study& study, const database::Library& library,
+                  const std::vector<Blow>& blows) {
+  const sim::ReactionClips clips(library.character, library.clips, motion::Purpose::anticipation);
+  std::vector<double> distances;
+  double spent_us = 0;
+  for (const Blow& blow : blows) {
+    const Played played = play(study, blow, kFrame_s);
+    const double begin_us = cpu_us();
+    const auto match =
+        clips.find(played.poses[5], played.poses[6], static_cast<float>(kFrame_s), 10.0F);
+    spent_us += cpu_us() - begin_us;
+    if (match) distances.push_back(static_cast<double>(match->distance_m));
+  }
+  const double near = static_cast<double>(sim::ReactionClips::kNear_m);
+  const auto found = std::count_if(distances.begin(), distances.end(),
+                                   [&](double distance) { return distance <= near; });
+  std::printf("\n### Search for a clip to go on with, among %zu frames\n\n", clips.size());
+  std::printf("| D median | p90 | within %.2f m | us a search |\n| --- | --- | --- | --- |\n",
+              near);
+  std::printf("| %.3f m | %.3f m | %.0f %% | %.0f |\n", quantile(distances, 0.5),
+              quantile(distances, 0.9),
+              100 * static_cast<double>(found) / static_cast<double>(distances.size()),
+              spent_us / static_cast<double>(blows.size()));
+}
+
+std::vector<Blow> print(const char* title, const Study& study) {
+  std::printf("\n## %s: %zu motions\n", title, study.motions.size());
+  auto blows = scenes::random_blows(study.character, study.motions, kBlows, 1);
+  print_effect(study, blows);
+  print_frame_rates(study, blows);
+  print_knock_overs(study);
+  return blows;
+}
+
+int run(int count, char** arguments) {
+  const motion::Character man = motion::default_character();
+  print("Motions by rule",
+        {man, scenes::motions_by_rule(man.skeleton), sim::make_figure_plan(man)});
+  if (count < 2) return 0;
+  database::Library library;
+  const auto status = database::read_library(std::string(arguments[1]), library);
+  if (status != database::LoadStatus::ok) {
+    std::fprintf(stderr, "%s: %s\n", arguments[1], database::message_of(status));
+    return 1;
+  }
+  Study study{library.character, {}, sim::make_figure_plan(library.character)};
+  for (const motion::Clip& clip : library.clips) study.motions.push_back({clip.name, clip.motion});
+  print_search(study, library, print("The library's clips", study));
+  return 0;
+}
+
+}  // namespace
+}  // namespace flinch
+
+int main(int count, char** arguments) {
+  return flinch::run(count, arguments);
+}

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: MIT
+#include "runtime/library.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <random>
+
+#include "database/file_io.h"
+#include "motion/error.h"
+#include "runtime/selector_file.h"
+#include "runtime/workspace.h"
+#include "tests/runtime/made_up_selector.h"
+#include "tests/scenes/temporary_folder.h"
+
+namespace flinch::runtime {
+namespace {
+
+using database::LoadStatus;
+using motion::Target;
+using tests::Fitted;
+using tests::MadeUpSelector;
+
+std::span<const std::byte> bytes_of(const std::string& text) {
+  return std::as_bytes(std::span(text));
+}
+
+const MadeUpSelector& made_up() {
+  static const MadeUpSelector kMadeUp =
+      tests::made_up_selector(tests::made_up_library(12, 61), 60, Fitted::svm);
+  return kMadeUp;
+}
+
+const std::string& whole_file() {
+  static const std::string kFile = made_up().file();
+  return kFile;
+}
+
+/// Whether a library is the one that whole_file() holds.
+void expect_whole(const Library& library) {
+  ASSERT_TRUE(library.is_loaded());
+  EXPECT_EQ(database::library_bytes(library.clips()), made_up().library_file);
+  EXPECT_EQ(library.clips().hash, made_up().selector.library_hash);
+  EXPECT_EQ(train::selector_bytes(library.selector(), made_up().library_bytes()), whole_file());
+  EXPECT_EQ(library.prepared().library, &library.clips());
+  EXPECT_EQ(library.prepared().footwork.size(), library.clips().clips.size());
+  EXPECT_EQ(library.selection_bytes(), selection_bytes(made_up().selector));
+}
+
+TEST(Library, IsAllThatTheFileHolds) {
+  Library library;
+  EXPECT_FALSE(library.is_loaded());
+  ASSERT_EQ(library.load(bytes_of(whole_file())), LoadStatus::ok);
+  expect_whole(library);
+  const tests::TemporaryFolder folder;
+  database::write_file_atomically(folder / "a.flinch", whole_file());
+  Library from_file;
+  ASSERT_EQ(from_file.load(folder / "a.flinch"), LoadStatus::ok);
+  expect_whole(from_file);
+}
+
+TEST(Library, BytesMayStandAnywhereInMemory) {
+  for (std::size_t shift = 0; shift < 16; ++shift) {
+    const std::string moved = std::string(shift, 'x') + whole_file();
+    Library library;
+    ASSERT_EQ(library.load(bytes_of(moved).subspan(shift)), LoadStatus::ok) << shift;
+    EXPECT_EQ(database::library_bytes(library.clips()), made_up().library_file);
+  }
+}
+
+TEST(Library, StaysInPlaceWhenItIsMoved) {
+  Library library;
+  ASSERT_EQ(library.load(bytes_of(whole_file())), LoadStatus::ok);
+  const database::Library* clips = &library.clips();
+  const Library moved = std::move(library);
+  EXPECT_EQ(&moved.clips(), clips);
+  expect_whole(moved);
+}
+
+TEST(Library, FailingToLoadLeavesItAsItWas) {
+  Library library;
+  ASSERT_EQ(library.load(bytes_of(whole_file())), LoadStatus::ok);
+  EXPECT_EQ(library.load("no such file"), LoadStatus::cannot_open);
+  EXPECT_EQ(library.load("/"), LoadStatus::cannot_open);
+  EXPECT_EQ(library.load(bytes_of("HIERARCHY")), LoadStatus::not_a_library);
+  EXPECT_EQ(library.load(made_up().library_bytes()), LoadStatus::not_a_library);
+  EXPECT_EQ(library.load(bytes_of(train::selector_bytes(made_up().selector))),
+            LoadStatus::without_clips);
+  EXPECT_EQ(library.load(bytes_of(whole_file()).first(1000)), LoadStatus::damaged);
+  expect_whole(library);
+}
+
+TEST(SelectorFile, WithoutClipsStillSelects) {
+  SelectorFile file;
+  ASSERT_EQ(read_selector_file(bytes_of(train::selector_bytes(made_up().selector)), file),
+            LoadStatus::ok);
+  EXPECT_FALSE(file.library.has_value());
+  for (int target = 0; target < motion::kTargetCount; ++target) {
+    EXPECT_EQ(models::select(file.selector, {}, static_cast<Target>(target)),
+              models::select(made_up().selector, {}, static_cast<Target>(target)));
+  }
+}
+
+TEST(Library, AFileCutShortAnywhereIsRefused) {
+  std::size_t cuts = 0;
+  for (std::size_t size = 0; size < whole_file().size(); size += 1000, ++cuts) {
+    Library library;
+    ASSERT_NE(library.load(bytes_of(whole_file()).first(size)), LoadStatus::ok) << size;
+    ASSERT_FALSE(library.is_loaded());
+  }
+  EXPECT_GT(cuts, 200U);
+}
+
+TEST(Library, AFlippedByteAnywhereIsNoticed) {
+  std::mt19937_64 random(1);
+  std::string changed = whole_file();
+  Library library;
+  for (int i = 0; i < 2000; ++i) {
+    // The first bytes are the seal and the tables; each of them has its turn.
+    const std::size_t at = i < 200 ? static_cast<std::size_t>(i) : random() % changed.size();
+    const char whole = changed[at];
+    changed[at] = static_cast<char>(whole ^ static_cast<char>(1 + random() % 255));
+    ASSERT_NE(library.load(bytes_of(changed)), LoadStatus::ok) << "byte " << at;
+    changed[at] = whole;
+  }
+  EXPECT_FALSE(library.is_loaded());
+  EXPECT_EQ(library.load(bytes_of(changed)), LoadStatus::ok);
+}
+
+void reseal(std::string& bytes) {
+  const auto seal =
+      database::make_seal(database::kSelectorKind, bytes_of(bytes).subspan(database::kSealSize));
+  bytes.replace(0, seal.size(), reinterpret_cast<const char*>(seal.data()), seal.size());
+}
+
+// Damage that the seal cannot see, because who sealed it meant it. The clips' own seal is not
+// looked at for accidents, so what is inside must be kept out by the checks alone.
+TEST(Library, SealedNonsenseIsRefusedOrHarmless) {
+  const std::string& whole = whole_file();
+  const std::size_t clips = whole.find("FLINCHL");
+  ASSERT_NE(clips, std::string::npos);
+  EXPECT_EQ(clips % 16, 0U) << "the clips are read in place";
+  std::mt19937_64 random(2);
+  Workspace workspace;
+  int refused = 0;
+  int loaded = 0;
+  for (int i = 0; i < 1500; ++i) {
+    std::string changed = whole;
+    const std::size_t places[] = {
+        database::kSealSize + random() % (whole.size() - database::kSealSize),
+        database::kSealSize + random() % 400, clips + random() % 400,
+        clips + random() % made_up().library_file.size(), whole.size() - 1 - random() % 4000};
+    changed[places[random() % 5]] = static_cast<char>(random());
+    reseal(changed);
+    Library library;
+    if (library.load(bytes_of(changed)) != LoadStatus::ok) {
+      ++refused;
+      continue;
+    }
+    ++loaded;
+    ASSERT_EQ(workspace.make_room(library.selection_bytes()), LoadStatus::ok);
+    const Selection selection = workspace.select(library.selector(), {}, Target::trunk, {});
+    ASSERT_EQ(selection.status, SelectStatus::ok);
+    ASSERT_LT(static_cast<std::size_t>(selection.clip), library.clips().clips.size());
+  }
+  EXPECT_GT(refused, 100);
+  EXPECT_GT(loaded, 100);
+}
+
+TEST(SelectorFile, ClipsThatAreNotTheSelectorsAreNotWritten) {
+  const auto other_library = [](const std::function<void(database::Library&)>& change) {
+    database::Library library = tests::made_up_library(12, 61);
+    change(library);
+    return database::library_bytes(library);
+  };
+  const auto fails = [](const models::Selector& selector, const std::string& library_file) {
+    EXPECT_THROW(train::selector_bytes(selector, bytes_of(library_file)), Error);
+  };
+  models::Selector selector = made_up().selector;
+  fails(selector, other_library([](auto& library) { library.name = "another"; }));  // its hash
+  fails(selector, "no library");
+  fails(selector, made_up().library_file.substr(0, 5000));
+
+  // The hash is right in these.
+  const auto fails_by = [&](const std::function<void(database::Library&)>& change) {
+    const std::string library_file = other_library(change);
+    models::Selector renamed = selector;
+    renamed.library_hash = database::content_hash(bytes_of(library_file).subspan(16));
+    fails(renamed, library_file);
+  };
+  fails_by([](auto& library) { library.clips.pop_back(); });
+  fails_by([](auto& library) {
+    library.clips.push_back(library.clips[3]);
+    library.clips.back().name = "one more";
+  });
+  fails_by([](auto& library) { library.clips[3].name = "other"; });
+  fails_by([](auto& library) { library.idle = 1; });
+  fails_by([](auto& library) { library.clips[3].annotation.reset(); });
+}
+
+}  // namespace
+}  // namespace flinch::runtime

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "database/library_writer.h"
+#include "database/sealed_file.h"
+#include "models/knn_fit.h"
+#include "models/svm_fit.h"
+#include "tests/models/training_sets.h"
+#include "tests/scenes/synthetic_library.h"
+#include "train/selector_writer.h"
+
+namespace flinch::tests {
+
+/// The synthetic library's motions under as many names as asked for, each held at its end until it
+/// has `pose_count` poses. Clip 0 is the idle one.
+inline database::Library made_up_library(int clip_count, std::size_t pose_count) {
+  database::Library library = scenes::synthetic_library();
+  const std::vector<motion::Clip> posed(library.clips.begin() + 1, library.clips.end());
+  library.clips.resize(1);
+  for (std::size_t i = 1; i < static_cast<std::size_t>(clip_count); ++i) {
+    motion::Clip clip = posed[i % posed.size()];
+    clip.name.append(1, '_').append(std::to_string(i));
+    clip.motion.poses.resize(pose_count, clip.motion.poses.back());
+    library.clips.push_back(clip);
+  }
+  return library;
+}
+
+/// A library's file and a selector of its clips that was fitted to made-up observations, which
+/// choose from all of its clips but the idle one.
+struct MadeUpSelector {
+  std::string library_file;
+  models::Selector selector;
+
+  std::span<const std::byte> library_bytes() const {
+    return std::as_bytes(std::span(library_file));
+  }
+  /// Of the selector's file, with its clips.
+  std::string file() const { return train::selector_bytes(selector, library_bytes()); }
+};
+
+enum class Fitted : std::uint8_t { svm, knn };
+
+inline MadeUpSelector made_up_selector(const database::Library& library, int observation_count,
+                                       Fitted model) {
+  MadeUpSelector made{database::library_bytes(library), {}};
+  models::Selector& selector = made.selector;
+  selector.library_hash = database::unseal(database::kLibraryKind, made.library_bytes()).hash;
+  for (const motion::Clip& clip : library.clips)
+    selector.clips.push_back({clip.name, clip.annotation});
+  selector.idle = library.idle;
+  selector.feature_names.assign(features::kFeatureNames.begin(), features::kFeatureNames.end());
+  selector.scaling.least.assign(features::kFeatureCount, -1);
+  selector.scaling.most.assign(features::kFeatureCount, 1);
+  const int class_count = static_cast<int>(library.clips.size()) - 1;
+  models::TrainingSet set =
+      models::random_clouds(1, observation_count, class_count, features::kFeatureCount);
+  for (int& label : set.label) label = 1 + label / 2;
+  if (model == Fitted::svm) {
+    selector.model = models::fit_svm(set, models::default_svm_parameters(features::kFeatureCount));
+  } else {
+    selector.model = models::fit_knn(set, {10, models::KnnVote::inverse_distance});
+  }
+  return made;
+}
+
+}  // namespace flinch::tests
