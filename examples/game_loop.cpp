@@ -31,7 +31,8 @@ const std::array<Throw, 3> kThrows{{{1, {9, 7, 1.2F}, {0, 0, 1.6F}, 0.6F, true},
 
 /// Frames as a game has them: some short, some long, one that hung.
 float frame_time_s(int frame) {
-  constexpr std::array<float, 6> kTimes_s{1.0F / 60, 1.0F / 144, 1.0F / 30, 0.011F, 1.0F / 60, 0.1F};
+  constexpr std::array<float, 6> kTimes_s{1.0F / 60, 1.0F / 144, 1.0F / 30,
+                                          0.011F,    1.0F / 60,  0.1F};
   return kTimes_s[static_cast<std::size_t>(frame) % kTimes_s.size()];
 }
 

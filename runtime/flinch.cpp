@@ -133,11 +133,12 @@ flinch_status flinch_library_free(flinch_library* library) {
 flinch_status flinch_library_describe(const flinch_library* library, flinch_library_info* out) {
   if (const flinch_status status = check(library, out)) return status;
   const flinch::database::Library& clips = library->content->clips();
-  write_struct(*out, flinch_library_info{.size = 0,
-                                         .clip_count = static_cast<std::int32_t>(clips.clips.size()),
-                                         .idle_clip = clips.idle,
-                                         .rate_hz = clips.rate_hz,
-                                         .mass_kg = clips.character.mass_kg});
+  write_struct(*out,
+               flinch_library_info{.size = 0,
+                                   .clip_count = static_cast<std::int32_t>(clips.clips.size()),
+                                   .idle_clip = clips.idle,
+                                   .rate_hz = clips.rate_hz,
+                                   .mass_kg = clips.character.mass_kg});
   return FLINCH_OK;
 }
 
@@ -236,8 +237,7 @@ flinch_status flinch_character_perceive(flinch_character* character, const flinc
 
 flinch_status flinch_character_perceive_known(flinch_character* character,
                                               const flinch_threat* threat, int32_t target,
-                                              float time_to_impact_s,
-                                              flinch_workspace* workspace) {
+                                              float time_to_impact_s, flinch_workspace* workspace) {
   if (const flinch_status status = check(character, threat, workspace)) return status;
   if (character->content->library != workspace->content->library) return FLINCH_OTHER_LIBRARY;
   if (!is_index(target, motion::kTargetCount)) return FLINCH_BAD_INDEX;

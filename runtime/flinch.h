@@ -118,11 +118,11 @@ FLINCH_API flinch_status flinch_library_describe(const flinch_library* library,
                                                  flinch_library_info* out);
 
 /* The joints: parents come before their children; 0 is the pelvis. The same for every library. */
-FLINCH_API const char* flinch_joint_name(int32_t joint);   /* NULL: no such joint */
-FLINCH_API int32_t flinch_joint_parent(int32_t joint);     /* -1: none, or no such joint */
+FLINCH_API const char* flinch_joint_name(int32_t joint); /* NULL: no such joint */
+FLINCH_API int32_t flinch_joint_parent(int32_t joint);   /* -1: none, or no such joint */
 
-/* In the rest pose (all rotations identity) the character stands in a T-pose and faces +X, and every
- * joint's frame is parallel to the world's. */
+/* In the rest pose (all rotations identity) the character stands in a T-pose and faces +X, and
+ * every joint's frame is parallel to the world's. */
 typedef struct flinch_skeleton {
   uint32_t size;
   /* From the parent's joint in the parent's frame, m; the pelvis' above the ground. */
@@ -144,13 +144,13 @@ typedef struct flinch_clip {
   const char* name;     /* unique in the library */
   const char* kind;     /* "block", "duck", ..., free text */
   float duration_s;
-  int32_t target;    /* FLINCH_HEAD, ... */
-  float direction;   /* of the threat from the character's facing, counter-clockwise, radians */
-  int32_t degree;    /* 0 mild, 1 exaggerated */
-  float onset_s;     /* when the protective movement begins */
-  float peak_s;      /* when it protects most */
-  float end_s;       /* when it is over */
-  int32_t reserved;  /* 0 */
+  int32_t target;   /* FLINCH_HEAD, ... */
+  float direction;  /* of the threat from the character's facing, counter-clockwise, radians */
+  int32_t degree;   /* 0 mild, 1 exaggerated */
+  float onset_s;    /* when the protective movement begins */
+  float peak_s;     /* when it protects most */
+  float end_s;      /* when it is over */
+  int32_t reserved; /* 0 */
 } flinch_clip;
 FLINCH_API flinch_status flinch_library_clip(const flinch_library* library, int32_t index,
                                              flinch_clip* out);
@@ -178,7 +178,8 @@ FLINCH_API flinch_status flinch_library_joint_frames(const flinch_library* libra
 
 /* A workspace is several kilobytes that only perceiving needs, so it is apart from the characters:
  * a thread has one for all of its characters. */
-FLINCH_API flinch_status flinch_workspace_create(const flinch_library* library, flinch_workspace** out);
+FLINCH_API flinch_status flinch_workspace_create(const flinch_library* library,
+                                                 flinch_workspace** out);
 FLINCH_API flinch_status flinch_workspace_free(flinch_workspace* workspace);
 
 /* It stands idling at the world's origin, facing +X. */
@@ -246,8 +247,7 @@ FLINCH_API flinch_status flinch_character_respond(flinch_character* character, i
 FLINCH_API flinch_status flinch_character_update(flinch_character* character, float dt_s);
 
 /* The pose now. */
-FLINCH_API flinch_status flinch_character_pose(const flinch_character* character,
-                                               flinch_pose* out);
+FLINCH_API flinch_status flinch_character_pose(const flinch_character* character, flinch_pose* out);
 
 /* Which joints move by Flinch and which as the game has them. */
 typedef struct flinch_mask {
@@ -274,12 +274,12 @@ FLINCH_API const char* flinch_phase_name(int32_t phase); /* NULL: no such phase 
 
 typedef struct flinch_character_state {
   uint32_t size;
-  int32_t phase;           /* FLINCH_IDLE, ... */
-  int32_t clip;            /* that answers; the idle clip where none does */
-  int32_t target;          /* of the last threat that was perceived */
-  float time_to_impact_s;  /* negative after it; infinity where there is none */
-  float position[2];       /* where it stands, or began its response, world, m */
-  float facing;            /* radians */
+  int32_t phase;          /* FLINCH_IDLE, ... */
+  int32_t clip;           /* that answers; the idle clip where none does */
+  int32_t target;         /* of the last threat that was perceived */
+  float time_to_impact_s; /* negative after it; infinity where there is none */
+  float position[2];      /* where it stands, or began its response, world, m */
+  float facing;           /* radians */
 } flinch_character_state;
 FLINCH_API flinch_status flinch_character_describe(const flinch_character* character,
                                                    flinch_character_state* out);
