@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-# Installs the run time's libraries and headers as the CMake package `flinch`, and the program.
+# Installs the run time's libraries and headers as the CMake package `flinch`, its C interface also
+# for pkg-config, and the program.
 # The offline libraries stay behind: a game has no use for them, and the program does their work.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
@@ -34,6 +35,18 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/flinchConfigVersion.cmake
 install(FILES ${PROJECT_BINARY_DIR}/flinchConfig.cmake
   ${PROJECT_BINARY_DIR}/flinchConfigVersion.cmake DESTINATION ${package_directory})
 install(EXPORT flinch NAMESPACE flinch:: FILE flinchTargets.cmake DESTINATION ${package_directory})
+
+# The C interface, as one library: `flinch::flinch`, and for all build systems `flinch.pc`, which
+# finds its prefix from where it is.
+install(TARGETS flinch_shared flinch_static EXPORT flinch_c
+  LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+install(FILES ${PROJECT_SOURCE_DIR}/runtime/flinch.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+install(EXPORT flinch_c NAMESPACE flinch:: FILE flinchCTargets.cmake
+  DESTINATION ${package_directory})
+file(RELATIVE_PATH to_prefix /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
+configure_file(${CMAKE_CURRENT_LIST_DIR}/flinch.pc.in ${PROJECT_BINARY_DIR}/flinch.pc @ONLY)
+install(FILES ${PROJECT_BINARY_DIR}/flinch.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
 if(TARGET flinch)

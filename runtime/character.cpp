@@ -7,6 +7,7 @@
 #include "features/feature_vector.h"
 #include "features/impact_prediction.h"
 #include "motion/interpolation.h"
+#include "runtime/pose_check.h"
 
 namespace flinch::runtime {
 namespace {
@@ -14,15 +15,7 @@ namespace {
 using motion::Pose;
 using motion::Role;
 
-constexpr float kUnit = 1e-2F;             // by which a rotation's length may differ from 1
 constexpr float kVelocity_s = 1.0F / 240;  // over which velocities of responses are measured
-
-bool is_usable(const Pose& pose) {
-  if (!pose.root_position.allFinite()) return false;
-  return std::ranges::all_of(pose.rotation, [](const Eigen::Quaternionf& rotation) {
-    return rotation.coeffs().allFinite() && std::abs(rotation.norm() - 1) < kUnit;
-  });
-}
 
 bool is_usable(const features::Threat& threat) {
   return threat.position.allFinite() && threat.velocity.allFinite() &&

@@ -32,7 +32,7 @@ HEADERS = {
     "database": ["Eigen/", "flatbuffers/"],
     "features": ["Eigen/"],
     "models": ["Eigen/"],
-    "runtime": ["Eigen/", "flatbuffers/"],
+    "runtime": ["Eigen/", "flatbuffers/", "stddef.h", "stdint.h"],  # these for the C interface
     "sim": ["Eigen/"],
     "train": ["Eigen/", "flatbuffers/"],
 }

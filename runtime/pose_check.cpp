@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+#include "runtime/pose_check.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace flinch::runtime {
+
+bool is_usable(const motion::Pose& pose) noexcept {
+  constexpr float kUnit = 1e-2F;  // by which a rotation's length may differ from 1
+  if (!pose.root_position.allFinite()) return false;
+  return std::ranges::all_of(pose.rotation, [](const Eigen::Quaternionf& rotation) {
+    return rotation.coeffs().allFinite() && std::abs(rotation.norm() - 1) < kUnit;
+  });
+}
+
+}  // namespace flinch::runtime

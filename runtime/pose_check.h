@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "motion/skeleton.h"
+
+namespace flinch::runtime {
+
+/// Whether a pose that comes from outside can be used: finite numbers, rotations that are unit to
+/// 1 %, which is more than what float arithmetic loses in games.
+bool is_usable(const motion::Pose& pose) noexcept;
+
+}  // namespace flinch::runtime
