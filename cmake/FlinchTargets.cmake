@@ -13,6 +13,19 @@ if(FLINCH_SANITIZE)
   target_link_options(flinch_flags INTERFACE -fsanitize=${FLINCH_SANITIZE})
 endif()
 
+# Sanitizer builds precompile the headers that almost every file includes, which saves a third of
+# their time; the others do without, so that a file which forgets an include does not compile.
+function(flinch_precompiled name)
+  file(GENERATE OUTPUT ${PROJECT_BINARY_DIR}/${name}.cpp CONTENT "")
+  add_library(${name} STATIC EXCLUDE_FROM_ALL ${PROJECT_BINARY_DIR}/${name}.cpp)
+  target_link_libraries(${name} PRIVATE Eigen3::Eigen flinch_flags ${ARGN})
+  target_precompile_headers(${name} PRIVATE
+    <Eigen/Geometry> <algorithm> <array> <cmath> <memory> <optional> <random> <span> <string> <vector>)
+  if(ARGN)
+    target_precompile_headers(${name} PRIVATE <gmock/gmock.h>)
+  endif()
+endfunction()
+
 # flinch_library(NAME SOURCES file... [DEPENDS target...] [PRIVATE_DEPENDS target...])
 # A static library, flinch::NAME without its `flinch_`: DEPENDS are what its headers
 # need too, PRIVATE_DEPENDS only its sources.
@@ -28,6 +41,13 @@ function(flinch_library name)
   target_link_libraries(${name} PUBLIC ${arg_DEPENDS}
     PRIVATE ${arg_PRIVATE_DEPENDS} $<BUILD_INTERFACE:flinch_flags>)
   set_property(GLOBAL APPEND PROPERTY FLINCH_LIBRARIES ${name})
+  if(FLINCH_SANITIZE)
+    if(NOT TARGET flinch_precompiled_library)
+      flinch_precompiled(flinch_precompiled_library)
+      set_target_properties(flinch_precompiled_library PROPERTIES POSITION_INDEPENDENT_CODE ON)
+    endif()
+    target_precompile_headers(${name} REUSE_FROM flinch_precompiled_library)
+  endif()
 endfunction()
 
 # flinch_link_closure(VARIABLE TARGET)
@@ -79,6 +99,12 @@ function(flinch_test name)
     GTest::gtest_main)
   target_compile_definitions(${name} PRIVATE
     FLINCH_SOURCE_DIR="${PROJECT_SOURCE_DIR}" FLINCH_MOCAP_DIR="${PROJECT_SOURCE_DIR}/../shared/mocap")
+  if(FLINCH_SANITIZE)
+    if(NOT TARGET flinch_precompiled_test)
+      flinch_precompiled(flinch_precompiled_test GTest::gmock)
+    endif()
+    target_precompile_headers(${name} REUSE_FROM flinch_precompiled_test)
+  endif()
   gtest_discover_tests(${name} TEST_PREFIX ${name}. DISCOVERY_TIMEOUT 60
     PROPERTIES TIMEOUT 600 SKIP_REGULAR_EXPRESSION "\\[  SKIPPED \\]")
 endfunction()

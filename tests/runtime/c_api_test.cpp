@@ -124,8 +124,8 @@ TEST_F(CApi, PlaysTheMotionOfTheCxxApiBitForBit) {
   Workspace our_workspace;
   ASSERT_EQ(our_workspace.make_room(ours.selection_bytes()), database::LoadStatus::ok);
   Character twin(ours);
-  twin.place({0.3F, -0.2F}, 0.4F, 1.1F);
-  ASSERT_EQ(flinch_character_place(character, 0.3F, -0.2F, 0.4F, 1.1F), FLINCH_OK);
+  twin.place({0.03F, -0.02F}, 0.4F, 1.1F);
+  ASSERT_EQ(flinch_character_place(character, 0.03F, -0.02F, 0.4F, 1.1F), FLINCH_OK);
 
   const flinch_threat threat = ball();
   features::Threat same{.position = {8, 4, 1.5F}, .velocity = {-16, -8, 2.7F}};
