@@ -41,7 +41,8 @@ function(flinch_library name)
   target_link_libraries(${name} PUBLIC ${arg_DEPENDS}
     PRIVATE ${arg_PRIVATE_DEPENDS} $<BUILD_INTERFACE:flinch_flags>)
   set_property(GLOBAL APPEND PROPERTY FLINCH_LIBRARIES ${name})
-  if(FLINCH_SANITIZE)
+  # What is compiled for OpenMP cannot use what is not.
+  if(FLINCH_SANITIZE AND NOT "OpenMP::OpenMP_CXX" IN_LIST arg_PRIVATE_DEPENDS)
     if(NOT TARGET flinch_precompiled_library)
       flinch_precompiled(flinch_precompiled_library)
       set_target_properties(flinch_precompiled_library PROPERTIES POSITION_INDEPENDENT_CODE ON)
