@@ -54,8 +54,8 @@ features::Threat threat_to(Target target, float azimuth_deg, float time_s) {
   approach.elevation = motion::radians(10);
   approach.speed_mps = 20;
   approach.time_to_impact_s = time_s;
-  return features::threat_from_approach(
-      approach, motion::target_centre(prepared.bodies, frames, target), 0);
+  return features::threat_from_approach(approach,
+                                        motion::target_centre(prepared.bodies, frames, target), 0);
 }
 
 int clip_named(std::string_view name) {
@@ -164,9 +164,9 @@ TEST(Character, ANewThreatRestartsFromPoseAndVelocityOfTheMoment) {
     const Pose before = character.pose();
     character.update(kStep_s);
     const Pose now = character.pose();
-    ASSERT_EQ(character.perceive(threat_to(Target::trunk, -60, 0.5F), Target::trunk, 0.5F,
-                                 workspace),
-              Status::ok);
+    ASSERT_EQ(
+        character.perceive(threat_to(Target::trunk, -60, 0.5F), Target::trunk, 0.5F, workspace),
+        Status::ok);
     EXPECT_LT(distance(character.pose(), now), 2e-3F) << at_s;
     character.update(kStep_s);
     const Pose after = character.pose();
@@ -188,9 +188,9 @@ TEST(Character, RespondsFromMotionOfTheGames) {
   Pose now = library().prepared().idle().poses.front();
   now = motion::placed(now, 1.1F, {3, -2, 0});
   for (Role arm : {Role::left_forearm, Role::right_forearm}) {
-    now.rotation[arm] = now.rotation[arm] *
-                        motion::turn_about(Eigen::Vector3f::UnitZ(),
-                                           arm == Role::left_forearm ? -1.4F : 1.4F);
+    now.rotation[arm] =
+        now.rotation[arm] *
+        motion::turn_about(Eigen::Vector3f::UnitZ(), arm == Role::left_forearm ? -1.4F : 1.4F);
   }
   Pose before = now;
   before.root_position -= kFrame_s * Eigen::Vector3f(std::cos(1.1F), std::sin(1.1F), 0);
@@ -207,9 +207,8 @@ TEST(Character, RespondsFromMotionOfTheGames) {
   EXPECT_LT((gone / 1e-3F - (now.root_position - before.root_position) / kFrame_s).norm(), 0.2F);
   // Feet that stood stay until a step.
   const auto feet = [&](const Pose& pose) {
-    return motion::foot_place(
-        motion::forward_kinematics(library().prepared().skeleton(), pose),
-        character.response().support);
+    return motion::foot_place(motion::forward_kinematics(library().prepared().skeleton(), pose),
+                              character.response().support);
   };
   EXPECT_LT((feet(character.pose()).ankle - feet(now).ankle).norm(), 1e-3F);
 }
@@ -231,20 +230,18 @@ TEST(Character, AMaskKeepsTheGamesJoints) {
   character.update(0.5F);
   const Pose game = library().prepared().idle().poses.front();
   Mask mask;
-  for (Role role : {Role::right_clavicle, Role::right_upper_arm, Role::right_forearm,
-                    Role::right_hand}) {
+  for (Role role :
+       {Role::right_clavicle, Role::right_upper_arm, Role::right_forearm, Role::right_hand}) {
     mask.joint[role] = 0;
   }
   const Pose masked = character.pose_over(game, mask);
   const Pose whole = character.pose();
-  EXPECT_LT(masked.rotation[Role::right_forearm].angularDistance(
-                game.rotation[Role::right_forearm]),
+  EXPECT_LT(
+      masked.rotation[Role::right_forearm].angularDistance(game.rotation[Role::right_forearm]),
+      1e-3F);
+  EXPECT_LT(masked.rotation[Role::left_forearm].angularDistance(whole.rotation[Role::left_forearm]),
             1e-3F);
-  EXPECT_LT(masked.rotation[Role::left_forearm].angularDistance(
-                whole.rotation[Role::left_forearm]),
-            1e-3F);
-  EXPECT_GT(whole.rotation[Role::right_forearm].angularDistance(
-                game.rotation[Role::right_forearm]),
+  EXPECT_GT(whole.rotation[Role::right_forearm].angularDistance(game.rotation[Role::right_forearm]),
             0.3F);
   mask.weight = 0;
   EXPECT_LT(distance(character.pose_over(game, mask), game), 1e-3F);

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "runtime/library.h"
 #include "runtime/selector_file.h"
 
 namespace flinch::train::program {
@@ -10,5 +11,9 @@ namespace flinch::train::program {
 /// Reads a selector file, with its clips where it has any. Throws Error that says what is wrong,
 /// and what the file is instead where that can be told.
 runtime::SelectorFile load_selector_file(const std::string& path);
+
+/// Loads a selector with its clips, as a game does. Throws Error as load_selector_file does, also
+/// for a selector without clips.
+runtime::Library load_runtime_library(const std::string& path);
 
 }  // namespace flinch::train::program

@@ -9,9 +9,9 @@
 #include "database/filmstrip.h"
 #include "database/gltf_writer.h"
 #include "motion/error.h"
-#include "runtime/library.h"
 #include "train/film.h"
 #include "train/program/command.h"
+#include "train/program/load.h"
 #include "train/program/table.h"
 #include "train/program/threat_options.h"
 
@@ -34,13 +34,6 @@ Kind kind_of(const std::string& path) {
   if (extension == ".bvh") return Kind::bvh;
   if (extension == ".svg") return Kind::svg;
   throw Error(path, "can write .glb, .bvh or .svg; name the file so");
-}
-
-runtime::Library load(const std::string& path) {
-  runtime::Library library;
-  const database::LoadStatus status = library.load(path);
-  if (status != database::LoadStatus::ok) throw Error(path, database::message_of(status));
-  return library;
 }
 
 // The film as a clip that protects where the threat comes from, for its arrow.
@@ -75,7 +68,7 @@ void write(const runtime::Library& library, const Film& film, const Options& opt
 
 void run(const Options& options) {
   kind_of(options.out);  // before any work
-  const runtime::Library library = load(options.selector);
+  const runtime::Library library = load_runtime_library(options.selector);
   const TargetCentres& centres = library.selector().target_centres;
   const DescribedThreat threat = described(options.threat, centres);
   const Film film =
