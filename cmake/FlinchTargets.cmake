@@ -100,7 +100,7 @@ function(flinch_test name)
     GTest::gtest_main)
   target_compile_definitions(${name} PRIVATE
     FLINCH_SOURCE_DIR="${PROJECT_SOURCE_DIR}" FLINCH_MOCAP_DIR="${PROJECT_SOURCE_DIR}/../shared/mocap")
-  if(FLINCH_SANITIZE)
+  if(FLINCH_SANITIZE AND NOT "OpenMP::OpenMP_CXX" IN_LIST arg_DEPENDS)
     if(NOT TARGET flinch_precompiled_test)
       flinch_precompiled(flinch_precompiled_test GTest::gmock)
     endif()
