@@ -1,105 +1,151 @@
 // SPDX-License-Identifier: MIT
+// What characters cost a game: a frame of one that idles and of one that is in the costliest part
+// of its response, a perceived threat, and a thousand characters at 60 Hz.
 #include <benchmark/benchmark.h>
 
-#include <vector>
+#include <random>
 
 #include "database/authored_library.h"
 #include "motion/default_character.h"
 #include "runtime/character.h"
+#include "tests/motion/random_motion.h"
 #include "tests/runtime/made_up_selector.h"
 
 namespace flinch::runtime {
 namespace {
 
+constexpr float kInstant_s = 1e-9F;  // an update that leaves a character where it is
 constexpr float kFrame_s = 1.0F / 60;
 
-const Library& library() {
-  static const Library kLibrary = [] {
+struct Loaded {
+  Library library;
+  Workspace workspace;
+};
+
+/// The authored clips with a support vector machine over made-up observations.
+Loaded& loaded() {
+  static Loaded loaded = [] {
+    Loaded made;
     const std::string file =
         tests::made_up_selector(database::authored_library(motion::default_character()), 2000,
                                 tests::Fitted::svm)
             .file();
-    Library loaded;
-    loaded.load(std::as_bytes(std::span(file)));
-    return loaded;
-  }();
-  return kLibrary;
-}
-
-// Clips that step, so that the weight is shifted while they blend in.
-std::vector<int> stepping_clips() {
-  std::vector<int> clips;
-  const auto& all = library().clips().clips;
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    if (all[i].kind == "sidestep" || all[i].kind == "lift") clips.push_back(static_cast<int>(i));
-  }
-  return clips;
-}
-
-float step(Character& character) {
-  character.update(kFrame_s);
-  return character.pose().root_position.x();
-}
-
-void frame_idle(benchmark::State& state) {
-  Character character(library());
-  for (auto unused : state) {
-    (void)unused;
-    benchmark::DoNotOptimize(step(character));
-  }
-}
-BENCHMARK(frame_idle)->Unit(benchmark::kMicrosecond);
-
-// From the beginning of the shift to the end of the blend, again and again.
-void frame_with_weight_shift_and_blend(benchmark::State& state) {
-  const std::vector<int> clips = stepping_clips();
-  Character character(library());
-  std::size_t next = 0;
-  for (auto unused : state) {
-    (void)unused;
-    if (character.phase() != Phase::shifting && character.phase() != Phase::blending) {
-      state.PauseTiming();
-      character.place({0, 0}, 0, 0);
-      character.respond(clips[next++ % clips.size()], 0.5F);
-      while (character.phase() == Phase::waiting) character.update(kFrame_s);
-      state.ResumeTiming();
+    if (made.library.load(std::as_bytes(std::span(file))) != database::LoadStatus::ok ||
+        made.workspace.make_room(made.library.selection_bytes()) != database::LoadStatus::ok) {
+      std::abort();
     }
-    benchmark::DoNotOptimize(step(character));
-  }
+    return made;
+  }();
+  return loaded;
 }
-BENCHMARK(frame_with_weight_shift_and_blend)->Unit(benchmark::kMicrosecond);
 
-// One frame of all: at 60 Hz a core has 16.7 ms for it. Each answers a threat once in 2 s.
-void frame_of_1000_characters(benchmark::State& state) {
-  const std::vector<int> clips = stepping_clips();
-  std::vector<Character> characters(1000, Character(library()));
-  int frame = 0;
-  for (auto unused : state) {
-    (void)unused;
-    for (std::size_t i = 0; i < characters.size(); ++i) {
-      if ((static_cast<std::size_t>(frame) + i) % 120 == 0) {
-        characters[i].respond(clips[i % clips.size()], 0.5F);
+/// A ball that hits somewhere between shin and head of a character at `position`.
+features::Threat random_ball(std::mt19937& random, const Eigen::Vector2f& position) {
+  features::Approach approach;
+  approach.azimuth = tests::uniform(random, -3.1F, 3.1F);
+  approach.elevation = tests::uniform(random, 0.1F, 0.5F);
+  approach.speed_mps = tests::uniform(random, 8, 30);
+  approach.time_to_impact_s = tests::uniform(random, 0.25F, 1.2F);
+  const Eigen::Vector3f goal(position.x(), position.y(), tests::uniform(random, 0.4F, 1.7F));
+  return features::threat_from_approach(approach, goal, 0);
+}
+
+/// Whether a response blends and has its weight shifted at this moment.
+bool is_shifting_and_blending(const Character& character) {
+  const float now_s = character.response_time_s();
+  return character.phase() == Phase::blending &&
+         std::ranges::any_of(character.response().shifts, [now_s](const WeightShift& shift) {
+           return shift.window.begin_s < now_s && now_s < shift.window.end_s;
+         });
+}
+
+std::vector<Character> shifting_and_blending_characters(std::size_t count) {
+  std::mt19937 random(1);
+  const Library& library = loaded().library;
+  const auto clip_count = library.clips().clips.size();
+  std::vector<Character> found;
+  while (found.size() < count) {
+    Character character(library);
+    character.place({0, 0}, 0, tests::uniform(random, 0, 3));
+    const auto clip = static_cast<int>(random() % clip_count);
+    if (character.respond(clip, tests::uniform(random, 0.25F, 1.2F)) != Status::ok) continue;
+    character.update(tests::uniform(random, 0.01F, 1));
+    if (is_shifting_and_blending(character)) found.push_back(character);
+  }
+  return found;
+}
+
+void update_and_pose(benchmark::State& state, std::vector<Character>& characters) {
+  std::size_t next = 0;
+  for (auto _ : state) {
+    Character& character = characters[next++ % characters.size()];
+    character.update(kInstant_s);
+    benchmark::DoNotOptimize(character.pose());
+  }
+  state.counters["bytes_a_character"] = sizeof(Character);
+}
+
+void frame_of_idle(benchmark::State& state) {
+  std::mt19937 random(2);
+  std::vector<Character> characters(64, Character(loaded().library));
+  for (Character& character : characters)
+    character.place({1, 2}, tests::uniform(random, -3, 3), tests::uniform(random, 0, 3));
+  update_and_pose(state, characters);
+}
+BENCHMARK(frame_of_idle)->Unit(benchmark::kMicrosecond);
+
+void frame_of_shift_and_blend(benchmark::State& state) {
+  std::vector<Character> characters = shifting_and_blending_characters(256);
+  update_and_pose(state, characters);
+}
+BENCHMARK(frame_of_shift_and_blend)->Unit(benchmark::kMicrosecond);
+
+/// From place and velocity to a planned response: prediction, selection, weight shift.
+void perceive_and_plan(benchmark::State& state) {
+  std::mt19937 random(3);
+  std::vector<features::Threat> balls;
+  for (int i = 0; i < 512; ++i) balls.push_back(random_ball(random, {0, 0}));
+  Character character(loaded().library);
+  std::size_t next = 0;
+  double answered = 0;
+  for (auto _ : state) {
+    character.place({0, 0}, 0, 0.5F);
+    const Status status = character.perceive(balls[next++ % balls.size()], loaded().workspace);
+    answered += status == Status::ok ? 1 : 0;
+  }
+  state.counters["answered"] = answered / static_cast<double>(state.iterations());
+}
+BENCHMARK(perceive_and_plan)->Unit(benchmark::kMicrosecond);
+
+/// A frame of all, in which a ball comes at each every three seconds: one iteration a frame.
+void frame_of_a_thousand(benchmark::State& state) {
+  constexpr std::size_t kCount = 1000;
+  constexpr std::size_t kFramesABall = 180;
+  std::mt19937 random(4);
+  std::vector<Character> characters(kCount, Character(loaded().library));
+  std::size_t frame = 0;
+  double responding = 0;
+  const auto play = [&] {
+    for (std::size_t i = 0; i < kCount; ++i) {
+      Character& character = characters[i];
+      if ((frame + i * 7) % kFramesABall == 0) {
+        character.perceive(random_ball(random, character.state().position), loaded().workspace);
       }
-      benchmark::DoNotOptimize(step(characters[i]));
+      character.update(kFrame_s);
+      benchmark::DoNotOptimize(character.pose());
+      responding += character.phase() == Phase::idle ? 0 : 1;
     }
     ++frame;
-  }
-  state.counters["context_bytes"] = static_cast<double>(sizeof(Character));
+  };
+  for (std::size_t i = 0; i < kFramesABall; ++i) play();  // until all are at it
+  responding = 0;
+  for (auto _ : state) play();
+  state.counters["responding"] = responding / static_cast<double>(state.iterations() * kCount);
+  state.counters["percent_of_a_core_at_60_hz"] =
+      benchmark::Counter(static_cast<double>(state.iterations()) / (60 * 100),
+                         benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
 }
-BENCHMARK(frame_of_1000_characters)->Unit(benchmark::kMillisecond);
-
-void perceive_predict_and_select(benchmark::State& state) {
-  Workspace workspace;
-  workspace.make_room(library().selection_bytes());
-  Character character(library());
-  const features::Threat threat{.position = {12, 3, 1.5F}, .velocity = {-24, -6, 2.2F}};
-  for (auto unused : state) {
-    (void)unused;
-    character.place({0, 0}, 0, 0);
-    if (character.perceive(threat, workspace) != Status::ok) state.SkipWithError("not answered");
-  }
-}
-BENCHMARK(perceive_predict_and_select)->Unit(benchmark::kMicrosecond);
+BENCHMARK(frame_of_a_thousand)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace flinch::runtime
