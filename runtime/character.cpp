@@ -16,6 +16,7 @@ using motion::Pose;
 using motion::Role;
 
 constexpr float kVelocity_s = 1.0F / 240;  // over which velocities of responses are measured
+constexpr float kLeastStep_s = 1e-4F;      // nearer poses say nothing of velocities
 
 bool is_usable(const features::Threat& threat) {
   return threat.position.allFinite() && threat.velocity.allFinite() &&
@@ -24,6 +25,10 @@ bool is_usable(const features::Threat& threat) {
 
 bool is_positive(float time_s) {
   return std::isfinite(time_s) && time_s > 0;
+}
+
+bool is_time_to_impact(float time_s) {
+  return time_s > 0 && time_s <= features::kMostHorizon;
 }
 
 }  // namespace
@@ -83,7 +88,9 @@ motion::PerRole<float> Mask::whole_body() {
 Character::Character(const Library& library) noexcept : library_(&library) {}
 
 Status Character::place(const Eigen::Vector2f& position, float facing, float idle_time_s) noexcept {
-  if (!position.allFinite() || !std::isfinite(facing) || !std::isfinite(idle_time_s)) {
+  const auto is_near = [](float x) { return std::abs(x) <= features::kMostExtent; };
+  if (!is_near(position.x()) || !is_near(position.y()) || !is_near(facing) ||
+      !is_near(idle_time_s)) {
     return Status::bad_placement;
   }
   state_ = {idle_time_s, position, facing};
@@ -96,7 +103,7 @@ Status Character::place(const Eigen::Vector2f& position, float facing, float idl
 
 Status Character::stand_in(const Pose& before, const Pose& now, float dt_s) noexcept {
   if (!library_->is_loaded()) return Status::not_loaded;
-  if (!is_positive(dt_s)) return Status::bad_time;
+  if (!is_positive(dt_s) || dt_s < kLeastStep_s) return Status::bad_time;
   if (!is_usable(before) || !is_usable(now)) return Status::bad_pose;
   state_ = state_under(library_->prepared(), now);
   origin_ = make_origin(library_->prepared(), state_, before, now, dt_s);
@@ -141,7 +148,7 @@ Status Character::perceive(const features::Threat& threat, Workspace& workspace)
 Status Character::perceive(const features::Threat& threat, motion::Target target,
                            float time_to_impact_s, Workspace& workspace) noexcept {
   if (!library_->is_loaded()) return Status::not_loaded;
-  if (!is_usable(threat) || !is_positive(time_to_impact_s)) return Status::bad_threat;
+  if (!is_usable(threat) || !is_time_to_impact(time_to_impact_s)) return Status::bad_threat;
   const Eigen::Vector3f eye =
       motion::forward_kinematics(library_->prepared().skeleton(), pose()).position[Role::head];
   const Perceived seen = runtime::perceive(threat, eye, limits_, seed_, threats_++);
@@ -169,7 +176,7 @@ Status Character::answer(const features::Scenario& scenario, float delay_s,
 
 Status Character::respond(int clip, float time_to_impact_s) noexcept {
   if (!library_->is_loaded()) return Status::not_loaded;
-  if (!is_positive(time_to_impact_s)) return Status::bad_threat;
+  if (!is_time_to_impact(time_to_impact_s)) return Status::bad_threat;
   const Status status = begin(clip, time_to_impact_s);
   if (status == Status::ok) to_impact_s_ = double{time_to_impact_s};
   return status;
@@ -179,7 +186,7 @@ Status Character::respond(int clip, float time_to_impact_s) noexcept {
 // feet say.
 features::CharacterState Character::state_now() const noexcept {
   if (is_responding()) {
-    if (time_s_ <= 0) return response_.state;
+    if (time_s_ < double{kLeastStep_s}) return response_.state;
     return state_under(library_->prepared(), pose());
   }
   features::CharacterState state = state_;
@@ -189,7 +196,7 @@ features::CharacterState Character::state_now() const noexcept {
 
 Origin Character::origin_now(const features::CharacterState& state) const noexcept {
   if (!is_responding() && origin_.idles) return origin_;
-  if (time_s_ <= 0) return is_responding() ? response_.origin : origin_;
+  if (time_s_ < double{kLeastStep_s}) return is_responding() ? response_.origin : origin_;
   const float now_s = static_cast<float>(time_s_);
   const float before_s = std::max(now_s - kVelocity_s, 0.0F);
   return make_origin(library_->prepared(), state, pose_after(before_s), pose_after(now_s),

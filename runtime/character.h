@@ -59,12 +59,13 @@ class Character {
   explicit Character(const Library& library) noexcept;
 
   /// Where it stands and which way it faces, radians; `idle_time_s` into its idle clip. Ends any
-  /// response.
+  /// response. All of them within features::kMostExtent.
   Status place(const Eigen::Vector2f& position, float facing, float idle_time_s) noexcept;
 
-  /// Tells it that it does not idle but is in a motion of the game's: its pose now and `dt_s` ago,
-  /// world. The next response starts from there with these velocities. Ends any response; call it
-  /// in each frame before `perceive` for as long as the game moves the character itself.
+  /// Tells it that it does not idle but is in a motion of the game's: its pose now and `dt_s` ago
+  /// (at least 1e-4 s), world. The next response starts from there with these velocities. Ends any
+  /// response; call it in each frame before `perceive` for as long as the game moves the character
+  /// itself.
   Status stand_in(const motion::Pose& before, const motion::Pose& now, float dt_s) noexcept;
 
   /// Goes back to idle from what it is doing, feet and all.
@@ -78,7 +79,8 @@ class Character {
   /// used by one thread at a time.
   Status perceive(const features::Threat& threat, Workspace& workspace) noexcept;
 
-  /// A threat that the game knows to aim at `target` and to be there in `time_to_impact_s`.
+  /// A threat that the game knows to aim at `target` and to be there in `time_to_impact_s`, at most
+  /// features::kMostHorizon.
   Status perceive(const features::Threat& threat, motion::Target target, float time_to_impact_s,
                   Workspace& workspace) noexcept;
 

@@ -12,7 +12,8 @@
  *
  * Units and frames. SI units, seconds, radians. The world is right-handed with Z up, the ground at
  * 0; a character whose facing is 0 looks along +X and has +Y at its left. Quaternions are unit, in
- * the order w, x, y, z.
+ * the order w, x, y, z. Places are within 1e6 m of the origin; what is farther is refused like what
+ * is not finite.
  *
  * Errors. Functions that can fail return a status: 0 is success, above 0 are answers that are no
  * errors, below 0 the call was refused and has changed nothing, neither the handle nor what `out`
@@ -192,9 +193,10 @@ FLINCH_API flinch_status flinch_character_free(flinch_character* character);
 FLINCH_API flinch_status flinch_character_place(flinch_character* character, float x, float y,
                                                 float facing, float idle_time_s);
 
-/* Tells it that it does not idle but is in a motion of the game's: its pose now and `dt_s` before,
- * world. The next response starts there with these velocities. Ends any response; call it in every
- * frame before `perceive` for as long as the game moves the character itself. */
+/* Tells it that it does not idle but is in a motion of the game's: its pose now and `dt_s` (at
+ * least 1e-4) before, world. The next response starts there with these velocities. Ends any
+ * response; call it in every frame before `perceive` for as long as the game moves the character
+ * itself. */
 FLINCH_API flinch_status flinch_character_stand_in(flinch_character* character,
                                                    const flinch_pose* before,
                                                    const flinch_pose* now, float dt_s);
@@ -234,12 +236,13 @@ typedef struct flinch_threat {
 FLINCH_API flinch_status flinch_character_perceive(flinch_character* character,
                                                    const flinch_threat* threat,
                                                    flinch_workspace* workspace);
-/* A threat that the game knows to aim at `target` and to be there in `time_to_impact_s`. */
+/* A threat that the game knows to aim at `target` and to be there in `time_to_impact_s`, which is
+ * above 0 and at most 100. */
 FLINCH_API flinch_status flinch_character_perceive_known(flinch_character* character,
                                                          const flinch_threat* threat,
                                                          int32_t target, float time_to_impact_s,
                                                          flinch_workspace* workspace);
-/* Answers with this clip, whatever the selector would say. */
+/* Answers with this clip, whatever the selector would say; the time as above. */
 FLINCH_API flinch_status flinch_character_respond(flinch_character* character, int32_t clip,
                                                   float time_to_impact_s);
 

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
-#include <bit>
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <functional>
 #include <limits>
+#include <map>
+#include <random>
 #include <set>
 #include <string>
 #include <thread>
@@ -506,6 +508,62 @@ TEST_F(CApi, NumbersThatAreNoneAreRefusedAndHarmNothing) {
   for (int i = 0; i < 200; ++i) ASSERT_EQ(flinch_character_update(character, 0.02F), FLINCH_OK);
   EXPECT_EQ(state().phase, FLINCH_IDLE);
   EXPECT_EQ(perceive(ball()), FLINCH_OK);
+}
+
+/// A number as games have them, or one that no sound game has.
+float any_number(std::mt19937& random) {
+  constexpr float kOdd[] = {0,      -0.0F, 1e-45F,    1e-20F,     1e6F, -1e20F, 3e38F,
+                            -3e38F, kNan,  kInfinity, -kInfinity, 100,  -1};
+  if (random() % 4 == 0) return kOdd[random() % std::size(kOdd)];
+  return std::uniform_real_distribution<float>(-2, 3)(random);
+}
+
+bool is_sound(const flinch_pose& pose) {
+  return std::ranges::all_of(pose.root_position, [](float x) { return std::isfinite(x); }) &&
+         std::ranges::all_of(pose.rotation, [](const float(&q)[4]) {
+           return std::abs(Eigen::Vector4f(q).norm() - 1) < 1e-3F;
+         });
+}
+
+// Whatever is asked, in whatever order: a status, and a pose that can be drawn.
+TEST_F(CApi, AnyCallsLeaveAPoseThatCanBeDrawn) {
+  std::mt19937 random(1);
+  std::map<flinch_status, int> statuses;
+  const auto number = [&random] { return any_number(random); };
+  for (int call = 0; call < 30000; ++call) {
+    flinch_threat threat = ball();
+    if (random() % 2 == 0) {
+      for (float& x : threat.position) x = 5 * number();
+      for (float& x : threat.velocity) x = 10 * number();
+    }
+    flinch_pose before = pose();
+    flinch_pose now = before;
+    now.root_position[random() % 3] += number();
+    if (random() % 4 == 0) now.rotation[random() % FLINCH_JOINT_COUNT][random() % 4] = number();
+    flinch_status status = FLINCH_OK;
+    const auto which = random() % 12;
+    if (which == 0)
+      status = flinch_character_place(character, number(), number(), number(), number());
+    if (which == 1) status = flinch_character_stand_in(character, &before, &now, number());
+    if (which == 2) status = flinch_character_settle(character);
+    if (which == 3) {
+      const auto target = static_cast<std::int32_t>(random() % 5);
+      status = flinch_character_perceive_known(character, &threat, target, number(), workspace);
+    }
+    if (which == 4 || which == 5) status = perceive(threat);
+    if (which == 6) {
+      status =
+          flinch_character_respond(character, static_cast<std::int32_t>(random() % 140), number());
+    }
+    if (which > 6)
+      status = flinch_character_update(character, random() % 8 == 0 ? number() : 0.02F);
+    ++statuses[status];
+    ASSERT_TRUE(is_sound(pose())) << "after call " << call << " of kind " << which;
+  }
+  for (const flinch_status wanted : {FLINCH_OK, FLINCH_MISSES, FLINCH_BAD_THREAT, FLINCH_BAD_TIME,
+                                     FLINCH_BAD_POSE, FLINCH_BAD_PLACEMENT, FLINCH_BAD_CLIP}) {
+    EXPECT_GT(statuses[wanted], 10) << flinch_status_message(wanted);
+  }
 }
 
 TEST_F(CApi, ARotationThatIsNotUnitIsRefused) {
