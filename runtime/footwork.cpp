@@ -33,10 +33,7 @@ void close_swing(float begin_s, float end_s, std::vector<Swing>& swings) {
 
 float lowest_of(const std::vector<Eigen::Vector3f>& points, const Eigen::Vector3f& position,
                 const Eigen::Quaternionf& orientation) {
-  const Eigen::Vector3f up = orientation.conjugate() * Eigen::Vector3f::UnitZ();
-  float lowest = std::numeric_limits<float>::infinity();
-  for (const Eigen::Vector3f& point : points) lowest = std::min(lowest, up.dot(point));
-  return position.z() + lowest;
+  return position.z() + motion::lowest_point(points, orientation);
 }
 
 void drop_short(std::vector<Swing>& swings) {

@@ -63,18 +63,12 @@ bool can_use(const PreparedLibrary& prepared, const features::CharacterState& st
   return clip == library.idle || (annotation && is_in_order(*annotation));
 }
 
-float yaw_of(const FootPlace& place) {
-  const Eigen::Vector3f forward = place.orientation * Eigen::Vector3f::UnitX();
-  return std::atan2(forward.y(), forward.x());
-}
-
-float wrapped(float angle) {
-  return std::remainder(angle, 2 * std::numbers::pi_v<float>);
+float turn_between(const FootPlace& from, const FootPlace& to) {
+  return motion::wrapped(motion::yaw_of(to.orientation) - motion::yaw_of(from.orientation));
 }
 
 bool differ(const FootPlace& a, const FootPlace& b, float distance_m, float yaw) {
-  return level(a.ankle - b.ankle).norm() > distance_m ||
-         std::abs(wrapped(yaw_of(a) - yaw_of(b))) > yaw;
+  return level(a.ankle - b.ankle).norm() > distance_m || std::abs(turn_between(b, a)) > yaw;
 }
 
 float lift_of(const FootPlace& from, const FootPlace& to) {
@@ -128,7 +122,7 @@ void plan_foot(Response& r, Side side) {
   const FootPlace from = source_foot_at(r, side, r.begin_s);
   const FootPlace to = uncorrected_clip_foot_at(r, side, r.begin_s);
   if (differ(from, to, 1e-5F, 1e-4F)) {
-    plan.offset.yaw = wrapped(yaw_of(from) - yaw_of(to));
+    plan.offset.yaw = turn_between(to, from);
     plan.offset.translation = level(
         from.ankle - motion::turn_about(Eigen::Vector3f::UnitZ(), plan.offset.yaw) * to.ankle);
   }
@@ -143,45 +137,50 @@ void plan_foot(Response& r, Side side) {
   }
 }
 
-// The shift of the pelvis that brings the centre of mass over the sole of a foot, kMargin inside.
-// A pelvis takes most of the body along; the feet stay, so it must go a little farther.
-Eigen::Vector3f pelvis_over(const Response& r, Side side, WeightShift& shift) {
+// How far a point is from being kMargin inside of a sole, on the way to the sole's middle.
+Eigen::Vector2f lacking_to_sole(const std::vector<Eigen::Vector2f>& hull,
+                                const Eigen::Vector2f& point) {
   constexpr float kMargin = 0.015F;  // m
+  Eigen::Vector2f middle = Eigen::Vector2f::Zero();
+  for (const Eigen::Vector2f& corner : hull) middle += corner / static_cast<float>(hull.size());
+  const Eigen::Vector2f inward = middle - point;
+  if (motion::signed_distance_inside(hull, point) >= kMargin - 1e-4F) return {0, 0};
+  float outside = 0;
+  float inside = 1;
+  for (int k = 0; k < 12; ++k) {
+    const float half = 0.5F * (outside + inside);
+    const bool is_inside = motion::signed_distance_inside(hull, point + half * inward) >= kMargin;
+    (is_inside ? inside : outside) = half;
+  }
+  return inside * inward;
+}
+
+// Finds the pelvis' way of a shift, one of the response's, that brings the centre of mass over the
+// sole of a foot. A pelvis takes most of the body along; the feet stay, so it must go a little
+// farther.
+void bring_over(const Response& r, Side side, WeightShift& shift) {
   constexpr float kAlong = 1.17F;
   constexpr float kDip = 0.2F;        // knees give, and need not straighten suddenly
   constexpr float kMostShift = 0.2F;  // m: from a lunge the rest is left to momentum
   constexpr int kRounds = 6;
   const PreparedLibrary& library = *r.library;
-  const std::vector<Eigen::Vector2f>& hull = library.soles[motion::index_of(side)].hull;
-  Eigen::Vector2f middle = Eigen::Vector2f::Zero();
-  for (const Eigen::Vector2f& point : hull) middle += point / static_cast<float>(hull.size());
   shift.pelvis = Eigen::Vector3f::Zero();
   for (int round = 0; round < kRounds; ++round) {
     const motion::JointFrames frames =
         motion::forward_kinematics(library.skeleton(), pose_at(r, shift.peak_s));
     const FootPlace foot = motion::foot_place(frames, side);
-    const Eigen::Quaternionf heading = motion::turn_about(Eigen::Vector3f::UnitZ(), yaw_of(foot));
+    const Eigen::Quaternionf heading =
+        motion::turn_about(Eigen::Vector3f::UnitZ(), motion::yaw_of(foot.orientation));
     const Eigen::Vector3f centre = motion::centre_of_mass(library.bodies, frames);
     const Eigen::Vector2f in_sole = (heading.conjugate() * level(centre - foot.ankle)).head<2>();
-    const float margin = motion::signed_distance_inside(hull, in_sole);
-    const Eigen::Vector2f inward = middle - in_sole;
-    if (margin >= kMargin - 1e-4F || inward.norm() <= 0) break;
-    // Toward the middle until it is inside, which a few halvings find.
-    float outside = 0;
-    float inside = 1;
-    for (int k = 0; k < 12; ++k) {
-      const float half = 0.5F * (outside + inside);
-      const bool is_inside =
-          motion::signed_distance_inside(hull, in_sole + half * inward) >= kMargin;
-      (is_inside ? inside : outside) = half;
-    }
-    const Eigen::Vector2f lacking = inside * inward;
+    const Eigen::Vector2f lacking =
+        lacking_to_sole(library.soles[motion::index_of(side)].hull, in_sole);
+    if (lacking.norm() <= 0) break;
     shift.pelvis += kAlong * (heading * Eigen::Vector3f(lacking.x(), lacking.y(), 0));
     const float distance = level(shift.pelvis).norm();
     if (distance > kMostShift) shift.pelvis *= kMostShift / distance;
     shift.pelvis.z() = -kDip * level(shift.pelvis).norm();
   }
-  return shift.pelvis;
 }
 
 // Shifts the weight over a foot before the other leaves the ground at `lift_s`.
@@ -190,7 +189,7 @@ void shift_weight(Response& r, std::size_t number, Side over, float lift_s, floa
   WeightShift& shift = r.shifts[number];
   shift.peak_s = lift_s;
   shift.window = {std::max(earliest_s, lift_s - kShift), std::min(lift_s + kUnshift, latest_s)};
-  pelvis_over(r, over, shift);
+  bring_over(r, over, shift);
   if (shift.pelvis.isZero(0)) shift = {};
 }
 

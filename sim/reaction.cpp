@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "sim/reaction.h"
 
-#include <cmath>
 #include <limits>
 #include <optional>
 
@@ -22,14 +21,6 @@ bool is_good(const ReactionOptions& options) {
 
 bool is_good_time(double dt_s) {
   return dt_s > 0 && dt_s <= kMostFrame_s;
-}
-
-bool is_good(const motion::Pose& pose) {
-  if (!pose.root_position.allFinite()) return false;
-  for (const Eigen::Quaternionf& rotation : pose.rotation) {
-    if (!(std::abs(rotation.squaredNorm() - 1) < 2e-3F)) return false;
-  }
-  return true;
 }
 
 // Masses too far apart are more than the solver bears; the rest keeps numbers sane.
@@ -172,7 +163,7 @@ ReactionStatus Reaction::begin(const motion::Pose& before, const motion::Pose& n
                                const Ball* ball) noexcept {
   if (!state_ || !state_->plan || !is_good(state_->options)) return ReactionStatus::bad_options;
   if (!is_good_time(dt_s)) return ReactionStatus::bad_time;
-  if (!is_good(before) || !is_good(now)) return ReactionStatus::bad_pose;
+  if (!is_sound(before) || !is_sound(now)) return ReactionStatus::bad_pose;
   if (ball && !is_good(*ball)) return ReactionStatus::bad_ball;
   try {
     state_->begin(before, now, dt_s, ball);
@@ -188,7 +179,7 @@ ReactionStatus Reaction::advance(double dt_s, const motion::Pose& wanted,
                                  const motion::Pose& returning) noexcept {
   if (!state_ || state_->phase == ReactionPhase::none) return ReactionStatus::not_begun;
   if (!is_good_time(dt_s)) return ReactionStatus::bad_time;
-  if (!is_good(wanted) || !is_good(returning)) return ReactionStatus::bad_pose;
+  if (!is_sound(wanted) || !is_sound(returning)) return ReactionStatus::bad_pose;
   try {
     if (!state_->fails) {
       prepare_this_thread();
