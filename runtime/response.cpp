@@ -103,8 +103,8 @@ FootPlace foot_at(const Response& r, Side side, float t) {
 Eigen::Vector3f weight_shift_at(const Response& r, float t) {
   Eigen::Vector3f shift = Eigen::Vector3f::Zero();
   for (const WeightShift& part : r.shifts) {
-    const Window up{part.window.begin_s, part.peak_s};
-    const Window down{part.peak_s, part.window.end_s};
+    const Window up{part.window.begin_s, part.held.begin_s};
+    const Window down{part.held.end_s, part.window.end_s};
     const float weight =
         motion::minimum_jerk(part_of(up, t)) - motion::minimum_jerk(part_of(down, t));
     if (weight > 0) shift += weight * part.pelvis;

@@ -17,6 +17,8 @@ using motion::Side;
 constexpr float kShift = 0.3F;        // s, that a shift of weight takes where there is time
 constexpr float kLeastShift = 0.15F;  // s, that it takes at least
 constexpr float kUnshift = 0.45F;     // s, back
+constexpr float kHeldBefore = 0.04F;  // s, that it is there before a foot leaves the ground
+constexpr float kHeldAfter = 0.025F;  // s, and stays after
 constexpr float kStep = 0.25F;        // s, that a step takes that no clip has
 constexpr float kCalm = 0.1F;         // s, after the last step home
 constexpr float kSettle = 0.6F;       // s, from another motion to idle
@@ -158,7 +160,7 @@ Eigen::Vector2f lacking_to_sole(const std::vector<Eigen::Vector2f>& hull,
 // Finds the pelvis' way of a shift, one of the response's, that brings the centre of mass over the
 // sole of a foot. A pelvis takes most of the body along; the feet stay, so it must go a little
 // farther.
-void bring_over(const Response& r, Side side, WeightShift& shift) {
+void bring_over(const Response& r, Side side, float lift_s, WeightShift& shift) {
   constexpr float kAlong = 1.17F;
   constexpr float kDip = 0.2F;        // knees give, and need not straighten suddenly
   constexpr float kMostShift = 0.2F;  // m: from a lunge the rest is left to momentum
@@ -167,7 +169,7 @@ void bring_over(const Response& r, Side side, WeightShift& shift) {
   shift.pelvis = Eigen::Vector3f::Zero();
   for (int round = 0; round < kRounds; ++round) {
     const motion::JointFrames frames =
-        motion::forward_kinematics(library.skeleton(), pose_at(r, shift.peak_s));
+        motion::forward_kinematics(library.skeleton(), pose_at(r, lift_s));
     const FootPlace foot = motion::foot_place(frames, side);
     const Eigen::Quaternionf heading =
         motion::turn_about(Eigen::Vector3f::UnitZ(), motion::yaw_of(foot.orientation));
@@ -187,9 +189,9 @@ void bring_over(const Response& r, Side side, WeightShift& shift) {
 void shift_weight(Response& r, std::size_t number, Side over, float lift_s, float earliest_s,
                   float latest_s) {
   WeightShift& shift = r.shifts[number];
-  shift.peak_s = lift_s;
+  shift.held = {lift_s - kHeldBefore, lift_s + kHeldAfter};
   shift.window = {std::max(earliest_s, lift_s - kShift), std::min(lift_s + kUnshift, latest_s)};
-  bring_over(r, over, shift);
+  bring_over(r, over, lift_s, shift);
   if (shift.pelvis.isZero(0)) shift = {};
 }
 
@@ -205,11 +207,52 @@ std::optional<float> first_lift_s(const Response& r) {
   return lift_s;
 }
 
+// The most by which a joint's velocity changes about a time, over a frame of 1/60 s, rad/s.
+float velocity_step_at(const Response& r, float time_s) {
+  constexpr float kFrame = 1.0F / 60;
+  const motion::Pose before = pose_at(r, time_s - kFrame);
+  const motion::Pose at = pose_at(r, time_s);
+  const motion::Pose after = pose_at(r, time_s + kFrame);
+  float most = 0;
+  for (motion::Role role : motion::kRoles) {
+    const auto way = [role](const motion::Pose& from, const motion::Pose& to) {
+      return motion::rotation_vector<float>(to.rotation[role] * from.rotation[role].conjugate());
+    };
+    most = std::max(most, (way(at, after) - way(before, at)).norm() / kFrame);
+  }
+  return most;
+}
+
+// What is left of a blend adds to what the clip does: of the ends that it may have, the blend takes
+// the one where the motion is calmest.
+void end_blend(Response& r) {
+  constexpr float kLonger = 0.02F;  // s, from one to the next
+  constexpr int kEnds = 5;
+  const float most_s = std::min(r.peak_s - r.begin_s, kBlend + (kEnds - 1) * kLonger);
+  Response tried = r;
+  float least = std::numeric_limits<float>::infinity();
+  for (int k = 0; k < kEnds; ++k) {
+    tried.blend_s = kBlend + static_cast<float>(k) * kLonger;
+    if (tried.blend_s > most_s) return;
+    const float step = velocity_step_at(tried, tried.begin_s + tried.blend_s);
+    if (step < least) {
+      least = step;
+      r.blend_s = tried.blend_s;
+    }
+  }
+}
+
 void plan_clip(const motion::Annotation& annotation, float time_to_impact_s, float earliest_s,
                Response& r) {
   set_timing(annotation, time_to_impact_s, earliest_s, r);
   align(r);
   for (Side side : motion::kSides) plan_foot(r, side);
+  r.shifts[0] = {};
+  const std::optional<float> lift_s = first_lift_s(r);
+  if (lift_s) shift_weight(r, 0, r.support, *lift_s, 0, r.end_s);
+  end_blend(r);
+  const bool is_lifted_meanwhile = lift_s && *lift_s < r.begin_s + r.blend_s;
+  if (is_lifted_meanwhile) shift_weight(r, 0, r.support, *lift_s, 0, r.end_s);
 }
 
 // The feet's way home: one after the other, the support foot last.
@@ -266,16 +309,11 @@ Response make_response(const PreparedLibrary& library, const features::Character
   }
   const motion::Annotation& annotation = *library.clip(clip).annotation;
   plan_clip(annotation, time_to_impact_s, 0, r);
-  if (std::optional<float> lift_s = first_lift_s(r)) {
-    shift_weight(r, 0, r.support, *lift_s, 0, r.end_s);
-    if (*lift_s < kLeastShift && !r.shifts[0].pelvis.isZero(0)) {
-      // There is no time to shift the weight: the clip begins as much later.
-      r.shifts[0] = {};
-      const float lead_s = (*lift_s - r.begin_s) * r.playback_rate / kMostPlaybackRate;
-      plan_clip(annotation, time_to_impact_s, kLeastShift - lead_s, r);
-      lift_s = first_lift_s(r);
-      if (lift_s) shift_weight(r, 0, r.support, *lift_s, 0, r.end_s);
-    }
+  const std::optional<float> lift_s = first_lift_s(r);
+  if (lift_s && *lift_s < kLeastShift && !r.shifts[0].pelvis.isZero(0)) {
+    // There is no time to shift the weight: the clip begins as much later.
+    const float lead_s = (*lift_s - r.begin_s) * r.playback_rate / kMostPlaybackRate;
+    plan_clip(annotation, time_to_impact_s, kLeastShift - lead_s, r);
   }
   plan_return(r);
   r.start_s = std::min(r.begin_s, r.shifts[0].window.begin_s);

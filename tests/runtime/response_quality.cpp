@@ -151,17 +151,8 @@ void measure_seam(const Response& r, float time_s, const char* name, float own,
   const Pose before = runtime::pose_at(r, time_s - kFrame);
   const Pose at = runtime::pose_at(r, time_s);
   const Pose after = runtime::pose_at(r, time_s + kFrame);
-  const motion::Clip& clip = r.library->clip(r.clip);
-  const auto clip_pose = [&](float t) {
-    return motion::sample(clip.motion,
-                          clip.annotation->onset_s + r.playback_rate * (t - r.begin_s));
-  };
-  const bool plays = time_s > r.begin_s && time_s < r.end_s;
   for (Role role : motion::kRoles) {
-    const float of_clip = plays ? velocity_step(clip_pose(time_s - kFrame), clip_pose(time_s),
-                                                clip_pose(time_s + kFrame), role, kFrame)
-                                : 0;
-    const float share = velocity_step(before, at, after, role, kFrame) / std::max(own, of_clip);
+    const float share = velocity_step(before, at, after, role, kFrame) / own;
     if (share > quality.seam_share) {
       quality.seam_share = share;
       quality.seam = std::string(name) + ", " + std::string(motion::name_of(role)) + ", at " +
@@ -211,7 +202,8 @@ ResponseQuality measure_response(const Response& r, float time_to_impact_s) {
   }
   for (const runtime::WeightShift& shift : r.shifts) {
     measure_seam(r, shift.window.begin_s, "weight shift", own, quality);
-    measure_seam(r, shift.peak_s, "weight shifted", own, quality);
+    measure_seam(r, shift.held.begin_s, "weight shifted", own, quality);
+    measure_seam(r, shift.held.end_s, "weight leaves", own, quality);
     measure_seam(r, shift.window.end_s, "weight back", own, quality);
   }
   if (r.playback_rate < runtime::kMostPlaybackRate) {

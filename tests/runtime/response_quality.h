@@ -16,7 +16,7 @@ struct ResponseQuality {
   float clip_slip_m = 0;     ///< the same of the clip itself, from its onset to its end
   float below_ground_m = 0;  ///< deepest point of a sole
   /// Largest step of a joint's velocity at a seam of the response, over the 99th percentile of such
-  /// steps in the clip itself, or over the clip's own step of that joint just then if it is larger.
+  /// steps in the clip itself.
   float seam_share = 0;
   std::string seam;  ///< which, and whose
   /// Least distance of the centre of mass inside the sole of the standing foot when the other one
