@@ -147,16 +147,6 @@ Eigen::Vector3f level(const Eigen::Vector3f& vector) {
   return {vector.x(), vector.y(), 0};
 }
 
-FootPlace foot_of(const motion::Skeleton& skeleton, const Pose& pose, Side side) {
-  const motion::LimbRoles leg = motion::roles_of(motion::leg_of(side));
-  FootPlace place{pose.root_position, pose.rotation[Role::pelvis]};
-  for (Role role : {leg.upper, leg.lower, leg.end}) {
-    place.ankle += place.orientation * skeleton.offset[role];
-    place.orientation = place.orientation * pose.rotation[role];
-  }
-  return place;
-}
-
 Pose source_pose_at(const Response& r, float time_s) {
   return pose_from(*r.library, r.state, r.origin, time_s);
 }
