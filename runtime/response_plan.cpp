@@ -16,6 +16,7 @@ using motion::Side;
 
 constexpr float kShift = 0.3F;        // s, that a shift of weight takes where there is time
 constexpr float kLeastShift = 0.15F;  // s, that it takes at least
+constexpr float kShiftHome = 0.4F;    // s, before a step home
 constexpr float kUnshift = 0.45F;     // s, back
 constexpr float kHeldBefore = 0.04F;  // s, that it is there before a foot leaves the ground
 constexpr float kHeldAfter = 0.025F;  // s, and stays after
@@ -162,10 +163,11 @@ Eigen::Vector2f lacking_to_sole(const std::vector<Eigen::Vector2f>& hull,
 // farther.
 void bring_over(const Response& r, Side side, float lift_s, WeightShift& shift) {
   constexpr float kAlong = 1.17F;
-  constexpr float kDip = 0.2F;        // knees give, and need not straighten suddenly
-  constexpr float kMostShift = 0.2F;  // m: from a lunge the rest is left to momentum
+  constexpr float kDip = 0.2F;         // knees give, and need not straighten suddenly
+  constexpr float kMostSpeed = 1.35F;  // m/s, mean: what is lacking then is left to momentum
   constexpr int kRounds = 6;
   const PreparedLibrary& library = *r.library;
+  const float most_m = kMostSpeed * (shift.held.begin_s - shift.window.begin_s);
   shift.pelvis = Eigen::Vector3f::Zero();
   for (int round = 0; round < kRounds; ++round) {
     const motion::JointFrames frames =
@@ -180,17 +182,17 @@ void bring_over(const Response& r, Side side, float lift_s, WeightShift& shift) 
     if (lacking.norm() <= 0) break;
     shift.pelvis += kAlong * (heading * Eigen::Vector3f(lacking.x(), lacking.y(), 0));
     const float distance = level(shift.pelvis).norm();
-    if (distance > kMostShift) shift.pelvis *= kMostShift / distance;
+    if (distance > most_m) shift.pelvis *= most_m / distance;
     shift.pelvis.z() = -kDip * level(shift.pelvis).norm();
   }
 }
 
-// Shifts the weight over a foot before the other leaves the ground at `lift_s`.
-void shift_weight(Response& r, std::size_t number, Side over, float lift_s, float earliest_s,
+// Shifts the weight over a foot, from `begin_s` on, before the other leaves the ground at `lift_s`.
+void shift_weight(Response& r, std::size_t number, Side over, float lift_s, float begin_s,
                   float latest_s) {
   WeightShift& shift = r.shifts[number];
   shift.held = {lift_s - kHeldBefore, lift_s + kHeldAfter};
-  shift.window = {std::max(earliest_s, lift_s - kShift), std::min(lift_s + kUnshift, latest_s)};
+  shift.window = {begin_s, std::min(lift_s + kUnshift, latest_s)};
   bring_over(r, over, lift_s, shift);
   if (shift.pelvis.isZero(0)) shift = {};
 }
@@ -249,30 +251,49 @@ void plan_clip(const motion::Annotation& annotation, float time_to_impact_s, flo
   for (Side side : motion::kSides) plan_foot(r, side);
   r.shifts[0] = {};
   const std::optional<float> lift_s = first_lift_s(r);
-  if (lift_s) shift_weight(r, 0, r.support, *lift_s, 0, r.end_s);
+  const auto shift = [&] {
+    shift_weight(r, 0, r.support, *lift_s, std::max(*lift_s - kShift, 0.0F), r.end_s);
+  };
+  if (lift_s) shift();
   end_blend(r);
   const bool is_lifted_meanwhile = lift_s && *lift_s < r.begin_s + r.blend_s;
-  if (is_lifted_meanwhile) shift_weight(r, 0, r.support, *lift_s, 0, r.end_s);
+  if (is_lifted_meanwhile) shift();
 }
 
-// The feet's way home: one after the other, the support foot last.
+// The foot that carries more weight where the way home begins.
+Side foot_that_carries(const Response& r) {
+  constexpr float kClearly = 0.02F;  // m, by which the other must be nearer
+  const PreparedLibrary& library = *r.library;
+  const bool idles = r.clip == library.library->idle;
+  const motion::JointFrames frames = motion::forward_kinematics(
+      library.skeleton(), idles ? source_pose_at(r, r.end_s) : clip_pose_at(r, r.end_s));
+  const Eigen::Vector3f centre = motion::centre_of_mass(library.bodies, frames);
+  const auto distance = [&](Side side) {
+    return level(motion::foot_place(frames, side).ankle - centre).norm();
+  };
+  const Side other = motion::other(r.support);
+  return distance(other) < distance(r.support) - kClearly ? other : r.support;
+}
+
+// The feet's way home: one after the other, the one that carries more weight last.
 void plan_return(Response& r) {
+  const Side last = foot_that_carries(r);
   const bool idles = r.clip == r.library->library->idle;
   const auto away_foot = [&](Side side, float time_s) {
     return idles ? source_foot_at(r, side, time_s) : clip_foot_at(r, side, time_s);
   };
   r.travel = Eigen::Vector3f::Zero();
   if (!idles) {
-    r.travel = level(away_foot(r.support, r.end_s + kBlend).ankle -
-                     home_foot_at(r, r.support, r.end_s + kBlend).ankle);
+    r.travel = level(away_foot(last, r.end_s + kBlend).ankle -
+                     home_foot_at(r, last, r.end_s + kBlend).ankle);
   }
   float time_s = r.end_s;
-  for (Side side : {motion::other(r.support), r.support}) {
+  for (Side side : {motion::other(last), last}) {
     FootPlan& plan = r.feet[motion::index_of(side)];
     const FootPlace from = away_foot(side, time_s);
     const FootPlace to = home_foot_at(r, side, time_s);
     if (!differ(from, to, kSame, kSameYaw)) continue;
-    const float lift_s = time_s + kLeastShift;
+    const float lift_s = time_s + kShiftHome;
     plan.home = {lift_s, lift_s + kStep};
     plan.home_lift_m = lift_of(from, to);
     r.return_s = plan.home.end_s + kCalm - r.end_s;
@@ -283,11 +304,11 @@ void plan_return(Response& r) {
     if (plan.home_lift_m <= 0) plan.home = {r.end_s, r.end_s + r.return_s};
   }
   std::size_t shift = 1;
-  for (Side side : {motion::other(r.support), r.support}) {
+  for (Side side : {motion::other(last), last}) {
     const FootPlan& plan = r.feet[motion::index_of(side)];
     if (plan.home_lift_m <= 0) continue;
     const float lift_s = plan.home.begin_s;
-    shift_weight(r, shift++, motion::other(side), lift_s, lift_s - kLeastShift,
+    shift_weight(r, shift++, motion::other(side), lift_s, lift_s - kShiftHome,
                  r.end_s + r.return_s);
   }
 }

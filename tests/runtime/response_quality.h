@@ -23,6 +23,9 @@ struct ResponseQuality {
   /// leaves the ground because the response has it step: before the clip's peak or on the way home.
   float lift_margin_m = 1;
   float lift_s = 0;
+  /// The same of the extrapolated centre of mass (Hof et al. 2005), which must be over the sole for
+  /// a body in motion to be in balance.
+  float extrapolated_margin_m = 1;
   /// How far the clip's peak is from the predicted impact, s; none where the clip is too long for
   /// the time that there is.
   std::optional<float> peak_error_s;
