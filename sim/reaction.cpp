@@ -10,7 +10,6 @@
 namespace flinch::sim {
 namespace {
 
-constexpr double kMostFrame_s = 0.1;
 // A ball that has not hit by then is not waited for.
 constexpr double kPatience_s = 0.3;
 
@@ -20,7 +19,7 @@ bool is_good(const ReactionOptions& options) {
 }
 
 bool is_good_time(double dt_s) {
-  return dt_s > 0 && dt_s <= kMostFrame_s;
+  return dt_s > 0 && dt_s <= kMostReactionFrame_s;
 }
 
 // Masses too far apart are more than the solver bears; the rest keeps numbers sane.
