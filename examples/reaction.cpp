@@ -14,14 +14,14 @@ using namespace flinch;
 namespace {
 
 constexpr float kFrame_s = 1.0F / 60;
-constexpr float kFlight_s = 0.6F;
+constexpr float kFlight_s = 0.25F;  // too little to get away
 // A ball is handed to physics this long before its impact, so that it may hit early.
 constexpr float kAhead_s = 0.15F;
 
 /// A volleyball at the belly from the front left: from + v t - g t^2 / 2 = to.
 features::Threat thrown_ball() {
   features::Threat ball;
-  ball.position = {9, 7, 1.2F};
+  ball.position = {4.5F, 3.5F, 1.2F};
   ball.velocity = (Eigen::Vector3f(0, 0, 1.1F) - ball.position) / kFlight_s;
   ball.velocity.z() += features::kGravity * kFlight_s / 2;
   return ball;
