@@ -32,6 +32,10 @@ double reference_closing_speed(const BodyState& first, const BodyState& second,
 
 }  // namespace
 
+Pushes::Pushes(const FigurePlan& plan) : plan_(plan) {
+  found_.reserve(motion::kBodyCount * (motion::kBodyCount - 1) / 2);
+}
+
 void Pushes::begin_step(double time_s) {
   time_s_ = time_s;
   hit_now_ = {};
@@ -60,8 +64,9 @@ void Pushes::for_each_pair(Visit visit) const {
   }
 }
 
-void Pushes::add(const Figure& figure, const motion::PerBody<MovingShape>& shapes,
-                 const ReferenceState& reference, Contacts& contacts) {
+std::span<const Push> Pushes::find(const motion::PerBody<MovingShape>& shapes,
+                                   const ReferenceState& reference) {
+  found_.clear();
   motion::PerBody<double> driven_until_s = driven_until_s_;
   for_each_pair([&](Body first, Body second) {
     const features::Clearance near = clearance(shapes[first], shapes[second]);
@@ -71,14 +76,14 @@ void Pushes::add(const Figure& figure, const motion::PerBody<MovingShape>& shape
     const double closing = closing_speed(shapes[first], shapes[second], near);
     const bool blow =
         hit_now_[first] || hit_now_[second] || closing > free_closing + kBlowSpeed_mps;
-    contacts.add_push(figure.body(first), first, figure.body(second), second, near, free_closing,
-                      blow);
+    found_.push_back({first, second, near, free_closing, blow});
     if (!blow) return;
     const double until_s = std::max(driven_until_s_[first], driven_until_s_[second]);
     driven_until_s[first] = std::max(driven_until_s[first], until_s);
     driven_until_s[second] = std::max(driven_until_s[second], until_s);
   });
   driven_until_s_ = driven_until_s;
+  return found_;
 }
 
 bool Pushes::ahead(const motion::PerBody<MovingShape>& shapes, const ReferenceState& reference,

@@ -5,7 +5,7 @@
 
 #include "motion/body.h"
 #include "motion/clip.h"
-#include "sim/ode_world.h"
+#include "sim/body_state.h"
 
 namespace flinch::sim {
 
