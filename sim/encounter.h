@@ -30,6 +30,9 @@ class EncounterIn {
   /// Steps the scene. `target` is where the motion has the figure at the step's end.
   void end_step(const ReferenceState& now, const ReferenceState& target, double step_s);
 
+  /// Whether, but for the ball, a body may still strike another; between begin_step and end_step.
+  bool may_strike(const ReferenceState& now) const { return pushes_.may_strike(shapes_, now); }
+
   double time_s() const { return time_s_; }
   /// Whether the ball hits the figure in the step that has begun.
   bool is_blow() const { return is_blow_; }

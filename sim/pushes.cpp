@@ -10,11 +10,27 @@ using motion::Body;
 
 constexpr double kDriveTime_s = 0.1;  // six times 1 / w of the joints' springs
 constexpr double kBlowSpeed_mps = 0.1;
+constexpr double kSwing_s = 0.03;  // two times 1 / w
 constexpr double kTouch_m = 1e-3;
 
 double closing_speed(const MovingShape& first, const MovingShape& second,
                      const features::Clearance& near) {
   return -near.normal.dot(first.velocity_at(near.point) - second.velocity_at(near.point));
+}
+
+double bounding_radius(const MovingShape& shape) {
+  return shape.reach() + shape.radius;
+}
+
+/// Whether two may come to touch within the horizon: by the spheres about them, at the greatest
+/// speed of any of their points.
+bool may_meet(const MovingShape& first, const MovingShape& second, double horizon_s) {
+  const double distance = (first.centre - second.centre).norm();
+  const double radii = bounding_radius(first) + bounding_radius(second);
+  const double speed =
+      (first.velocity - second.velocity).norm() +
+      (first.angular_velocity.norm() + second.angular_velocity.norm()) * (distance + radii);
+  return distance - radii <= kTouch_m + speed * horizon_s;
 }
 
 /// How fast the reference moves the material of `shape` that is at `point`, m/s.
@@ -49,9 +65,10 @@ void Pushes::hit(Body body) {
   hit_now_[body] = true;
 }
 
-/// Once each, in a fixed order.
+/// Once each, in a fixed order, but for those too far apart to touch within the horizon.
 template <class Visit>
-void Pushes::for_each_pair(Visit visit) const {
+void Pushes::for_each_pair(const motion::PerBody<MovingShape>& shapes, double horizon_s,
+                           Visit visit) const {
   if (std::none_of(motion::kBodies.begin(), motion::kBodies.end(),
                    [this](Body body) { return driven(body); })) {
     return;
@@ -59,7 +76,8 @@ void Pushes::for_each_pair(Visit visit) const {
   for (Body first : motion::kBodies) {
     for (Body second : motion::kBodies) {
       if (second <= first || !plan_.may_touch[first][second]) continue;
-      if (driven(first) || driven(second)) visit(first, second);
+      if (!driven(first) && !driven(second)) continue;
+      if (may_meet(shapes[first], shapes[second], horizon_s)) visit(first, second);
     }
   }
 }
@@ -68,7 +86,7 @@ std::span<const Push> Pushes::find(const motion::PerBody<MovingShape>& shapes,
                                    const ReferenceState& reference) {
   found_.clear();
   motion::PerBody<double> driven_until_s = driven_until_s_;
-  for_each_pair([&](Body first, Body second) {
+  for_each_pair(shapes, 0, [&](Body first, Body second) {
     const features::Clearance near = clearance(shapes[first], shapes[second]);
     if (near.gap > kTouch_m) return;
     const double free_closing =
@@ -89,13 +107,26 @@ std::span<const Push> Pushes::find(const motion::PerBody<MovingShape>& shapes,
 bool Pushes::ahead(const motion::PerBody<MovingShape>& shapes, const ReferenceState& reference,
                    double horizon_s) const {
   bool found = false;
-  for_each_pair([&](Body first, Body second) {
+  for_each_pair(shapes, horizon_s, [&](Body first, Body second) {
     const features::Clearance near = clearance(shapes[first], shapes[second]);
     const double closing = closing_speed(shapes[first], shapes[second], near);
     const double free_closing =
         reference_closing_speed(reference.body[first], reference.body[second], near);
     found |= closing > free_closing + kBlowSpeed_mps && near.gap > kTouch_m &&
              near.gap < closing * horizon_s;
+  });
+  return found;
+}
+
+bool Pushes::may_strike(const motion::PerBody<MovingShape>& shapes,
+                        const ReferenceState& reference) const {
+  bool found = false;
+  for_each_pair(shapes, kSwing_s, [&](Body first, Body second) {
+    const features::Clearance near = clearance(shapes[first], shapes[second]);
+    const double closing = closing_speed(shapes[first], shapes[second], near);
+    const double free_closing =
+        reference_closing_speed(reference.body[first], reference.body[second], near);
+    found |= closing > free_closing + kBlowSpeed_mps && near.gap < kTouch_m + closing * kSwing_s;
   });
   return found;
 }

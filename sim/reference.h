@@ -30,6 +30,8 @@ class Reference {
             const motion::Motion& motion);
 
   ReferenceState at(double time_s) const;
+  /// Beyond its own size.
+  std::size_t byte_count() const { return velocities_.capacity() * sizeof(Velocities); }
 
  private:
   struct Velocities {
