@@ -21,18 +21,26 @@ double closing_speed(const MovingShape& first, const MovingShape& second,
   return -near.normal.dot(first.velocity_at(near.point) - second.velocity_at(near.point));
 }
 
-/// Whether two may come within a distance in the horizon: by the spheres about them and by the
-/// sphere about either against the other itself, at the greatest speed of any of their points.
+// Where two are nearest, at a gap g, that point is within r + g of either's centre, r being the
+// radius of the sphere about it, and so they close by no more than
+//
+//   V + W g,  V = |v_1 - v_2| + |w_1| r_1 + |w_2| r_2,  W = |w_1| + |w_2|:
+//
+// where g <= d + (V + W g) h, g <= (d + V h) / (1 - W h).
+/// Whether two are within `distance_m` and what they may close by in the horizon, by the spheres
+/// about them and by the sphere about either against the other itself.
 bool may_meet(const MovingShape& first, const MovingShape& second, double distance_m,
               double horizon_s) {
   const double first_m = first.bounding_radius();
   const double second_m = second.bounding_radius();
-  const double distance = (first.centre - second.centre).norm();
-  const double speed = (first.velocity - second.velocity).norm() +
-                       (first.angular_velocity.norm() + second.angular_velocity.norm()) *
-                           (distance + first_m + second_m);
-  const double most = distance_m + speed * horizon_s;
-  return distance - first_m - second_m <= most &&
+  const double first_turn = first.angular_velocity.norm();
+  const double second_turn = second.angular_velocity.norm();
+  const double speed =
+      (first.velocity - second.velocity).norm() + first_turn * first_m + second_turn * second_m;
+  const double share = 1 - (first_turn + second_turn) * horizon_s;
+  if (share <= 0) return true;
+  const double most = (distance_m + speed * horizon_s) / share;
+  return (first.centre - second.centre).norm() - first_m - second_m <= most &&
          clearance(first.centre, first_m, second).gap <= most &&
          clearance(second.centre, second_m, first).gap <= most;
 }
