@@ -4,6 +4,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -39,15 +40,67 @@ Database open_for_reading(const std::string& path) {
   return database;
 }
 
-std::uint64_t count_of(Database& database) {
-  Statement statement =
-      database.prepare("SELECT count(*), coalesce(max(number) + 1, 0) FROM observation");
+/// From the lowest number to the highest.
+ScenarioRange range_of(Database& database) {
+  Statement statement = database.prepare(
+      "SELECT coalesce((SELECT min(number) FROM observation), 0), "
+      "coalesce((SELECT max(number) + 1 FROM observation), 0)");
   statement.step();
-  if (statement.integer(0) != statement.integer(1))
-    throw Error(database.path(),
-                "the store lacks scenarios in its middle; delete it and run "
-                "flinch simulate again");
-  return static_cast<std::uint64_t>(statement.integer(0));
+  const auto first = static_cast<std::uint64_t>(statement.integer(0));
+  return {first, static_cast<std::uint64_t>(statement.integer(1)) - first};
+}
+
+std::string text_of(const ScenarioRange& range) {
+  return "scenarios " + std::to_string(range.first) + " to " + std::to_string(range.end() - 1);
+}
+
+bool contains(const ScenarioRange& outer, const ScenarioRange& inner) {
+  return inner.count == 0 || (inner.first >= outer.first && inner.end() <= outer.end());
+}
+
+/// SQLite's row numbers end where signed integers do.
+constexpr std::uint64_t kScenarioNumberEnd = std::uint64_t{1} << 63;
+
+void require_sound(const ScenarioRange& wanted, const std::string& path) {
+  if (wanted.count == 0) throw Error(path, "no scenario is wanted; ask for at least one");
+  if (wanted.first >= kScenarioNumberEnd || wanted.count > kScenarioNumberEnd - wanted.first)
+    throw Error(path, std::to_string(wanted.count) + " scenarios from number " +
+                          std::to_string(wanted.first) + " go past the last one, " +
+                          std::to_string(kScenarioNumberEnd - 1) + "; ask for fewer or lower ones");
+}
+
+void require_wanted(const ScenarioRange& there, const ScenarioRange& wanted,
+                    const std::string& path) {
+  if (!contains(wanted, there))
+    throw Error(path, "holds " + text_of(there) + ", which are not all among the wanted " +
+                          text_of(wanted) +
+                          "; ask for a range around them or choose another --out");
+}
+
+/// The numbers of `wanted` that have no row.
+std::vector<ScenarioRange> missing_in(Database& database, const ScenarioRange& wanted) {
+  std::vector<ScenarioRange> missing;
+  std::uint64_t next = wanted.first;
+  Statement row = database.prepare("SELECT number FROM observation ORDER BY number");
+  while (row.step()) {
+    const auto number = static_cast<std::uint64_t>(row.integer(0));
+    if (number > next) missing.push_back({next, number - next});
+    next = number + 1;
+  }
+  if (next < wanted.end()) missing.push_back({next, wanted.end() - next});
+  return missing;
+}
+
+/// Takes `range`, which is all missing, out of what is missing.
+void take_out(const ScenarioRange& range, std::vector<ScenarioRange>& missing) {
+  const auto found =
+      std::ranges::find_if(missing, [&](const ScenarioRange& gap) { return contains(gap, range); });
+  const ScenarioRange gap = *found;
+  const auto at = missing.erase(found);
+  const ScenarioRange before{gap.first, range.first - gap.first};
+  const ScenarioRange after{range.end(), gap.end() - range.end()};
+  const auto inserted = after.count > 0 ? missing.insert(at, after) : at;
+  if (before.count > 0) missing.insert(inserted, before);
 }
 
 /// Writes the whole database anew: the bytes then depend on its content alone and not on the
@@ -98,7 +151,14 @@ Store read_store(const std::string& path) {
   Store store;
   store.header = read_header(database);
   Statement row = prepare_select(database);
-  while (row.step()) store.observations.push_back(observation_of(row, store.header, path));
+  while (row.step()) {
+    store.observations.push_back(observation_of(row, store.header, path));
+    if (store.observations.back().number - store.observations.front().number !=
+        store.observations.size() - 1)
+      throw Error(path,
+                  "the store lacks scenarios in its middle; run the `flinch simulate` that made it "
+                  "again, or delete it");
+  }
   return store;
 }
 
@@ -106,14 +166,21 @@ StoreSummary summarise_store(const std::string& path) {
   Database database = open_for_reading(path);
   StoreSummary summary;
   summary.header = read_header(database);
-  summary.observation_count = count_of(database);
+  summary.range = range_of(database);
+  summary.observation_count =
+      static_cast<std::uint64_t>(integer(database, "SELECT count(*) FROM observation"));
   return summary;
+}
+
+bool StoreSummary::holds(const ScenarioRange& wanted) const {
+  return observation_count == range.count && contains(range, wanted);
 }
 
 struct StoreWriter::File {
   std::string path;
+  ScenarioRange wanted;
+  std::vector<ScenarioRange> missing;
   std::optional<Database> database;
-  std::uint64_t count = 0;
 
   std::string partial() const { return path + ".partial"; }
   std::string copy() const { return path + ".partial-copy"; }
@@ -127,6 +194,7 @@ void StoreWriter::File::start_from_finished(const StoreHeader& header) const {
   if (!fs::exists(path)) return;
   Database finished = open_for_reading(path);
   require_same_run(read_header(finished), header, path);
+  require_wanted(range_of(finished), wanted, path);
   if (fs::exists(partial())) return;
   std::error_code error;
   fs::copy_file(path, copy(), fs::copy_options::overwrite_existing, error);
@@ -142,13 +210,16 @@ void StoreWriter::File::open_partial(const StoreHeader& header) {
   Transaction transaction(*database);
   if (is_empty(*database)) write_header(*database, header);
   require_same_run(read_header(*database), header, partial());
-  count = count_of(*database);
+  require_wanted(range_of(*database), wanted, partial());
+  missing = missing_in(*database, wanted);
   transaction.commit();
 }
 
-StoreWriter::StoreWriter(const std::string& path, const StoreHeader& header)
+StoreWriter::StoreWriter(const std::string& path, const StoreHeader& header, ScenarioRange wanted)
     : file_(std::make_unique<File>()) {
+  require_sound(wanted, path);
   file_->path = path;
+  file_->wanted = wanted;
   if (fs::is_directory(path)) throw Error(path, "is a folder; name a file in it");
   file_->start_from_finished(header);
   file_->open_partial(header);
@@ -156,19 +227,26 @@ StoreWriter::StoreWriter(const std::string& path, const StoreHeader& header)
 
 StoreWriter::~StoreWriter() = default;
 
+std::vector<ScenarioRange> StoreWriter::missing() const {
+  return file_->missing;
+}
 std::uint64_t StoreWriter::count() const {
-  return file_->count;
+  std::uint64_t count = file_->wanted.count;
+  for (const ScenarioRange& range : file_->missing) count -= range.count;
+  return count;
 }
 std::string StoreWriter::partial_path() const {
   return file_->partial();
 }
 
 void StoreWriter::append(std::span<const Observation> observations) {
+  if (observations.empty()) return;
+  const ScenarioRange range{observations.front().number, observations.size()};
   Transaction transaction(*file_->database);
   Statement statement = prepare_insert(*file_->database);
   for (const Observation& observation : observations) insert(statement, observation);
   transaction.commit();
-  file_->count += observations.size();
+  take_out(range, file_->missing);
 }
 
 void StoreWriter::finish() {

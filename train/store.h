@@ -39,6 +39,14 @@ struct StoreHeader {
 void require_same_run(const StoreHeader& stored, const StoreHeader& wanted,
                       const std::string& path);
 
+/// Scenarios of consecutive numbers: first, first + 1, …
+struct ScenarioRange {
+  std::uint64_t first = 0;
+  std::uint64_t count = 0;
+
+  std::uint64_t end() const { return first + count; }
+};
+
 /// A store as it is read: observations by rising number.
 struct Store {
   StoreHeader header;
@@ -52,31 +60,39 @@ Store read_store(const std::string& path);
 /// What a store holds, without its observations.
 struct StoreSummary {
   StoreHeader header;
+  ScenarioRange range;  ///< from the lowest number to the highest
   std::uint64_t observation_count = 0;
+
+  /// Whether each of `wanted` is there, and nothing between them is missing.
+  bool holds(const ScenarioRange& wanted) const;
 };
 StoreSummary summarise_store(const std::string& path);
 
-/// Writes the observations of scenarios 0, 1, 2, … of one run into "PATH.partial" and gives the
-/// file its name when all are there. Interrupted at any moment, what was appended stays in the
-/// partial file, and a new writer goes on after it; the finished file has the same bytes however
-/// often that happened. A finished store is continued when more scenarios are wanted.
+/// Writes the observations of a range of scenarios of one run, in any order, into "PATH.partial"
+/// and gives the file its name when all are there. Interrupted at any moment, what was appended
+/// stays in the partial file, and a new writer goes on with what is missing; the finished file has
+/// the same bytes however often that happened and in whatever order it was filled. A finished store
+/// is continued when a range around its own is wanted.
 class StoreWriter {
  public:
-  /// Throws Error when what stands at `path` or its partial file is no store of this run, or
-  /// another process writes it.
-  StoreWriter(const std::string& path, const StoreHeader& header);
+  /// Throws Error when what stands at `path` or its partial file is no store of this run or holds
+  /// scenarios that are not wanted, when another process writes it, or when `wanted` is empty or
+  /// goes past the last scenario number.
+  StoreWriter(const std::string& path, const StoreHeader& header, ScenarioRange wanted);
   ~StoreWriter();
   StoreWriter(const StoreWriter&) = delete;
   StoreWriter& operator=(const StoreWriter&) = delete;
 
-  /// How many scenarios are there: the number of the next one.
+  /// What of the wanted range is not there yet, by rising number.
+  std::vector<ScenarioRange> missing() const;
+  /// How many of the wanted scenarios are there.
   std::uint64_t count() const;
   std::string partial_path() const;
 
-  /// Adds the next observations, all or none of them.
+  /// Adds observations of consecutive missing scenarios, all or none of them.
   void append(std::span<const Observation> observations);
 
-  /// Gives the store its name. Nothing can be appended afterwards.
+  /// Gives the store its name. Nothing may be missing, and nothing can be appended afterwards.
   void finish();
 
  private:

@@ -21,6 +21,8 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
+constexpr ScenarioRange kWanted{0, 100};  // more than any test appends
+
 std::string message_of(const std::function<void()>& action) {
   try {
     action();
@@ -31,10 +33,12 @@ std::string message_of(const std::function<void()>& action) {
 }
 
 void write_store(const std::string& path, const StoreHeader& header, std::uint64_t count) {
-  StoreWriter writer(path, header);
-  while (writer.count() < count)
+  StoreWriter writer(path, header, {0, count});
+  while (!writer.missing().empty()) {
+    const ScenarioRange missing = writer.missing().front();
     writer.append(
-        made_up_observations(header, writer.count(), std::min(count, writer.count() + 16)));
+        made_up_observations(header, missing.first, std::min(missing.end(), missing.first + 16)));
+  }
   writer.finish();
 }
 
@@ -82,7 +86,7 @@ TEST(Store, InterruptedAnywhereEndsWithTheSameBytes) {
   for (const std::uint64_t stop : {0U, 16U, 21U, 64U}) {
     const std::string path = folder / ("stopped-at-" + std::to_string(stop));
     {
-      StoreWriter writer(path, header);
+      StoreWriter writer(path, header, kWanted);
       if (stop > 0) writer.append(made_up_observations(header, 0, stop));
       EXPECT_FALSE(std::filesystem::exists(path)) << "nothing stands under the final name yet";
     }
@@ -99,7 +103,7 @@ TEST(Store, KilledInTheMiddleOfATransactionKeepsWhatWasCommitted) {
   const std::string path = folder / "killed";
   const pid_t child = fork();
   if (child == 0) {
-    StoreWriter writer(path, header);
+    StoreWriter writer(path, header, kWanted);
     writer.append(made_up_observations(header, 0, 16));
     // The next transaction reaches the file, its journal is hot, and then the lights go out.
     raise(SIGSTOP);
@@ -109,11 +113,12 @@ TEST(Store, KilledInTheMiddleOfATransactionKeepsWhatWasCommitted) {
   int status = 0;
   ASSERT_EQ(waitpid(child, &status, WUNTRACED), child);
   ASSERT_TRUE(WIFSTOPPED(status));
-  EXPECT_THAT(message_of([&] { StoreWriter(path, header); }), HasSubstr("another process"));
+  EXPECT_THAT(message_of([&] { StoreWriter(path, header, kWanted); }),
+              HasSubstr("another process"));
   kill(child, SIGKILL);
   waitpid(child, &status, 0);
   {
-    const StoreWriter writer(path, header);
+    const StoreWriter writer(path, header, kWanted);
     EXPECT_EQ(writer.count(), 16U);
   }
   write_store(path, header, 32);
@@ -137,16 +142,18 @@ TEST(Store, OfAnotherRunIsRefusedAndLeftAlone) {
   const std::string before = bytes_of(path);
   StoreHeader other = header;
   other.library_hash = 1;
-  EXPECT_THAT(message_of([&] { StoreWriter(path, other); }), HasSubstr("another library"));
+  EXPECT_THAT(message_of([&] { StoreWriter(path, other, kWanted); }), HasSubstr("another library"));
   other = header;
   other.seed = 6;
-  EXPECT_THAT(message_of([&] { StoreWriter(path, other); }), HasSubstr("--seed 5"));
+  EXPECT_THAT(message_of([&] { StoreWriter(path, other, kWanted); }), HasSubstr("--seed 5"));
   other = header;
   other.distribution = "{}";
-  EXPECT_THAT(message_of([&] { StoreWriter(path, other); }), HasSubstr("scenario distribution"));
+  EXPECT_THAT(message_of([&] { StoreWriter(path, other, kWanted); }),
+              HasSubstr("scenario distribution"));
   other = header;
   other.simulation = "{}";
-  EXPECT_THAT(message_of([&] { StoreWriter(path, other); }), HasSubstr("another simulation"));
+  EXPECT_THAT(message_of([&] { StoreWriter(path, other, kWanted); }),
+              HasSubstr("another simulation"));
   EXPECT_TRUE(bytes_of(path) == before);
 }
 
@@ -203,7 +210,7 @@ TEST(Store, AFullDiskIsToldAndKeepsWhatWasCommitted) {
   write_store(folder / "whole", header, 64);
   const std::string path = folder / "full";
   {
-    StoreWriter writer(path, header);
+    StoreWriter writer(path, header, kWanted);
     writer.append(made_up_observations(header, 0, 16));
     // No file of this process may grow any more: the same as a full disk to whoever writes.
     signal(SIGXFSZ, SIG_IGN);
@@ -219,7 +226,7 @@ TEST(Store, AFullDiskIsToldAndKeepsWhatWasCommitted) {
     EXPECT_THAT(message, HasSubstr("make room"));
   }
   EXPECT_FALSE(std::filesystem::exists(path));
-  EXPECT_EQ(StoreWriter(path, header).count(), 16U);
+  EXPECT_EQ(StoreWriter(path, header, kWanted).count(), 16U);
   write_store(path, header, 64);
   EXPECT_TRUE(bytes_of(path) == bytes_of(folder / "whole"));
 }
