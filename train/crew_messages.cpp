@@ -13,10 +13,8 @@ namespace {
 class Writer {
  public:
   template <class T>
-    requires std::is_trivially_copyable_v<T>
-  void put(const T& value) {
-    put(std::as_bytes(std::span(&value, 1)));
-  }
+  requires std::is_trivially_copyable_v<T>
+  void put(const T& value) { put(std::as_bytes(std::span(&value, 1))); }
   void put(std::span<const std::byte> block) {
     bytes_.insert(bytes_.end(), block.begin(), block.end());
   }
@@ -35,8 +33,7 @@ class Reader {
   explicit Reader(std::span<const std::byte> bytes) : bytes_(bytes) {}
 
   template <class T>
-    requires std::is_trivially_copyable_v<T>
-  T take() {
+  requires std::is_trivially_copyable_v<T> T take() {
     T value{};
     std::memcpy(&value, block(sizeof value).data(), sizeof value);
     return value;

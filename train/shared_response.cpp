@@ -53,15 +53,14 @@ bool is_same_from_impact(const runtime::Response& early, float early_time_s,
   const auto at_same_time = [&](float a_s, float b_s) {
     return near(a_s - early_time_s, b_s - late_time_s, kSameTime);
   };
-  bool same = early.clip == late.clip && early.support == late.support &&
-              at_same_time(early.start_s, late.start_s) &&
-              at_same_time(early.begin_s, late.begin_s) &&
-              at_same_time(early.peak_s, late.peak_s) && at_same_time(early.end_s, late.end_s) &&
-              near(early.playback_rate, late.playback_rate, kSameTime) &&
-              near(early.blend_s, late.blend_s, kSameTime) &&
-              near(early.return_s, late.return_s, kSameTime) &&
-              near(early.yaw, late.yaw, kSamePlace) && near(early.translation, late.translation) &&
-              near(early.travel, late.travel);
+  bool same =
+      early.clip == late.clip && early.support == late.support &&
+      at_same_time(early.start_s, late.start_s) && at_same_time(early.begin_s, late.begin_s) &&
+      at_same_time(early.peak_s, late.peak_s) && at_same_time(early.end_s, late.end_s) &&
+      near(early.playback_rate, late.playback_rate, kSameTime) &&
+      near(early.blend_s, late.blend_s, kSameTime) &&
+      near(early.return_s, late.return_s, kSameTime) && near(early.yaw, late.yaw, kSamePlace) &&
+      near(early.translation, late.translation) && near(early.travel, late.travel);
   for (std::size_t i = 0; i < early.feet.size(); ++i)
     same = same && near(early.feet[i], early_time_s, late.feet[i], late_time_s);
   for (std::size_t i = 0; i < early.shifts.size(); ++i)
@@ -78,9 +77,9 @@ int first_unhurried(const runtime::PreparedLibrary& library,
                     const ScenarioDistribution& distribution, int clip, int character_state) {
   const motion::Motion& idle = library.idle();
   const auto response_to = [&](int time) {
-    return runtime::make_response(
-        library, character_state_at(distribution, idle, {character_state, time}), clip,
-        time_to_impact_s(distribution, time));
+    return runtime::make_response(library,
+                                  character_state_at(distribution, idle, {character_state, time}),
+                                  clip, time_to_impact_s(distribution, time));
   };
   int most = time_count(distribution) - 1;
   const runtime::Response longest = response_to(most);

@@ -32,7 +32,8 @@ class SharedResponses {
  public:
   /// Plans a few responses for each clip and character state: a fraction of a second for a hundred
   /// clips. Keeps neither argument.
-  SharedResponses(const runtime::PreparedLibrary& library, const ScenarioDistribution& distribution);
+  SharedResponses(const runtime::PreparedLibrary& library,
+                  const ScenarioDistribution& distribution);
 
   /// The response that answers at `place` with `clip`, an annotated or the idle one: at the same
   /// character state, to the soonest impact for which it is the same.

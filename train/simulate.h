@@ -19,9 +19,9 @@ StoreHeader make_store_header(const SimulationSubject& subject);
 
 /// What a run may use, bytes.
 struct MemoryPlan {
-  std::uint64_t most = std::uint64_t{1} << 30;   ///< the whole process
-  std::uint64_t reserved = 0;                    ///< of it for all but rehearsed responses
-  std::uint64_t all_responses = 0;               ///< what keeping all of them would take, about
+  std::uint64_t most = std::uint64_t{1} << 30;  ///< the whole process
+  std::uint64_t reserved = 0;                   ///< of it for all but rehearsed responses
+  std::uint64_t all_responses = 0;              ///< what keeping all of them would take, about
   std::size_t response_count = 0;
 
   std::uint64_t for_responses() const { return most - reserved; }

@@ -72,8 +72,7 @@ sim::Ball ball_of(const features::Threat& threat, double later_s, double gravity
   const double radius = double{threat.radius};
   const features::FreeFlight flight{threat.position.cast<double>(), threat.velocity.cast<double>(),
                                     radius, gravity_mps2};
-  return {flight.position_at(later_s), flight.velocity_at(later_s), radius,
-          double{threat.mass_kg}};
+  return {flight.position_at(later_s), flight.velocity_at(later_s), radius, double{threat.mass_kg}};
 }
 
 TrialResult trial_result(int clip, double work_j, const sim::SimulationResult& simulated) {
@@ -147,8 +146,7 @@ RehearsedResponse rehearse(const SimulationSubject& subject, const ResponseKey& 
 
 TrialResult try_rehearsed(const SimulationSubject& subject, const features::Scenario& scenario,
                           const RehearsedResponse& response) {
-  const float rehearsed_s =
-      time_to_impact_s(subject.plan.distribution, response.key.place.time);
+  const float rehearsed_s = time_to_impact_s(subject.plan.distribution, response.key.place.time);
   const double later_s = double{scenario.time_to_impact_s} - double{rehearsed_s};
   const sim::Ball ball = ball_of(scenario.threat, later_s, subject.plan.options.gravity_mps2);
   return trial_result(response.key.clip, double{response.work_j},

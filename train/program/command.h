@@ -33,6 +33,8 @@ CLI::Validator number_in(double least, double most);
 
 /// Writes the one document that --json prints.
 void print(const Json& document);
+/// Writes a document as one line of several, at once.
+void print_line(const Json& document);
 
 /// How scenarios are labelled, as options say it.
 struct CostOptions {
