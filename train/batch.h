@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "train/rehearsals.h"
-#include "train/store.h"
+#include "train/store_range.h"
 
 namespace flinch::train {
 

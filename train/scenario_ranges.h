@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "train/store.h"
+#include "train/store_range.h"
 
 namespace flinch::train {
 

@@ -14,7 +14,7 @@
 #include "motion/error.h"
 #include "train/crew.h"
 #include "train/scenario_ranges.h"
-#include "train/store_schema.h"
+#include "train/store_trials.h"
 
 namespace flinch::train {
 

@@ -8,7 +8,7 @@
 #include "tests/scenes/temporary_folder.h"
 #include "train/crew_messages.h"
 #include "train/simulate.h"
-#include "train/store_schema.h"
+#include "train/store_trials.h"
 
 namespace flinch::train {
 namespace {

@@ -37,8 +37,8 @@ struct Request {
 
 struct Load {
   double took_s = 0;
-  double busy_s = 0;     ///< of the writer
-  double waited_s = 0;   ///< of all helpers, for the writer
+  double busy_s = 0;    ///< of the writer
+  double waited_s = 0;  ///< of all helpers, for the writer
   std::uint64_t messages = 0;
 };
 
@@ -56,15 +56,13 @@ Load load_of(const Cluster& cluster, const Costs& costs, std::uint64_t scenarios
     const Request request = requests.top();
     requests.pop();
     const double begin_s = std::max(free_s, request.at_s);
-    const double cost_s =
-        costs.message_s + static_cast<double>(request.scenarios) * costs.write_s;
+    const double cost_s = costs.message_s + static_cast<double>(request.scenarios) * costs.write_s;
     free_s = begin_s + cost_s;
     load.busy_s += cost_s;
     load.waited_s += free_s - request.at_s;
     ++load.messages;
     if (const auto range = ranges.next(cluster.threads)) {
-      const double work_s =
-          static_cast<double>(range->count) * costs.simulate_s / cluster.threads;
+      const double work_s = static_cast<double>(range->count) * costs.simulate_s / cluster.threads;
       requests.push({free_s + work_s * random.uniform(0.9, 1.1), range->count});
     }
   }
@@ -79,8 +77,7 @@ int run(int count, char** arguments) {
   }
   const Costs costs{1e-3 * std::atof(arguments[1]), 1e-6 * std::atof(arguments[2]),
                     1e-6 * std::atof(arguments[3])};
-  const std::uint64_t scenarios =
-      count > 4 ? std::strtoull(arguments[4], nullptr, 10) : 10'000'000;
+  const std::uint64_t scenarios = count > 4 ? std::strtoull(arguments[4], nullptr, 10) : 10'000'000;
   std::printf(
       "| cores | processes | threads of each | hours | writer busy | helpers wait | of the ideal "
       "|\n| --: | --: | --: | --: | --: | --: | --: |\n");

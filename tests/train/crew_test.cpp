@@ -83,11 +83,10 @@ TEST(Crew, ASlowHelperHoldsNobodyUp) {
 }
 
 TEST(Crew, AnInterruptedHelpersRangeIsDoneByAnother) {
-  const Outcome outcome =
-      run(1000, 3, [](int helper, ScenarioRange range) -> std::optional<Done> {
-        if (helper == 2 && range.first > 100) return std::nullopt;
-        return done_of(range);
-      });
+  const Outcome outcome = run(1000, 3, [](int helper, ScenarioRange range) -> std::optional<Done> {
+    if (helper == 2 && range.first > 100) return std::nullopt;
+    return done_of(range);
+  });
   EXPECT_EQ(outcome.times_done, std::vector<int>(1000, 1));
 }
 

@@ -38,8 +38,8 @@ class SharedResponse : public testing::Test {
                      float late_s) {
     float most = 0;
     for (float t = -std::min(early_s, late_s); t < 1.5F; t += 0.037F) {
-      const auto a = motion::forward_kinematics(prepared_->skeleton(),
-                                                runtime::pose_at(early, early_s + t));
+      const auto a =
+          motion::forward_kinematics(prepared_->skeleton(), runtime::pose_at(early, early_s + t));
       const auto b =
           motion::forward_kinematics(prepared_->skeleton(), runtime::pose_at(late, late_s + t));
       for (const motion::Role role : motion::kRoles)
@@ -58,7 +58,8 @@ TEST_F(SharedResponse, IsTheSameMotionSeenFromTheImpact) {
   int compared = 0;
   for (int clip = 0; clip < static_cast<int>(library_->clips.size()); ++clip) {
     for (int time = 0; time < time_count(kDistribution); ++time) {
-      const GridPlace place{(clip + time) % 4, time};  // each state for each clip, not for each time
+      const GridPlace place{(clip + time) % 4,
+                            time};  // each state for each clip, not for each time
       const runtime::Response own = response(clip, place);
       if (!runtime::is_valid(own)) continue;
       const ResponseKey key = shared_->key_of(clip, place);
@@ -92,8 +93,7 @@ TEST_F(SharedResponse, IsNoLongerSharedWhereThereIsLessTime) {
 
 TEST_F(SharedResponse, OfTheIdlerIsOneForAllTimes) {
   for (int time = 0; time < time_count(kDistribution); ++time)
-    EXPECT_EQ(shared_->key_of(library_->idle, {2, time}),
-              (ResponseKey{library_->idle, {2, 0}}));
+    EXPECT_EQ(shared_->key_of(library_->idle, {2, time}), (ResponseKey{library_->idle, {2, 0}}));
 }
 
 TEST_F(SharedResponse, ThereAreFarFewerThanPlaces) {

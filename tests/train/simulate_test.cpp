@@ -10,7 +10,7 @@
 #include "runtime/response.h"
 #include "tests/train/local_messenger.h"
 #include "tests/train/made_up_store.h"
-#include "train/store_schema.h"
+#include "train/store_trials.h"
 
 namespace flinch::train {
 namespace {
