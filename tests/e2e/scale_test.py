@@ -1,8 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""A store has the same bytes whoever simulated it: one process or several, at once or in parts."""
+"""A store has the same bytes whoever simulated it: one process or several, at once or in parts.
 
-import json
+Tests that stop a run use the slow simulation, which is long enough at it.
+"""
+
 import os
 import pathlib
 import shutil
@@ -15,6 +17,14 @@ from flinch_program import FLINCH, ProgramTest, make_library
 SCENARIOS = 70
 MPIRUN = shutil.which("mpirun")
 EXAMPLES = pathlib.Path(os.environ["FLINCH_EXAMPLES"])
+
+
+def wait_for_commit(process):
+    """The first line of progress follows the first commit."""
+    for line in process.stderr:
+        if f"/{SCENARIOS} scenarios" in line:
+            return
+    raise AssertionError("it ended without any progress")
 
 
 class RunTest(ProgramTest):
@@ -38,11 +48,25 @@ class RunTest(ProgramTest):
 class Alone(RunTest):
     """Of one process."""
 
-    def test_memory_does_not_show(self):
+    def test_threads_and_memory_do_not_show(self):
         whole = self.make_whole()
         store = self.folder / "little"
         done = self.succeed(*self.command(store, "--memory", "96M", "--threads", 2))
         self.assertIn("memory: at most 96 MiB; ", done.stderr)
+        self.assertEqual(store.read_bytes(), whole)
+
+    def test_after_a_kill_the_same_command_goes_on(self):
+        whole = self.make_whole("--reference")
+        store = self.folder / "killed"
+        command = self.command(store, "--threads", 1, "--reference")
+        process = subprocess.Popen([FLINCH, *command], stderr=subprocess.PIPE, text=True)
+        wait_for_commit(process)
+        process.kill()
+        process.communicate()
+        self.assertEqual(process.returncode, -signal.SIGKILL)
+        self.assertFalse(store.exists())
+        done = self.succeed(*command)
+        self.assertIn("going on after", done.stderr)
         self.assertEqual(store.read_bytes(), whole)
 
     def test_too_little_memory_is_refused(self):
@@ -59,9 +83,7 @@ class Alone(RunTest):
         self.fail_with(2, *self.command(self.folder / "x", scenarios=0))
 
     def test_lines_for_machines(self):
-        done = self.succeed(*self.command(self.folder / "store", "--json"))
-        self.assertEqual(done.stderr, "")
-        lines = [json.loads(line) for line in done.stdout.splitlines()]
+        lines = self.lines(*self.command(self.folder / "store"))
         self.assertEqual({line["kind"] for line in lines[:-1]}, {"progress"})
         scenarios = [line["scenarios"] for line in lines]
         self.assertEqual(scenarios, sorted(scenarios))
@@ -125,19 +147,19 @@ class Processes(RunTest):
             self.assertEqual(store.read_bytes(), whole)
 
     def test_a_killed_one_ends_the_job_and_loses_nothing(self):
-        whole = self.make_whole()
+        whole = self.make_whole("--reference")
         store = self.folder / "killed"
-        # Slow enough to be caught in the middle.
-        job = subprocess.Popen(self.mpirun(3, *self.command(store, "--threads", 1)),
-                               stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-        self.wait_for_progress(job)
+        command = self.command(store, "--threads", 1, "--reference")
+        job = subprocess.Popen(self.mpirun(3, *command), stdout=subprocess.PIPE,
+                               stderr=subprocess.PIPE, text=True)
+        wait_for_commit(job)
         victim = max(self.children(job.pid))
         os.kill(victim, signal.SIGKILL)
         _, errors = job.communicate()
         self.assertNotEqual(job.returncode, 0)
         self.assertIn("signal 9", errors)
         self.assertFalse(store.exists())
-        done = self.run_job(2, *self.command(store, "--threads", 1))
+        done = self.run_job(2, *command)
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn("going on after", done.stderr)
         self.assertEqual(store.read_bytes(), whole)
@@ -149,13 +171,6 @@ class Processes(RunTest):
         told = [line for line in done.stderr.splitlines() if line.startswith("flinch: ")]
         self.assertEqual(len(told), 1, done.stderr)
         self.assertIn("missing", told[0])
-
-    @staticmethod
-    def wait_for_progress(job):
-        for line in job.stderr:
-            if "scenarios, " in line:
-                return
-        raise AssertionError("the job ended early")
 
     @staticmethod
     def children(pid):

@@ -46,9 +46,10 @@ std::string mebibytes(std::uint64_t bytes) {
 }
 
 /// What the run will use, before it begins.
-void print_plan(const SimulationRun& run, int processes) {
+void print_plan(const SimulationRun& run) {
   const MemoryPlan& memory = run.memory;
-  std::cerr << "memory: at most " << mebibytes(memory.most) << (processes > 1 ? " a process" : "")
+  std::cerr << "memory: at most " << mebibytes(memory.most)
+            << (run.messenger->size() > 1 ? " a process" : "")
             << "; " << memory.response_count << " different responses take about "
             << mebibytes(memory.all_responses) << ", of which "
             << (memory.keeps_all() ? "all" : mebibytes(memory.for_responses())) << " are kept"
@@ -114,11 +115,12 @@ void print_result(const Options& options, const SimulationProgress& done) {
 }
 
 void write_store(const Options& options, const SimulationSubject& subject, SimulationRun& run) {
-  if (!options.json) print_plan(run, run.messenger->size());
   SimulationProgress last;
   {
     ProgressDisplay display(options.json);
     run.report = [&](const SimulationProgress& progress) {
+      const bool begins = last.of == 0;
+      if (begins && !options.json) print_plan(run);
       last = progress;
       display.show(progress);
     };
