@@ -55,20 +55,6 @@ class Alone(RunTest):
         self.assertIn("memory: at most 96 MiB; ", done.stderr)
         self.assertEqual(store.read_bytes(), whole)
 
-    def test_after_a_kill_the_same_command_goes_on(self):
-        whole = self.make_whole("--reference")
-        store = self.folder / "killed"
-        command = self.command(store, "--threads", 1, "--reference")
-        process = subprocess.Popen([FLINCH, *command], stderr=subprocess.PIPE, text=True)
-        wait_for_commit(process)
-        process.kill()
-        process.communicate()
-        self.assertEqual(process.returncode, -signal.SIGKILL)
-        self.assertFalse(store.exists())
-        done = self.succeed(*command)
-        self.assertIn("going on after", done.stderr)
-        self.assertEqual(store.read_bytes(), whole)
-
     def test_too_little_memory_is_refused(self):
         line = self.fail_with(1, *self.command(self.folder / "x", "--memory", "20M",
                                                "--threads", 1))
