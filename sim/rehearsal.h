@@ -7,7 +7,8 @@
 namespace flinch::sim {
 
 /// A response as the figure performs it while nothing touches it: the same for every ball that may
-/// meet it. Made by Simulator::rehearse and never changed; one may serve several threads at a time.
+/// meet it. Made by Simulator::rehearse, which must outlive it, and never changed; one may serve
+/// several threads at a time.
 class Rehearsal {
  public:
   struct Track;

@@ -6,6 +6,7 @@
 
 #include "sim/encounter.h"
 #include "sim/rehearsal_track.h"
+#include "sim/rehearsed_run.h"
 
 namespace flinch::sim {
 namespace {
@@ -81,13 +82,12 @@ SimulationResult Simulator::simulate(const motion::Motion& reference, const Ball
 
 Rehearsal Simulator::rehearse(const motion::Motion& reference, double from_s,
                               double duration_s) const {
-  return Rehearsal(
-      std::make_unique<Rehearsal::Track>(Rehearsal::Track{reference, from_s, duration_s}));
+  return Rehearsal(std::make_unique<Rehearsal::Track>(plan_->figure, plan_->options, reference,
+                                                      from_s, duration_s));
 }
 
 SimulationResult Simulator::simulate(const Rehearsal& rehearsal, const Ball& ball) const {
-  const Rehearsal::Track& track = rehearsal.track();
-  return simulate(track.motion, &ball, track.duration_s);
+  return run_rehearsed(plan_->figure, plan_->options, rehearsal.track(), ball);
 }
 
 }  // namespace flinch::sim

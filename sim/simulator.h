@@ -59,7 +59,7 @@ class Simulator {
   Rehearsal rehearse(const motion::Motion& reference, double from_s, double duration_s) const;
   /// What simulate() of the rehearsed motion finds for this ball over its whole duration, in a
   /// fraction of the time, within the bounds that docs/simulation.md gives; without its tracking
-  /// error. `rehearsal` must come from this simulator or one made alike. Throws Error if the ball
+  /// error. `rehearsal` must come from this simulator. Throws Error if the ball
   /// touches the figure before the rehearsal begins.
   SimulationResult simulate(const Rehearsal& rehearsal, const Ball& ball) const;
 
