@@ -122,4 +122,9 @@ std::size_t SharedResponses::count() const {
   return count;
 }
 
+std::size_t SharedResponses::count_at(int time) const {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(unhurried_, [time](int unhurried) { return unhurried >= time; }));
+}
+
 }  // namespace flinch::train

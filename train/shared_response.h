@@ -41,6 +41,8 @@ class SharedResponses {
 
   /// How many different responses there are.
   std::size_t count() const;
+  /// How many of them answer an impact in this time.
+  std::size_t count_at(int time) const;
 
  private:
   std::size_t index(int clip, int character_state) const;

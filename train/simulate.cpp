@@ -54,6 +54,20 @@ std::string describe(const SimulationPlan& plan) {
       .dump();
 }
 
+/// About what all responses take, rehearsed: each as much in each second as idling does.
+std::uint64_t bytes_of_all_responses(const SimulationSubject& subject) {
+  const RehearsedResponse idle =
+      rehearse(subject, subject.responses.key_of(subject.library.idle, {}));
+  double seconds = 0;
+  for (int time = 0; time < time_count(subject.plan.distribution); ++time) {
+    const double performed_s =
+        double{time_to_impact_s(subject.plan.distribution, time)} + subject.plan.tail_s;
+    seconds += static_cast<double>(subject.responses.count_at(time)) * performed_s;
+  }
+  return static_cast<std::uint64_t>(seconds / idle.rehearsal.duration_s() *
+                                    static_cast<double>(idle.byte_count()));
+}
+
 /// What must be the same in all processes of a run.
 std::uint64_t hash_of_run(const StoreHeader& header) {
   const std::string text = database::hash_text(header.library_hash) + " " +
@@ -159,10 +173,8 @@ MemoryPlan plan_memory(const SimulationSubject& subject, std::uint64_t most, int
     throw Error("", std::to_string(most >> kMebi) + " MiB are too little memory for " +
                         std::to_string(threads) + " threads; give at least --memory " +
                         std::to_string(plan.reserved >> kMebi) + "M");
-  const int longest = time_count(subject.plan.distribution) - 1;
-  const ResponseKey idle = subject.responses.key_of(subject.library.idle, {0, longest});
   plan.response_count = subject.responses.count();
-  plan.all_responses = plan.response_count * rehearse(subject, idle).byte_count();
+  plan.all_responses = bytes_of_all_responses(subject);
   return plan;
 }
 

@@ -18,9 +18,13 @@ double sum(const motion::PerBody<double>& values) {
   return total;
 }
 
-/// Poses of a response at the library's rate, from perception to at least `duration_s`.
+std::size_t interval_count(double duration_s, float rate_hz) {
+  return static_cast<std::size_t>(std::ceil(duration_s * double{rate_hz}));
+}
+
+/// Poses of a response at the library's rate, from perception to `duration_s` at least.
 motion::Motion sampled(const runtime::Response& response, float rate_hz, double duration_s) {
-  const auto intervals = static_cast<std::size_t>(std::ceil(duration_s * double{rate_hz}));
+  const std::size_t intervals = interval_count(duration_s, rate_hz);
   motion::Motion motion;
   motion.rate_hz = rate_hz;
   motion.poses.reserve(intervals + 1);
@@ -49,21 +53,26 @@ double response_work_j(const SimulationSubject& subject, const runtime::Response
 
 /// A response as it is simulated.
 struct Performance {
-  motion::Motion motion;
+  motion::Motion motion;  ///< as far as it is simulated
   double simulated_s = 0;
-  double work_j = 0;
+  double work_j = 0;  ///< of all of it
 };
 
 Performance perform(const SimulationSubject& subject, const features::CharacterState& state,
                     int clip, float time_to_impact_s) {
   const runtime::Response response =
       runtime::make_response(subject.prepared, state, clip, time_to_impact_s);
+  const float rate_hz = subject.library.rate_hz;
   Performance performance;
   performance.simulated_s = double{time_to_impact_s} + subject.plan.tail_s;
+  // Velocities on the way to the end take two more poses.
+  const double needed_s = performance.simulated_s + 2 / double{rate_hz};
   performance.motion =
-      sampled(response, subject.library.rate_hz,
-              std::max(performance.simulated_s, double{runtime::duration_s(response)}));
+      sampled(response, rate_hz, std::max(needed_s, double{runtime::duration_s(response)}));
   performance.work_j = response_work_j(subject, response, performance.motion);
+  std::vector<motion::Pose>& poses = performance.motion.poses;
+  poses.resize(std::min(poses.size(), interval_count(needed_s, rate_hz) + 1));
+  poses.shrink_to_fit();
   return performance;
 }
 

@@ -5,6 +5,7 @@
 #include <ctime>
 
 #include "database/authored_library.h"
+#include "motion/default_character.h"
 #include "tests/scenes/temporary_folder.h"
 #include "train/crew_messages.h"
 #include "train/simulate.h"

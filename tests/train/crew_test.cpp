@@ -53,9 +53,14 @@ Outcome run(std::uint64_t scenarios, int helpers,
             {[&](int) { return ranges.next(1); }, take,
              [&](ScenarioRange range) { ranges.put_back(range); }},
             kRun);
-  while (crew.is_at_work()) {
-    crew.attend();
-    crew.wait();
+  try {
+    while (crew.is_at_work()) {
+      crew.attend();
+      crew.wait();
+    }
+  } catch (...) {  // where processes would end with the job, threads must be sent home
+    for (int helper = 1; helper <= helpers; ++helper) messenger.send(helper, encode(Assignment{}));
+    throw;
   }
   return outcome;
 }

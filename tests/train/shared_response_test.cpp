@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "database/authored_library.h"
+#include "motion/default_character.h"
 #include "tests/scenes/synthetic_library.h"
 #include "train/trial.h"
 

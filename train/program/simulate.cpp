@@ -49,11 +49,10 @@ std::string mebibytes(std::uint64_t bytes) {
 void print_plan(const SimulationRun& run) {
   const MemoryPlan& memory = run.memory;
   std::cerr << "memory: at most " << mebibytes(memory.most)
-            << (run.messenger->size() > 1 ? " a process" : "")
-            << "; " << memory.response_count << " different responses take about "
-            << mebibytes(memory.all_responses) << ", of which "
-            << (memory.keeps_all() ? "all" : mebibytes(memory.for_responses())) << " are kept"
-            << std::endl;
+            << (run.messenger->size() > 1 ? " a process" : "") << "; " << memory.response_count
+            << " different responses take about " << mebibytes(memory.all_responses)
+            << ", of which " << (memory.keeps_all() ? "all" : mebibytes(memory.for_responses()))
+            << " are kept" << std::endl;
 }
 
 Json summary_document(const Options& options, const StoreSummary& store,
