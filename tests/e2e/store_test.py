@@ -96,7 +96,7 @@ class Store(ProgramTest):
     def test_two_writers_do_not_mix(self):
         store = self.folder / "shared"
         first = subprocess.Popen([FLINCH, *map(str, self.command(store, "--threads", 1))],
-                                 stderr=subprocess.PIPE, text=True)
+                                 stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
         self.wait_for_commit(first)
         line = self.fail_with(1, *self.command(store))
         self.assertIn("another process", line)

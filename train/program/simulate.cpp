@@ -182,6 +182,7 @@ void add_simulate(CLI::App& program) {
   command
       ->add_option("--first", options->first,
                    "number of the first, where this is one of several stores to merge")
+      ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
   command->add_option("--seed", options->seed, "what the scenarios are drawn from")
       ->capture_default_str();
@@ -199,7 +200,8 @@ void add_simulate(CLI::App& program) {
       "finished store goes on when more scenarios are asked for. The same library, seed and\n"
       "numbers give the same file, byte for byte, on any number of threads, with any memory, and\n"
       "by any number of processes that mpirun starts.\n\n"
-      "Examples:\n  flinch simulate real.flinchlib --out real.flinchobs -n 2000 --seed 1\n"
+      "Example:\n  flinch simulate real.flinchlib --out real.flinchobs -n 2000 --seed 1\n\n"
+      "On a cluster:\n"
       "  mpirun -n 64 flinch simulate real.flinchlib --out real.flinchobs -n 1000000");
   command->callback([options] { run(*options); });
 }
