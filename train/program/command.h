@@ -19,6 +19,7 @@ void add_author(CLI::App& program);
 void add_import(CLI::App& program);
 void add_info(CLI::App& program);
 void add_simulate(CLI::App& program);
+void add_merge(CLI::App& program);
 void add_train(CLI::App& program);
 void add_compare(CLI::App& program);
 void add_export(CLI::App& program);
@@ -33,6 +34,8 @@ CLI::Validator number_in(double least, double most);
 
 /// Writes the one document that --json prints.
 void print(const Json& document);
+/// Writes a document as one line of several, at once.
+void print_line(const Json& document);
 
 /// How scenarios are labelled, as options say it.
 struct CostOptions {
