@@ -21,7 +21,7 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-constexpr ScenarioRange kWanted{0, 100};  // more than any test appends
+constexpr ScenarioRange kWanted{0, 200};  // more than any test appends
 
 std::string message_of(const std::function<void()>& action) {
   try {
@@ -375,7 +375,7 @@ TEST(Store, FinishingOnAFullDiskLosesNothing) {
 TEST(Store, AFullDiskIsToldAndKeepsWhatWasCommitted) {
   const TemporaryFolder folder;
   const StoreHeader header = made_up_header();
-  write_store(folder / "whole", header, 64);
+  write_store(folder / "whole", header, 160);
   const std::string path = folder / "full";
   {
     StoreWriter writer(path, header, kWanted);
@@ -388,14 +388,14 @@ TEST(Store, AFullDiskIsToldAndKeepsWhatWasCommitted) {
     small.rlim_cur = std::filesystem::file_size(writer.partial_path());
     ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &small), 0);
     const std::string message =
-        message_of([&] { writer.append(made_up_observations(header, 16, 64)); });
+        message_of([&] { writer.append(made_up_observations(header, 16, 160)); });
     ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &before), 0);
     EXPECT_THAT(message, HasSubstr("full.partial: "));
     EXPECT_THAT(message, HasSubstr("make room"));
   }
   EXPECT_FALSE(std::filesystem::exists(path));
   EXPECT_EQ(StoreWriter(path, header, kWanted).count(), 16U);
-  write_store(path, header, 64);
+  write_store(path, header, 160);
   EXPECT_TRUE(bytes_of(path) == bytes_of(folder / "whole"));
 }
 
