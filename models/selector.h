@@ -41,8 +41,9 @@ struct Selector {
       Eigen::Vector3f::Zero()};
 };
 
-/// The allowed clips that the model votes among, best first. An SVM's are all its classes, ties by
-/// the model's class order; a KNN's are its neighbours' labels, ties by the nearer neighbour. Where
+/// The allowed clips that the model votes among, best first. An SVM's are all its classes, ranked
+/// by votes, ties by the model's class order; a KNN's are its neighbours' labels, ranked by votes,
+/// ties by the nearer neighbour. Neither expects a cost. Where
 /// the model knows no allowed clip the idle clip is the last resort, with no vote: never empty.
 /// `scaled` has the model's feature_count values.
 std::pmr::vector<Candidate> candidates(const SvmModel& model, std::span<const double> scaled,

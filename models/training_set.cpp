@@ -43,6 +43,9 @@ void check(const TrainingSet& set) {
       set.points.size() != count * static_cast<std::size_t>(set.feature_count)) {
     throw Error("", "the training set's points, labels and masks differ in number");
   }
+  if (!set.cost.empty() && set.cost.size() != count * set.clip_count()) {
+    throw Error("", "the training set's costs are not one a clip and observation");
+  }
   for (int i = 0; i < set.size(); ++i) {
     check_observation(set, i);
   }
@@ -58,6 +61,10 @@ TrainingSet subset(const TrainingSet& set, std::span<const int> observations) {
     chosen.points.insert(chosen.points.end(), point.begin(), point.end());
     chosen.label.push_back(set.label[static_cast<std::size_t>(observation)]);
     chosen.mask.push_back(set.mask[static_cast<std::size_t>(observation)]);
+    if (!set.cost.empty()) {
+      const std::span<const float> costs = set.costs(observation);
+      chosen.cost.insert(chosen.cost.end(), costs.begin(), costs.end());
+    }
   }
   return chosen;
 }

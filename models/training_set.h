@@ -14,6 +14,9 @@ struct TrainingSet {
   std::vector<double> points;  ///< row-major, scaled, one row of feature_count an observation
   std::vector<int> label;      ///< clip index, one an observation
   std::vector<int> mask;       ///< index into `masks`, one an observation
+  /// What each clip costs, N·s: row-major, one row of a value a clip an observation, infinity where
+  /// the clip was not tried. Empty where no costs are known.
+  std::vector<float> cost;
   /// Which clips are allowed, by clip index: one mask a target.
   std::vector<ClipMask> masks;
   int idle = 0;  ///< the library's idle clip
@@ -22,6 +25,13 @@ struct TrainingSet {
   std::span<const double> point(int observation) const {
     const auto count = static_cast<std::size_t>(feature_count);
     return {points.data() + static_cast<std::size_t>(observation) * count, count};
+  }
+  /// How many values a row of `cost` has.
+  std::size_t clip_count() const { return masks.empty() ? 0 : masks.front().size(); }
+  /// Of the clips for one observation; not to be asked where no costs are known.
+  std::span<const float> costs(int observation) const {
+    return std::span(cost).subspan(static_cast<std::size_t>(observation) * clip_count(),
+                                   clip_count());
   }
   const ClipMask& allowed_clips(int observation) const {
     return masks[static_cast<std::size_t>(mask[static_cast<std::size_t>(observation)])];
