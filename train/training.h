@@ -17,8 +17,10 @@ namespace flinch::train {
 
 /// A way to learn a selector.
 enum class Method : std::uint8_t {
-  knn,  ///< the nearest observations vote
-  svm,  ///< C-SVC with a polynomial kernel: the paper's
+  knn,       ///< the nearest observations vote
+  svm,       ///< C-SVC with a polynomial kernel: the paper's
+  knn_cost,  ///< the nearest observations tell what each clip costs
+  network,   ///< small networks expect what each clip costs
 };
 
 /// As options and `compare`'s rows have it.
