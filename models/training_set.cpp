@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "models/training_set.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <string>
@@ -43,8 +44,28 @@ void check(const TrainingSet& set) {
       set.points.size() != count * static_cast<std::size_t>(set.feature_count)) {
     throw Error("", "the training set's points, labels and masks differ in number");
   }
+  if (!set.cost.empty() && set.cost.size() != count * set.clip_count()) {
+    throw Error("", "the training set's costs are not one a clip and observation");
+  }
   for (int i = 0; i < set.size(); ++i) {
     check_observation(set, i);
+  }
+}
+
+void check_costs(const TrainingSet& set) {
+  if (set.cost.empty()) {
+    throw Error("", "the training set has no costs to learn from");
+  }
+  for (int i = 0; i < set.size(); ++i) {
+    const std::span<const float> costs = set.costs(i);
+    if (std::none_of(costs.begin(), costs.end(), [](float cost) { return std::isfinite(cost); })) {
+      throw Error("",
+                  "observation " + std::to_string(i) + " has no finite cost; simulate it again");
+    }
+    if (!std::all_of(costs.begin(), costs.end(), [](float cost) { return cost >= 0; })) {
+      throw Error("", "observation " + std::to_string(i) +
+                          " has a cost that is negative or not a number; simulate it again");
+    }
   }
 }
 
@@ -58,6 +79,10 @@ TrainingSet subset(const TrainingSet& set, std::span<const int> observations) {
     chosen.points.insert(chosen.points.end(), point.begin(), point.end());
     chosen.label.push_back(set.label[static_cast<std::size_t>(observation)]);
     chosen.mask.push_back(set.mask[static_cast<std::size_t>(observation)]);
+    if (!set.cost.empty()) {
+      const std::span<const float> costs = set.costs(observation);
+      chosen.cost.insert(chosen.cost.end(), costs.begin(), costs.end());
+    }
   }
   return chosen;
 }

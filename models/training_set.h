@@ -14,6 +14,9 @@ struct TrainingSet {
   std::vector<double> points;  ///< row-major, scaled, one row of feature_count an observation
   std::vector<int> label;      ///< clip index, one an observation
   std::vector<int> mask;       ///< index into `masks`, one an observation
+  /// What each clip costs, N·s: row-major, one row of a value a clip an observation, infinity where
+  /// the clip was not tried. Empty where no costs are known.
+  std::vector<float> cost;
   /// Which clips are allowed, by clip index: one mask a target.
   std::vector<ClipMask> masks;
   int idle = 0;  ///< the library's idle clip
@@ -23,6 +26,13 @@ struct TrainingSet {
     const auto count = static_cast<std::size_t>(feature_count);
     return {points.data() + static_cast<std::size_t>(observation) * count, count};
   }
+  /// How many values a row of `cost` has.
+  std::size_t clip_count() const { return masks.empty() ? 0 : masks.front().size(); }
+  /// Of the clips for one observation; not to be asked where no costs are known.
+  std::span<const float> costs(int observation) const {
+    return std::span(cost).subspan(static_cast<std::size_t>(observation) * clip_count(),
+                                   clip_count());
+  }
   const ClipMask& allowed_clips(int observation) const {
     return masks[static_cast<std::size_t>(mask[static_cast<std::size_t>(observation)])];
   }
@@ -31,6 +41,10 @@ struct TrainingSet {
 /// Throws Error unless there are at least two observations, sizes agree, every number is finite and
 /// every observation's label is allowed by its mask.
 void check(const TrainingSet& set);
+
+/// Throws Error unless every observation has a clip whose cost is known and no cost is negative or
+/// not a number: what learning from costs needs beside check().
+void check_costs(const TrainingSet& set);
 
 /// The observations with these indices, in this order.
 TrainingSet subset(const TrainingSet& set, std::span<const int> observations);

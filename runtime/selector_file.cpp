@@ -45,12 +45,28 @@ models::SvmModel read_model(const schema::Svm& stored) {
           .rho = to_vector(*stored.rho())};
 }
 
-models::KnnModel read_model(const schema::Knn& stored) {
-  return {.k = stored.k(),
-          .vote = static_cast<models::KnnVote>(stored.vote()),
-          .feature_count = features::kFeatureCount,
-          .points = to_vector(*stored.points()),
-          .label = to_vector(*stored.label())};
+models::KnnModel read_model(const schema::Knn& stored, int clip_count) {
+  return {
+      .k = stored.k(),
+      .vote = static_cast<models::KnnVote>(stored.vote()),
+      .feature_count = features::kFeatureCount,
+      .points = to_vector(*stored.points()),
+      .label = to_vector(*stored.label()),
+      .cost = stored.cost() == nullptr ? std::vector<std::uint16_t>() : to_vector(*stored.cost()),
+      .clip_count = clip_count,
+      .cost_step_ns = stored.cost_step_ns(),
+      .leaves = {}};
+}
+
+models::NetworkModel read_model(const schema::Network& stored) {
+  return {.feature_count = features::kFeatureCount,
+          .hidden_count = stored.hidden_count(),
+          .member_count = stored.member_count(),
+          .clip = to_vector(*stored.clip()),
+          .mean_root = stored.mean_root(),
+          .scale_root = stored.scale_root(),
+          .variance_ns = stored.variance_ns(),
+          .weights = to_vector(*stored.weights())};
 }
 
 /// Whether the features are those of this build, in its order.
@@ -79,11 +95,15 @@ bool read_stored(const schema::Selector& stored, models::Selector& selector) {
   if (const schema::Svm* svm = stored.model_as_Svm()) {
     selector.model = read_model(*svm);
   } else if (const schema::Knn* knn = stored.model_as_Knn()) {
-    selector.model = read_model(*knn);
+    selector.model = read_model(*knn, static_cast<int>(selector.clips.size()));
+  } else if (const schema::Network* network = stored.model_as_Network()) {
+    selector.model = read_model(*network);
   } else {
     return false;
   }
-  return is_sound(selector);
+  if (!is_sound(selector)) return false;
+  if (auto* knn = std::get_if<models::KnnModel>(&selector.model)) models::index(*knn);
+  return true;
 }
 
 /// The library that the file has in it, where it has one.

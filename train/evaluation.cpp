@@ -59,9 +59,9 @@ void add_rows(const Store& store, std::span<const Observation> fitted, const Lab
   const auto add = [&](std::string name, const Choice& choice) {
     evaluation.rows.push_back(make_row(std::move(name), evaluation, labels, choice));
   };
-  const auto add_fitted = [&](ModelKind kind) {
-    const Training training = train_selector(header, fitted, cost_model, kind, seed);
-    add(std::string(name_of(kind)), [&](const Observation& observation) {
+  const auto add_fitted = [&](Method method) {
+    const Training training = train_selector(header, fitted, cost_model, method, seed);
+    add(std::string(name_of(method)), [&](const Observation& observation) {
       return models::select(training.selector, observation.features, observation.scenario.target);
     });
   };
@@ -75,8 +75,8 @@ void add_rows(const Store& store, std::span<const Observation> fitted, const Lab
     return models::nearest_annotation(header.clips, header.idle, observation.scenario.target,
                                       azimuth_of(observation.features));
   });
-  add_fitted(ModelKind::knn);
-  add_fitted(ModelKind::svm);
+  add_fitted(Method::knn);
+  add_fitted(Method::svm);
   std::size_t next = 0;
   add("oracle", [&](const Observation&) { return labels.clip[next++]; });
 }

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "train/labels.h"
 
+#include <cstddef>
+#include <limits>
+
 namespace flinch::train {
 
 CostModel make_cost_model(const StoreHeader& header, const Vulnerability& vulnerability,
@@ -48,6 +51,15 @@ models::TrainingSet make_training_set(const StoreHeader& header,
     set.mask.push_back(static_cast<int>(observation.scenario.target));
   }
   set.label = labels.clip;
+  const std::size_t clips = header.clips.size();
+  set.cost.assign(observations.size() * clips, std::numeric_limits<float>::infinity());
+  for (std::size_t i = 0; i < observations.size(); ++i) {
+    const std::vector<Trial>& trials = observations[i].trials;
+    for (std::size_t t = 0; t < trials.size(); ++t) {
+      const auto clip = static_cast<std::size_t>(trials[t].clip);
+      set.cost[i * clips + clip] = static_cast<float>(labels.cost[i][t]);
+    }
+  }
   return set;
 }
 

@@ -29,7 +29,7 @@ double cost_of_choice(std::span<const Observation> observations, const Labels& l
 /// The scaling of these observations' features.
 features::Scaling scaling_of(std::span<const Observation> observations);
 
-/// The observations as the models are fitted to them.
+/// The observations as the models are fitted to them, with the costs of their trials.
 models::TrainingSet make_training_set(const StoreHeader& header,
                                       std::span<const Observation> observations,
                                       const Labels& labels, const features::Scaling& scaling);

@@ -3,8 +3,13 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
+#include <cstddef>
 
 #include "models/cross_validation.h"
+#include "models/knn_fit.h"
+#include "models/network_fit.h"
+#include "models/svm_fit.h"
 #include "motion/error.h"
 #include "train/labels.h"
 
@@ -12,32 +17,117 @@ namespace flinch::train {
 
 namespace {
 
-constexpr std::array<std::string_view, 2> kModelNames{"svm", "knn"};
 constexpr int kMostFolds = 5;
 
-template <class Parameters>
-void choose(const models::TrainingSet& set, const std::vector<Parameters>& grid,
-            std::span<const int> folds, const models::Score& score, Training& training) {
+/// What a method makes of a training set.
+struct Fitted {
+  decltype(models::Selector::model) model;
+  std::vector<NamedValue> parameters;
+  double mean_regret_ns = 0;
+};
+using Fit = Fitted (*)(const models::TrainingSet&, std::span<const int> folds,
+                       const models::Score& regret);
+
+Fitted fit_knn(const models::TrainingSet& set, std::span<const int> folds,
+               const models::Score& regret) {
+  const auto chosen = models::choose_parameters(set, models::knn_grid(), folds, regret);
+  const models::KnnParameters& parameters = chosen.parameters;
+  const bool majority = parameters.vote == models::KnnVote::majority;
+  return {models::fit_knn(set, parameters),
+          {{"k", parameters.k}, {"vote", majority ? "majority" : "inverse_distance"}},
+          chosen.mean_score};
+}
+
+Fitted fit_knn_cost(const models::TrainingSet& set, std::span<const int> folds,
+                    const models::Score& regret) {
+  const auto chosen = models::choose_parameters(set, models::knn_cost_grid(), folds, regret);
+  return {models::fit_knn(set, chosen.parameters), {{"k", chosen.parameters.k}}, chosen.mean_score};
+}
+
+Fitted fit_svm(const models::TrainingSet& set, std::span<const int> folds,
+               const models::Score& regret) {
   const auto chosen =
-      models::choose_parameters(set, std::span<const Parameters>(grid), folds, score);
-  training.parameters = chosen.parameters;
-  training.cross_validated_regret_ns = chosen.mean_score;
+      models::choose_parameters(set, models::svm_grid(set.feature_count), folds, regret);
+  const models::SvmParameters& parameters = chosen.parameters;
+  return {models::fit_svm(set, parameters),
+          {{"kernel", "polynomial"},
+           {"degree", parameters.degree},
+           {"gamma", parameters.gamma},
+           {"coef0", parameters.coef0},
+           {"c", parameters.cost}},
+          chosen.mean_score};
+}
+
+Fitted fit_network(const models::TrainingSet& set, std::span<const int> folds,
+                   const models::Score& regret) {
+  const models::NetworkParameters parameters;
+  const auto validation = models::validate_network(set, parameters, folds);
+  models::NetworkModel model = models::fit_network(set, parameters);
+  model.variance_ns = static_cast<float>(validation.variance_ns);
+  return {std::move(model),
+          {{"members", parameters.member_count},
+           {"hidden", parameters.hidden_count},
+           {"epochs", parameters.epoch_count},
+           {"weight_decay", parameters.weight_decay}},
+          models::mean_scores(std::span(&validation.choice, 1), regret).front()};
+}
+
+struct MethodEntry {
+  Method method;
+  std::string_view name;
+  Fit fit;
+};
+// By rising method.
+constexpr std::array kEntries{
+    MethodEntry{Method::knn, "knn", fit_knn},
+    MethodEntry{Method::svm, "svm", fit_svm},
+    MethodEntry{Method::knn_cost, "knn_cost", fit_knn_cost},
+    MethodEntry{Method::network, "network", fit_network},
+};
+constexpr auto kMethods = [] {
+  std::array<Method, kEntries.size()> methods{};
+  std::ranges::transform(kEntries, methods.begin(), &MethodEntry::method);
+  return methods;
+}();
+
+const MethodEntry& entry_of(Method method) {
+  return kEntries[static_cast<std::size_t>(method)];
+}
+
+std::string text_of(const NamedValue& parameter) {
+  if (const auto* text = std::get_if<std::string>(&parameter.value)) return *text;
+  if (const auto* count = std::get_if<int>(&parameter.value)) return std::to_string(*count);
+  std::array<char, 32> text{};
+  const auto end = std::to_chars(text.data(), text.data() + text.size(),
+                                 std::get<double>(parameter.value), std::chars_format::general, 6);
+  return {text.data(), end.ptr};
+}
+
+std::string text_of(std::span<const NamedValue> parameters) {
+  std::string text;
+  for (const NamedValue& parameter : parameters)
+    text += (text.empty() ? "" : ", ") + parameter.name + ' ' + text_of(parameter);
+  return text;
 }
 
 }  // namespace
 
-std::string_view name_of(ModelKind kind) {
-  return kModelNames[static_cast<std::size_t>(kind)];
+std::string_view name_of(Method method) {
+  return entry_of(method).name;
 }
 
-std::optional<ModelKind> model_kind_named(std::string_view name) {
-  const auto found = std::ranges::find(kModelNames, name);
-  if (found == kModelNames.end()) return std::nullopt;
-  return static_cast<ModelKind>(found - kModelNames.begin());
+std::optional<Method> method_named(std::string_view name) {
+  const auto found = std::ranges::find(kEntries, name, &MethodEntry::name);
+  if (found == kEntries.end()) return std::nullopt;
+  return found->method;
+}
+
+std::span<const Method> methods() {
+  return kMethods;
 }
 
 Training train_selector(const StoreHeader& header, std::span<const Observation> observations,
-                        const CostModel& cost_model, ModelKind kind, std::uint64_t seed) {
+                        const CostModel& cost_model, Method method, std::uint64_t seed) {
   if (observations.size() < 2)
     throw Error("", "training needs at least 2 scenarios and there are " +
                         std::to_string(observations.size()) + "; simulate more");
@@ -60,13 +150,11 @@ Training train_selector(const StoreHeader& header, std::span<const Observation> 
     return cost_of_choice(observations, labels, i, chosen) -
            cost_of_choice(observations, labels, i, labels.clip[i]);
   };
-  if (kind == ModelKind::svm) {
-    choose(set, models::svm_grid(set.feature_count), folds, regret, training);
-    selector.model = models::fit_svm(set, std::get<models::SvmParameters>(training.parameters));
-  } else {
-    choose(set, models::knn_grid(), folds, regret, training);
-    selector.model = models::fit_knn(set, std::get<models::KnnParameters>(training.parameters));
-  }
+  Fitted fitted = entry_of(method).fit(set, folds, regret);
+  selector.model = std::move(fitted.model);
+  training.cross_validated_regret_ns = fitted.mean_regret_ns;
+  training.parameters = text_of(fitted.parameters);
+  training.parameter_values = std::move(fitted.parameters);
   return training;
 }
 

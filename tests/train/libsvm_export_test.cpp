@@ -25,15 +25,14 @@ TEST(LibsvmExport, SvmTrainAndSvmPredictAgreeWithTheSelectorsSvm) {
   const std::vector<Observation> observations = made_up_observations(header, 0, 150);
   const CostModel cost_model =
       make_cost_model(header, vulnerability_profiles()[0].vulnerability, 0.1);
-  const Training training = train_selector(header, observations, cost_model, ModelKind::svm, 1);
-  const auto& parameters = std::get<models::SvmParameters>(training.parameters);
+  const Training training = train_selector(header, observations, cost_model, Method::svm, 1);
   const auto& svm = std::get<models::SvmModel>(training.selector.model);
 
   std::ofstream(folder / "data") << libsvm_text(observations, label(observations, cost_model));
   std::ostringstream train;
-  train << "svm-train -q -t 1 -d " << parameters.degree << " -g " << exact(parameters.gamma)
-        << " -r " << exact(parameters.coef0) << " -c " << exact(parameters.cost) << ' '
-        << (folder / "data") << ' ' << (folder / "model");
+  train << "svm-train -q -t 1 -d " << svm.degree << " -g " << exact(svm.gamma) << " -r "
+        << exact(svm.coef0) << " -c " << exact(svm.cost) << ' ' << (folder / "data") << ' '
+        << (folder / "model");
   ASSERT_TRUE(succeeds(train.str()));
   ASSERT_TRUE(succeeds("svm-predict " + (folder / "data") + " " + (folder / "model") + " " +
                        (folder / "predicted") + " > /dev/null"));

@@ -16,22 +16,22 @@ namespace {
 struct Options {
   std::string store;
   std::string selector;
-  std::string model{"svm"};
+  std::string model{name_of(kDefaultMethod)};
   CostOptions cost;
   bool json = false;
 };
 
 Json parameters_of(const Training& training) {
-  if (const auto* svm = std::get_if<models::SvmParameters>(&training.parameters)) {
-    return {{"kernel", "polynomial"},
-            {"degree", svm->degree},
-            {"gamma", svm->gamma},
-            {"coef0", svm->coef0},
-            {"c", svm->cost}};
-  }
-  const auto& knn = std::get<models::KnnParameters>(training.parameters);
-  return {{"k", knn.k},
-          {"vote", knn.vote == models::KnnVote::majority ? "majority" : "inverse_distance"}};
+  Json parameters;
+  for (const NamedValue& parameter : training.parameter_values)
+    std::visit([&](const auto& value) { parameters[parameter.name] = value; }, parameter.value);
+  return parameters;
+}
+
+std::vector<std::string> method_names() {
+  std::vector<std::string> names;
+  for (const Method method : methods()) names.emplace_back(name_of(method));
+  return names;
 }
 
 Json summary_of(const Options& options, const Store& store, const Training& training) {
@@ -57,7 +57,7 @@ void run(const Options& options) {
   const CostModel cost_model =
       make_cost_model(store.header, vulnerability_of(options.cost), options.cost.brawn);
   const Training training = train_selector(store.header, store.observations, cost_model,
-                                           *model_kind_named(options.model), store.header.seed);
+                                           *method_named(options.model), store.header.seed);
   write_selector(training.selector, store.header.library_file, options.selector);
   const Json summary = summary_of(options, store, training);
   if (options.json) {
@@ -66,11 +66,9 @@ void run(const Options& options) {
   }
   std::cout << options.selector << ": " << options.model << " of " << store.observations.size()
             << " scenarios of " << store.header.library_name << '\n';
-  std::cout << "parameters, chosen by " << training.fold_count << "-fold cross-validation:";
-  for (const auto& [name, value] : summary["parameters"].items())
-    std::cout << ' ' << name << ' '
-              << (value.is_string() ? value.get<std::string>() : value.dump());
-  std::cout << "\nmean regret in cross-validation: " << training.cross_validated_regret_ns
+  std::cout << "parameters, chosen by " << training.fold_count
+            << "-fold cross-validation: " << training.parameters
+            << "\nmean regret in cross-validation: " << training.cross_validated_regret_ns
             << " N s\n";
 }
 
@@ -83,11 +81,11 @@ void add_train(CLI::App& program) {
   command->add_option("STORE", options->store, "store that flinch simulate made")->required();
   command->add_option("--out", options->selector, "selector to write")->required();
   command->add_option("--model", options->model, "what to fit")
-      ->check(CLI::IsMember({"svm", "knn"}))
+      ->check(CLI::IsMember(method_names()))
       ->capture_default_str();
   add_cost_options(*command, options->cost);
   add_json_option(*command, options->json);
-  command->footer("Example:\n  flinch train real.flinchobs --out real.flinch --model svm");
+  command->footer("Example:\n  flinch train real.flinchobs --out real.flinch");
   command->callback([options] { run(*options); });
 }
 
