@@ -38,7 +38,7 @@ bool near(const runtime::FootPlan& a, float a_impact_s, const runtime::FootPlan&
 bool near(const runtime::WeightShift& a, float a_impact_s, const runtime::WeightShift& b,
           float b_impact_s) {
   return near(a.window, a_impact_s, b.window, b_impact_s) &&
-         near(a.peak_s - a_impact_s, b.peak_s - b_impact_s, kSameTime) && near(a.pelvis, b.pelvis);
+         near(a.held, a_impact_s, b.held, b_impact_s) && near(a.pelvis, b.pelvis);
 }
 
 bool is_idle(const runtime::Response& response) {
