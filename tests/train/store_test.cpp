@@ -21,7 +21,7 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-constexpr ScenarioRange kWanted{0, 100};  // more than any test appends
+constexpr ScenarioRange kWanted{0, 200};  // more than any test appends
 
 std::string message_of(const std::function<void()>& action) {
   try {
@@ -248,20 +248,29 @@ TEST(Store, AChangedByteAnywhereIsNoticedOrChangesNothing) {
   ASSERT_NE(content, "refused");
   features::Random random(3, features::Purpose::baseline, 0);
   std::size_t refused = 0;
-  // The library has its own tests: the bytes of interest are at both ends.
+  // The library has tests of its own: half of the flips hit the file's ends, and half an
+  // observation, of which the trials and some hundred bytes before them are.
   const std::size_t ends = 50'000;
   ASSERT_GT(whole.size(), 2 * ends);
   for (int flip = 0; flip < 400; ++flip) {
     std::string flipped = whole;
-    const std::size_t place = random.index(2 * ends);
-    char& byte = flipped[place < ends ? place : whole.size() - 2 * ends + place];
+    std::size_t place = random.index(2 * ends);
+    if (place >= ends) place += whole.size() - 2 * ends;
+    if (flip % 2 == 0) {
+      const std::vector<std::byte> trials =
+          encode_trials(made_up_observation(made_up_header(), random.index(60)).trials);
+      place = whole.find(std::string(reinterpret_cast<const char*>(trials.data()), trials.size()));
+      ASSERT_NE(place, std::string::npos);
+      place += random.index(100 + trials.size()) - 100;
+    }
+    char& byte = flipped[place];
     byte = static_cast<char>(byte ^ (1 << random.index(8)));
     std::ofstream(folder / "flipped", std::ios::binary) << flipped;
     const std::string found = content_of(folder / "flipped");
     refused += found == "refused" ? 1U : 0U;
     EXPECT_TRUE(found == "refused" || found == content) << place;
   }
-  EXPECT_GT(refused, 100U);
+  EXPECT_GT(refused, 200U);
 }
 
 TEST(Store, FilledInAnyOrderHasTheSameBytes) {
@@ -375,7 +384,7 @@ TEST(Store, FinishingOnAFullDiskLosesNothing) {
 TEST(Store, AFullDiskIsToldAndKeepsWhatWasCommitted) {
   const TemporaryFolder folder;
   const StoreHeader header = made_up_header();
-  write_store(folder / "whole", header, 64);
+  write_store(folder / "whole", header, 160);
   const std::string path = folder / "full";
   {
     StoreWriter writer(path, header, kWanted);
@@ -388,14 +397,14 @@ TEST(Store, AFullDiskIsToldAndKeepsWhatWasCommitted) {
     small.rlim_cur = std::filesystem::file_size(writer.partial_path());
     ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &small), 0);
     const std::string message =
-        message_of([&] { writer.append(made_up_observations(header, 16, 64)); });
+        message_of([&] { writer.append(made_up_observations(header, 16, 160)); });
     ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &before), 0);
     EXPECT_THAT(message, HasSubstr("full.partial: "));
     EXPECT_THAT(message, HasSubstr("make room"));
   }
   EXPECT_FALSE(std::filesystem::exists(path));
   EXPECT_EQ(StoreWriter(path, header, kWanted).count(), 16U);
-  write_store(path, header, 64);
+  write_store(path, header, 160);
   EXPECT_TRUE(bytes_of(path) == bytes_of(folder / "whole"));
 }
 
