@@ -31,7 +31,7 @@ class EncounterIn {
   void end_step(const ReferenceState& now, const ReferenceState& target, double step_s);
 
   /// Whether, but for the ball, a body may still strike another; between begin_step and end_step.
-  bool may_strike(const ReferenceState& now) const { return pushes_.may_strike(shapes_, now); }
+  bool may_strike() const { return pushes_.may_strike(shapes_); }
 
   double time_s() const { return time_s_; }
   /// Whether the ball hits the figure in the step that has begun.

@@ -33,6 +33,19 @@ Vector3d spun(const Matrix3d& inertia, const Vector3d& angular_velocity, double 
   return inertia * (equations.inverse() * momentum);
 }
 
+// [A B; B^T C]^-1 with the Schur complement S = C - B^T A^-1 B:
+//   [A^-1 + G S^-1 G^T, -G S^-1; -S^-1 G^T, S^-1],  G = A^-1 B.
+Eigen::Matrix<double, 6, 6> inverse(const Matrix3d& mass, const Matrix3d& coupling,
+                                    const Matrix3d& inertia) {
+  const Matrix3d free = mass.inverse();
+  const Matrix3d lever = free * coupling;
+  const Matrix3d turning = (inertia - coupling.transpose() * lever).inverse();
+  const Matrix3d across = -lever * turning;
+  Eigen::Matrix<double, 6, 6> result;
+  result << free - across * lever.transpose(), across, across.transpose(), turning;
+  return result;
+}
+
 }  // namespace
 
 FigureRows figure_rows(const FigurePlan& plan, const motion::PerBody<BodyState>& now,
@@ -104,30 +117,33 @@ void JointTree::set_step(const motion::PerBody<BodyState>& now, const FigureRows
     factor(rows.joints[body], now, body, step_s);
     add_to_parent(links_[body]);
   }
-  Eigen::Matrix<double, 6, 6> whole;
-  whole << mass_[Body::pelvis], coupling_[Body::pelvis], coupling_[Body::pelvis].transpose(),
-      inertia_[Body::pelvis];
+  Matrix3d mass = mass_[Body::pelvis];
+  Matrix3d inertia = inertia_[Body::pelvis];
   Twist& momentum = momentum_[Body::pelvis];
   for (int axis = 0; axis < 3; ++axis) {
     const AxisRow& moving = rows.pelvis.moving[static_cast<std::size_t>(axis)];
     const AxisRow& turning = rows.pelvis.turning[static_cast<std::size_t>(axis)];
-    whole(axis, axis) += step_s / moving.softness;
-    whole(3 + axis, 3 + axis) += step_s / turning.softness;
+    mass(axis, axis) += step_s / moving.softness;
+    inertia(axis, axis) += step_s / turning.softness;
     momentum.linear[axis] += step_s / moving.softness * moving.velocity;
     momentum.angular[axis] += step_s / turning.softness * turning.velocity;
   }
-  root_.compute(whole);
+  root_ = inverse(mass, coupling_[Body::pelvis], inertia);
 }
 
-void JointTree::factor(const JointRows& rows, const motion::PerBody<BodyState>& now, Body body,
-                       double step_s) {
-  Link& link = links_[body];
-  // At the joint: v = v_joint + [r]x w, and the inertia with it.
-  const Matrix3d arm = cross_matrix(link.to_joint);
-  link.mass = mass_[body];
-  link.coupling = coupling_[body] + mass_[body] * arm;
-  link.inertia = inertia_[body] + coupling_[body].transpose() * arm - arm * link.coupling;
-
+/// E, e and the turning part of c_0.
+void JointTree::set_give(const JointRows& rows, double step_s, Link& link) {
+  const auto& [first, second, third] = rows.turning;
+  if (first.softness > 0 && first.softness == second.softness &&
+      first.softness == third.softness) {  // the same about any axis
+    const double stiffness = step_s / first.softness;
+    link.give = (link.inertia + stiffness * Matrix3d::Identity()).inverse();
+    link.driven =
+        link.give *
+        (rows.axes * (stiffness * Vector3d(first.velocity, second.velocity, third.velocity)));
+    link.forced.angular.setZero();
+    return;
+  }
   int free = 0;
   while (free < 3 && rows.turning[static_cast<std::size_t>(free)].softness > 0) ++free;
   const Matrix3d in_axes = rows.axes.transpose() * link.inertia * rows.axes;
@@ -148,12 +164,25 @@ void JointTree::factor(const JointRows& rows, const motion::PerBody<BodyState>& 
   for (int i = free; i < 3; ++i) give(i, i) = 0;
   link.give = rows.axes * give * rows.axes.transpose();
   link.driven = rows.axes * (give * drive);
+  link.forced.angular = rows.axes * rigid;
+}
+
+void JointTree::factor(const JointRows& rows, const motion::PerBody<BodyState>& now, Body body,
+                       double step_s) {
+  Link& link = links_[body];
+  // At the joint: v = v_joint + [r]x w, and the inertia with it.
+  const Matrix3d arm = cross_matrix(link.to_joint);
+  link.mass = mass_[body];
+  link.coupling = coupling_[body] + mass_[body] * arm;
+  link.inertia = inertia_[body] + coupling_[body].transpose() * arm - arm * link.coupling;
+
+  set_give(rows, step_s, link);
   link.coupling_give = link.coupling * link.give;
   link.inertia_give = link.inertia * link.give;
 
   const Vector3d gap =
       now[link.parent].position + link.parent_to_joint - now[body].position - link.to_joint;
-  link.forced = {joint_error_reduction(step_s) / step_s * gap, rows.axes * rigid};
+  link.forced.linear = joint_error_reduction(step_s) / step_s * gap;
 }
 
 /// N and N c_0 + U e.
@@ -174,7 +203,7 @@ void JointTree::add_to_parent(Link& link) {
 }
 
 /// What the parent takes, at its centre of mass, of the impulse that a child has at the joint.
-Twist JointTree::carried(const Link& link, const Twist& at_joint) const {
+Twist JointTree::carried(const Link& link, const Twist& at_joint) {
   const Twist passed{at_joint.linear - link.coupling_give * at_joint.angular,
                      at_joint.angular - link.inertia_give * at_joint.angular};
   return moved_to(passed, -link.parent_to_joint);
@@ -198,7 +227,7 @@ motion::PerBody<Twist> JointTree::velocities(const motion::PerBody<Twist>& impul
   motion::PerBody<Twist> after;
   Eigen::Matrix<double, 6, 1> root;
   root << own[Body::pelvis].linear, own[Body::pelvis].angular;
-  root = root_.solve(root);
+  root = root_ * root;
   after[Body::pelvis] = {root.head<3>(), root.tail<3>()};
   for (std::size_t i = 1; i < motion::kBodyCount; ++i) {
     const Body body = motion::kBodies[i];
@@ -238,7 +267,7 @@ void JointTree::response(std::span<const Load> loads, BodySet wanted,
   }
   Eigen::Matrix<double, 6, 1> root;
   root << own[Body::pelvis].linear, own[Body::pelvis].angular;
-  root = root_.solve(root);
+  root = root_ * root;
   change[Body::pelvis] = {root.head<3>(), root.tail<3>()};
   for (std::size_t i = 1; i < motion::kBodyCount; ++i) {
     const Body body = motion::kBodies[i];

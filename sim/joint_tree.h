@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <Eigen/Cholesky>
 #include <cstdint>
 #include <span>
 
@@ -72,16 +71,17 @@ class JointTree {
     Twist forced;                   // c_0: what the rigid rows ask of the child against its parent
     Twist forced_impulse;           // N c_0 + U e
   };
+  static void set_give(const JointRows& rows, double step_s, Link& link);
   void factor(const JointRows& rows, const motion::PerBody<BodyState>& now, Body body,
               double step_s);
   void add_to_parent(Link& link);
-  Twist carried(const Link& link, const Twist& at_joint) const;
+  static Twist carried(const Link& link, const Twist& at_joint);
 
   const FigurePlan& plan_;
   motion::PerBody<Link> links_;
   motion::PerBody<Eigen::Matrix3d> mass_, coupling_, inertia_;  // at the centres of mass
   motion::PerBody<Twist> momentum_;                             // before contacts and joints
-  Eigen::LLT<Eigen::Matrix<double, 6, 6>> root_;
+  Eigen::Matrix<double, 6, 6> root_;  // inverse of the whole figure's inertia at the pelvis
 };
 
 }  // namespace flinch::sim

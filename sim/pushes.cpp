@@ -10,7 +10,10 @@ using motion::Body;
 
 constexpr double kDriveTime_s = 0.1;  // six times 1 / w of the joints' springs
 constexpr double kBlowSpeed_mps = 0.1;
-constexpr double kSwing_s = 0.03;  // two times 1 / w
+// What a blow has set in motion swings no farther than it moves in kSwing_s, twice 1 / w, and what
+// it carries along less than kStrike_m.
+constexpr double kSwing_s = 0.03;
+constexpr double kStrike_m = 0.01;
 constexpr double kTouch_m = 1e-3;
 
 double closing_speed(const MovingShape& first, const MovingShape& second,
@@ -18,19 +21,28 @@ double closing_speed(const MovingShape& first, const MovingShape& second,
   return -near.normal.dot(first.velocity_at(near.point) - second.velocity_at(near.point));
 }
 
-double bounding_radius(const MovingShape& shape) {
-  return shape.reach() + shape.radius;
-}
-
-/// Whether two may come to touch within the horizon: by the spheres about them, at the greatest
-/// speed of any of their points.
-bool may_meet(const MovingShape& first, const MovingShape& second, double horizon_s) {
-  const double distance = (first.centre - second.centre).norm();
-  const double radii = bounding_radius(first) + bounding_radius(second);
+// Where two are nearest, at a gap g, that point is within r + g of either's centre, r being the
+// radius of the sphere about it, and so they close by no more than
+//
+//   V + W g,  V = |v_1 - v_2| + |w_1| r_1 + |w_2| r_2,  W = |w_1| + |w_2|:
+//
+// where g <= d + (V + W g) h, g <= (d + V h) / (1 - W h).
+/// Whether two are within `distance_m` and what they may close by in the horizon, by the spheres
+/// about them and by the sphere about either against the other itself.
+bool may_meet(const MovingShape& first, const MovingShape& second, double distance_m,
+              double horizon_s) {
+  const double first_m = first.bounding_radius();
+  const double second_m = second.bounding_radius();
+  const double first_turn = first.angular_velocity.norm();
+  const double second_turn = second.angular_velocity.norm();
   const double speed =
-      (first.velocity - second.velocity).norm() +
-      (first.angular_velocity.norm() + second.angular_velocity.norm()) * (distance + radii);
-  return distance - radii <= kTouch_m + speed * horizon_s;
+      (first.velocity - second.velocity).norm() + first_turn * first_m + second_turn * second_m;
+  const double share = 1 - (first_turn + second_turn) * horizon_s;
+  if (share <= 0) return true;
+  const double most = (distance_m + speed * horizon_s) / share;
+  return (first.centre - second.centre).norm() - first_m - second_m <= most &&
+         clearance(first.centre, first_m, second).gap <= most &&
+         clearance(second.centre, second_m, first).gap <= most;
 }
 
 /// How fast the reference moves the material of `shape` that is at `point`, m/s.
@@ -67,8 +79,8 @@ void Pushes::hit(Body body) {
 
 /// Once each, in a fixed order, but for those too far apart to touch within the horizon.
 template <class Visit>
-void Pushes::for_each_pair(const motion::PerBody<MovingShape>& shapes, double horizon_s,
-                           Visit visit) const {
+void Pushes::for_each_pair(const motion::PerBody<MovingShape>& shapes, double distance_m,
+                           double horizon_s, Visit visit) const {
   if (std::none_of(motion::kBodies.begin(), motion::kBodies.end(),
                    [this](Body body) { return driven(body); })) {
     return;
@@ -77,7 +89,7 @@ void Pushes::for_each_pair(const motion::PerBody<MovingShape>& shapes, double ho
     for (Body second : motion::kBodies) {
       if (second <= first || !plan_.may_touch[first][second]) continue;
       if (!driven(first) && !driven(second)) continue;
-      if (may_meet(shapes[first], shapes[second], horizon_s)) visit(first, second);
+      if (may_meet(shapes[first], shapes[second], distance_m, horizon_s)) visit(first, second);
     }
   }
 }
@@ -86,7 +98,7 @@ std::span<const Push> Pushes::find(const motion::PerBody<MovingShape>& shapes,
                                    const ReferenceState& reference) {
   found_.clear();
   motion::PerBody<double> driven_until_s = driven_until_s_;
-  for_each_pair(shapes, 0, [&](Body first, Body second) {
+  for_each_pair(shapes, kTouch_m, 0, [&](Body first, Body second) {
     const features::Clearance near = clearance(shapes[first], shapes[second]);
     if (near.gap > kTouch_m) return;
     const double free_closing =
@@ -107,7 +119,7 @@ std::span<const Push> Pushes::find(const motion::PerBody<MovingShape>& shapes,
 bool Pushes::ahead(const motion::PerBody<MovingShape>& shapes, const ReferenceState& reference,
                    double horizon_s) const {
   bool found = false;
-  for_each_pair(shapes, horizon_s, [&](Body first, Body second) {
+  for_each_pair(shapes, 0, horizon_s, [&](Body first, Body second) {
     const features::Clearance near = clearance(shapes[first], shapes[second]);
     const double closing = closing_speed(shapes[first], shapes[second], near);
     const double free_closing =
@@ -118,15 +130,12 @@ bool Pushes::ahead(const motion::PerBody<MovingShape>& shapes, const ReferenceSt
   return found;
 }
 
-bool Pushes::may_strike(const motion::PerBody<MovingShape>& shapes,
-                        const ReferenceState& reference) const {
+bool Pushes::may_strike(const motion::PerBody<MovingShape>& shapes) const {
   bool found = false;
-  for_each_pair(shapes, kSwing_s, [&](Body first, Body second) {
+  for_each_pair(shapes, kStrike_m, kSwing_s, [&](Body first, Body second) {
     const features::Clearance near = clearance(shapes[first], shapes[second]);
     const double closing = closing_speed(shapes[first], shapes[second], near);
-    const double free_closing =
-        reference_closing_speed(reference.body[first], reference.body[second], near);
-    found |= closing > free_closing + kBlowSpeed_mps && near.gap < kTouch_m + closing * kSwing_s;
+    found |= near.gap < kStrike_m + std::max(0.0, closing) * kSwing_s;
   });
   return found;
 }

@@ -46,18 +46,16 @@ class Pushes {
   /// Whether a blow may fall within `horizon_s` as the bodies move now.
   bool ahead(const motion::PerBody<MovingShape>& shapes, const ReferenceState& reference,
              double horizon_s) const;
-  /// Whether a driven body may still strike another, going by how they move now. What a blow has
-  /// set in motion swings back within kSwing_s, a tenth of what it has by then reached later on.
-  bool may_strike(const motion::PerBody<MovingShape>& shapes,
-                  const ReferenceState& reference) const;
+  /// Whether a driven body may still strike another, or be near enough to.
+  bool may_strike(const motion::PerBody<MovingShape>& shapes) const;
   /// Adds to each body's impulse, N·s, what it is charged for a step's contacts.
   void charge(std::span<const ContactImpulse> contacts, motion::PerBody<double>& impulse);
 
  private:
   bool driven(motion::Body body) const { return driven_until_s_[body] > time_s_; }
   template <class Visit>
-  void for_each_pair(const motion::PerBody<MovingShape>& shapes, double horizon_s,
-                     Visit visit) const;
+  void for_each_pair(const motion::PerBody<MovingShape>& shapes, double distance_m,
+                     double horizon_s, Visit visit) const;
 
   const FigurePlan& plan_;
   std::vector<Push> found_;

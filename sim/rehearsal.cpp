@@ -15,8 +15,8 @@ Rehearsal::Track::Sphere reach_of(const motion::PerBody<MovingShape>& shapes, do
   for (const MovingShape& shape : shapes) sphere.centre += shape.centre / motion::kBodyCount;
   for (const MovingShape& shape : shapes) {
     const double speed = shape.velocity.norm() + shape.angular_velocity.norm() * shape.reach();
-    sphere.radius = std::max(sphere.radius, (shape.centre - sphere.centre).norm() + shape.reach() +
-                                                shape.radius + speed * step_s);
+    sphere.radius = std::max(sphere.radius, (shape.centre - sphere.centre).norm() +
+                                                shape.bounding_radius() + speed * step_s);
   }
   sphere.radius += kNear_m + kMostAcceleration_mps2 * step_s * step_s / 2;
   return sphere;

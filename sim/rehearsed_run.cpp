@@ -36,6 +36,17 @@ motion::PerBody<MovingShape> shapes_of(const FigurePlan& plan,
   return shapes;
 }
 
+/// Whether a ball may come near a part within `time_s` on either side of now: by the sphere about
+/// the part's centre of mass.
+bool may_be_met(const MovingShape& outline, const BodyState& part, const features::FreeFlight& ball,
+                double time_s) {
+  const double radius = outline.centre.norm() + outline.bounding_radius();
+  const double speed = (ball.velocity - part.velocity).norm() +
+                       part.angular_velocity.norm() * radius + ball.gravity_mps2 * time_s;
+  const double most = radius + ball.radius + kClear_m + speed * time_s;
+  return (ball.position - part.position).squaredNorm() <= most * most;
+}
+
 /// A ball as it goes on from a time, bouncing off the ground without spin.
 class Outlook {
  public:
@@ -81,8 +92,11 @@ bool stays_clear(const FigurePlan& plan, const SimulationOptions& options,
     const double horizon_s = track.begins_s[step] + options.free_step_s - from_s;
     const features::FreeFlight then = outlook.at(from_s);
     if (!may_reach(track.reach[step], then, horizon_s)) continue;
-    for (const MovingShape& shape : shapes_of(plan, track.figure_at(step))) {
-      const MovingShape there = shape.at(from_s - track.begins_s[step]);
+    for (Body body : motion::kBodies) {
+      const BodyState& state = track.figure_at(step)[body];
+      if (!may_be_met(plan.outline[body], state, then, options.free_step_s)) continue;
+      const MovingShape there =
+          placed_shape(plan.outline[body], state).at(from_s - track.begins_s[step]);
       if (time_of_touch(then, there, horizon_s, kClear_m, 0)) return false;
     }
   }
@@ -128,7 +142,7 @@ SimulationResult run_rehearsed(const FigurePlan& plan, const SimulationOptions& 
   while (encounter.time_s() < track.duration_s) {
     const double time_s = encounter.time_s();
     const double step_s = encounter.begin_step(now, track.duration_s - time_s);
-    if (step_s >= options.free_step_s && !encounter.may_strike(now) &&
+    if (step_s >= options.free_step_s && !encounter.may_strike() &&
         stays_clear(plan, options, track, *encounter.scene().flight(), time_s, time_s + step_s)) {
       break;
     }

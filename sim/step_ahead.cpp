@@ -16,8 +16,10 @@ std::optional<double> first_touch(const features::FreeFlight& ball,
                                   double touch_m, double slack_mps2) {
   std::optional<double> first;
   for (const MovingShape& shape : shapes) {
-    const features::Clearance near = clearance(ball.position, ball.radius, shape);
-    if (near.gap <= kTouch_m && !hits(ball, shape, near)) continue;
+    if (may_be_near(ball, shape, kTouch_m)) {
+      const features::Clearance near = clearance(ball.position, ball.radius, shape);
+      if (near.gap <= kTouch_m && !hits(ball, shape, near)) continue;
+    }
     const auto time_s = time_of_touch(ball, shape, first.value_or(horizon_s), touch_m, slack_mps2);
     if (time_s) first = time_s;
   }
@@ -26,7 +28,8 @@ std::optional<double> first_touch(const features::FreeFlight& ball,
 
 bool hits_any(const features::FreeFlight& ball, std::span<const MovingShape> shapes) {
   return std::any_of(shapes.begin(), shapes.end(), [&](const MovingShape& shape) {
-    return hits(ball, shape, clearance(ball.position, ball.radius, shape));
+    return may_be_near(ball, shape, kTouch_m) &&
+           hits(ball, shape, clearance(ball.position, ball.radius, shape));
   });
 }
 

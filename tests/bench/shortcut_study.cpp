@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
+#include <string>
 #include <vector>
 
 #include "database/library_file.h"
@@ -48,6 +49,7 @@ struct Pair {
   double found_ns = 0;
   double change = 0;  ///< sum over the bodies of the differences, over the whole
   double contact_later_s = 0;
+  std::string changed;  ///< bodies and by how much, N·s
 };
 
 struct Study {
@@ -106,11 +108,17 @@ Pair try_both_ways(const train::SimulationSubject& subject, const features::Scen
             total(slow.impulse),
             total(fast.impulse),
             0,
-            fast.first_contact_s - slow.first_contact_s};
+            fast.first_contact_s - slow.first_contact_s,
+            {}};
   for (const Body body : motion::kBodies) {
     expected[body] = static_cast<float>(slow.impulse[body]);
     found[body] = static_cast<float>(fast.impulse[body]);
-    pair.change += std::abs(slow.impulse[body] - fast.impulse[body]);
+    const double change = fast.impulse[body] - slow.impulse[body];
+    pair.change += std::abs(change);
+    if (std::abs(change) < 1e-3) continue;
+    char text[64];
+    std::snprintf(text, sizeof text, " %s %+.3f", std::string(name_of(body)).c_str(), change);
+    pair.changed += text;
   }
   const double whole = std::max(pair.expected_ns, pair.found_ns);
   if (whole > 0) pair.change /= whole;
@@ -180,10 +188,9 @@ void print(Study study) {
             [](const Pair& a, const Pair& b) { return a.change > b.change; });
   for (std::size_t i = 0; i < std::min(kWorst, study.pairs.size()); ++i) {
     const Pair& p = study.pairs[i];
-    std::printf(
-        "- scenario %llu, clip %d: %.4f N s, rehearsed %.4f, %.2f %%, contact %.6f s later\n",
-        static_cast<unsigned long long>(p.scenario), p.clip, p.expected_ns, p.found_ns,
-        100 * p.change, p.contact_later_s);
+    std::printf("- scenario %llu, clip %d: %.4f N s, %.2f %%:%s; contact %.6f s later\n",
+                static_cast<unsigned long long>(p.scenario), p.clip, p.expected_ns, 100 * p.change,
+                p.changed.c_str(), p.contact_later_s);
   }
 }
 
