@@ -9,13 +9,14 @@ using motion::Body;
 
 template <class Scene>
 double EncounterIn<Scene>::begin_step(const ReferenceState& now, double most_s, double least_s) {
-  shapes_ = scene_.shapes();
+  const auto flight = scene_.flight();
   double step_s = options_.free_step_s;
   scene_.clear_contacts();
   is_blow_ = false;
   pushes_.begin_step(time_s_);
+  if (flight || pushes_.are_possible()) shapes_ = scene_.shapes();
   if (pushes_.ahead(shapes_, now, step_s)) step_s = options_.contact_step_s;
-  if (const auto flight = scene_.flight()) step_s = std::min(step_s, meet(*flight));
+  if (flight) step_s = std::min(step_s, meet(*flight));
   step_s = std::max(step_s, least_s);
   // A last sliver of a step would only cost.
   return step_s > most_s * (1 - 1e-9) ? most_s : step_s;

@@ -77,14 +77,16 @@ void Pushes::hit(Body body) {
   hit_now_[body] = true;
 }
 
+bool Pushes::are_possible() const {
+  return std::any_of(motion::kBodies.begin(), motion::kBodies.end(),
+                     [this](Body body) { return driven(body); });
+}
+
 /// Once each, in a fixed order, but for those too far apart to touch within the horizon.
 template <class Visit>
 void Pushes::for_each_pair(const motion::PerBody<MovingShape>& shapes, double distance_m,
                            double horizon_s, Visit visit) const {
-  if (std::none_of(motion::kBodies.begin(), motion::kBodies.end(),
-                   [this](Body body) { return driven(body); })) {
-    return;
-  }
+  if (!are_possible()) return;
   for (Body first : motion::kBodies) {
     for (Body second : motion::kBodies) {
       if (second <= first || !plan_.may_touch[first][second]) continue;

@@ -39,6 +39,8 @@ class Pushes {
   void begin_step(double time_s);
   /// The ball hits `body` in this step.
   void hit(motion::Body body);
+  /// Whether any body is driven.
+  bool are_possible() const;
   /// The pushes of this step; valid until the next call. `reference` is where the motion has the
   /// figure now.
   std::span<const Push> find(const motion::PerBody<MovingShape>& shapes,

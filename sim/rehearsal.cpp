@@ -9,14 +9,18 @@
 namespace flinch::sim {
 namespace {
 
-Rehearsal::Track::Sphere reach_of(const motion::PerBody<MovingShape>& shapes, double step_s) {
+Rehearsal::Track::Sphere reach_of(const FigurePlan& plan, const motion::PerBody<BodyState>& figure,
+                                  double step_s) {
   Rehearsal::Track::Sphere sphere;
   sphere.centre.setZero();
-  for (const MovingShape& shape : shapes) sphere.centre += shape.centre / motion::kBodyCount;
-  for (const MovingShape& shape : shapes) {
-    const double speed = shape.velocity.norm() + shape.angular_velocity.norm() * shape.reach();
-    sphere.radius = std::max(sphere.radius, (shape.centre - sphere.centre).norm() +
-                                                shape.bounding_radius() + speed * step_s);
+  for (const BodyState& body : figure) sphere.centre += body.position / motion::kBodyCount;
+  for (motion::Body body : motion::kBodies) {
+    const BodyState& state = figure[body];
+    const MovingShape& outline = plan.outline[body];
+    const double radius = outline.centre.norm() + outline.bounding_radius();
+    const double speed = state.velocity.norm() + state.angular_velocity.norm() * radius;
+    sphere.radius =
+        std::max(sphere.radius, (state.position - sphere.centre).norm() + radius + speed * step_s);
   }
   sphere.radius += kNear_m + kMostAcceleration_mps2 * step_s * step_s / 2;
   return sphere;
@@ -39,7 +43,7 @@ Rehearsal::Track::Track(const FigurePlan& plan, const SimulationOptions& options
     }
     begins_s.push_back(encounter.time_s());
     figures.push_back(encounter.scene().bodies());
-    reach.push_back(reach_of(encounter.scene().shapes(), options.free_step_s));
+    reach.push_back(reach_of(plan, figures.back(), options.free_step_s));
     const double step_s = encounter.begin_step(now, duration_s - encounter.time_s());
     const ReferenceState target = reference.at(encounter.time_s() + step_s);
     encounter.end_step(now, target, step_s);

@@ -81,7 +81,7 @@ int run(int count, char** arguments) {
   std::printf(
       "| cores | processes | threads of each | hours | writer busy | helpers wait | of the ideal "
       "|\n| --: | --: | --: | --: | --: | --: | --: |\n");
-  for (const int cores : {16, 64, 256, 512, 1024, 4096}) {
+  for (const int cores : {64, 256, 512, 1024, 2048, 4096}) {
     for (const int threads : {1, 32}) {
       if (threads > cores) continue;
       const Cluster cluster{cores / threads, threads};

@@ -12,6 +12,7 @@ from flinch_program import FLINCH, ProgramTest, make_library
 from store_costs import trials_of
 
 SCENARIOS = 40
+SLOW = "--reference"  # a run that can be stopped in its midst
 
 
 class Store(ProgramTest):
@@ -22,16 +23,15 @@ class Store(ProgramTest):
         make_library(self.library)
 
     def command(self, store, *options, scenarios=SCENARIOS):
-        """The slow simulation, which can be stopped in its midst."""
-        return ["simulate", self.library, "--out", store, "-n", scenarios, "--reference", *options]
+        return ["simulate", self.library, "--out", store, "-n", scenarios, *options]
 
-    def make_whole(self):
-        self.succeed(*self.command(self.whole, "--threads", 1))
+    def make_whole(self, *options):
+        self.succeed(*self.command(self.whole, "--threads", 1, *options))
         return self.whole.read_bytes()
 
     def stop_midway(self, store, how):
         """Starts a run and signals it when something of it is committed; its exit code and line."""
-        process = subprocess.Popen([FLINCH, *map(str, self.command(store, "--threads", 1))],
+        process = subprocess.Popen([FLINCH, *map(str, self.command(store, "--threads", 1, SLOW))],
                                    stderr=subprocess.PIPE, text=True)
         self.wait_for_commit(process)
         process.send_signal(how)
@@ -54,24 +54,24 @@ class Store(ProgramTest):
             self.assertEqual(store.read_bytes(), whole)
 
     def test_after_ctrl_c_the_same_command_goes_on(self):
-        whole = self.make_whole()
+        whole = self.make_whole(SLOW)
         store = self.folder / "interrupted"
         code, line = self.stop_midway(store, signal.SIGINT)
         self.assertEqual(code, 1)
         self.assertRegex(line, r"^flinch: .*interrupted; \d+ of 40 scenarios are kept, run the "
                                r"same command again")
         self.assertFalse(store.exists())
-        done = self.succeed(*self.command(store))
+        done = self.succeed(*self.command(store, SLOW))
         self.assertIn("going on after", done.stderr)
         self.assertEqual(store.read_bytes(), whole)
 
     def test_after_a_kill_the_same_command_goes_on(self):
-        whole = self.make_whole()
+        whole = self.make_whole(SLOW)
         store = self.folder / "killed"
         code, _ = self.stop_midway(store, signal.SIGKILL)
         self.assertEqual(code, -signal.SIGKILL)
         self.assertFalse(store.exists())
-        self.succeed(*self.command(store))
+        self.succeed(*self.command(store, SLOW))
         self.assertEqual(store.read_bytes(), whole)
         self.assertEqual(list(self.folder.glob("killed?*")), [])
 
@@ -89,7 +89,7 @@ class Store(ProgramTest):
         whole = self.make_whole()
         other = self.folder / "other.flinchlib"
         make_library(other, "other")
-        line = self.fail_with(1, "simulate", other, "--out", self.whole, "-n", 50, "--reference")
+        line = self.fail_with(1, "simulate", other, "--out", self.whole, "-n", 50)
         self.assertIn("another library (synthetic", line)
         line = self.fail_with(1, *self.command(self.whole, "--seed", 2, scenarios=50))
         self.assertIn("--seed 1", line)
@@ -97,15 +97,15 @@ class Store(ProgramTest):
 
     def test_two_writers_do_not_mix(self):
         store = self.folder / "shared"
-        first = subprocess.Popen([FLINCH, *map(str, self.command(store, "--threads", 1))],
+        first = subprocess.Popen([FLINCH, *map(str, self.command(store, "--threads", 1, SLOW))],
                                  stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
         self.wait_for_commit(first)
-        line = self.fail_with(1, *self.command(store))
+        line = self.fail_with(1, *self.command(store, SLOW))
         self.assertIn("another process", line)
         first.stderr.read()
         first.stderr.close()
         self.assertEqual(first.wait(), 0)
-        self.assertEqual(store.read_bytes(), self.make_whole())
+        self.assertEqual(store.read_bytes(), self.make_whole(SLOW))
 
     def run_with_little_room(self, room, *arguments):
         """The finished process, none of whose files may become larger than `room`."""
@@ -124,7 +124,7 @@ class Store(ProgramTest):
         whole = self.folder / "many"
         self.succeed(*self.command(whole, scenarios=many))
         store = self.folder / "full"
-        process = self.run_with_little_room(room, *self.command(store, scenarios=many))
+        process = self.run_with_little_room(room, *self.command(store, "--threads", 1, scenarios=many))
         self.assertEqual(process.returncode, 1, process.stderr)
         self.assertIn("make room", process.stderr.splitlines()[-1])
         self.assertFalse(store.exists())
