@@ -5,63 +5,64 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 
 namespace flinch::models {
 namespace {
 
 constexpr auto kLeaf = static_cast<std::size_t>(KnnLeaves::kLeafSize);
 using Lanes = Eigen::Array<float, KnnLeaves::kLeafSize, 1>;
-using ConstLanes = Eigen::Map<const Lanes>;
 
-/// Squared distances from the query to each of a leaf's points, each summed from the first feature
-/// to the last.
-Lanes distances_to_points(std::span<const float> query, const float* points) {
-  Lanes sum = Lanes::Zero();
-  for (std::size_t feature = 0; feature < query.size(); ++feature) {
-    sum += (query[feature] - ConstLanes(points + feature * kLeaf)).square();
+/// Distances to kLeafSize points or boxes, four at a time so that the sums stay in registers; each
+/// is summed from the first feature to the last.
+template <typename Difference>
+Lanes sums_of_squares(std::size_t feature_count, const Difference& difference) {
+  using Four = Eigen::Array4f;
+  Four a = Four::Zero();
+  Four b = a;
+  Four c = a;
+  Four d = a;
+  for (std::size_t feature = 0; feature < feature_count; ++feature) {
+    const std::size_t at = feature * kLeaf;
+    a += difference(feature, at).square();
+    b += difference(feature, at + 4).square();
+    c += difference(feature, at + 8).square();
+    d += difference(feature, at + 12).square();
   }
-  return sum;
+  Lanes sums;
+  sums << a, b, c, d;
+  return sums;
+}
+
+/// Squared distances from the query to each of a leaf's points.
+Lanes distances_to_points(std::span<const float> query, const float* points) {
+  return sums_of_squares(query.size(), [&](std::size_t feature, std::size_t at) {
+    return Eigen::Array4f(query[feature] - Eigen::Map<const Eigen::Array4f>(points + at));
+  });
 }
 
 /// Squared distances from the query to kLeafSize boxes. Rounding keeps order, and the sums go as
 /// those to points do: so none is above the distance to any point in its box, to the bit.
 Lanes distances_to_boxes(std::span<const float> query, const float* lower, const float* upper) {
-  Lanes sum = Lanes::Zero();
-  for (std::size_t feature = 0; feature < query.size(); ++feature) {
-    const std::size_t at = feature * kLeaf;
-    sum += (ConstLanes(lower + at) - query[feature])
-               .max(query[feature] - ConstLanes(upper + at))
-               .max(0.0F)
-               .square();
-  }
-  return sum;
+  return sums_of_squares(query.size(), [&](std::size_t feature, std::size_t at) {
+    return Eigen::Array4f((Eigen::Map<const Eigen::Array4f>(lower + at) - query[feature])
+                              .max(query[feature] - Eigen::Map<const Eigen::Array4f>(upper + at))
+                              .max(0.0F));
+  });
 }
 
-struct Leaf {
-  float squared_distance;
-  std::uint32_t index;
-};
-
-bool is_farther(const Leaf& a, const Leaf& b) {
-  return a.squared_distance > b.squared_distance;
-}
-
-/// Leaves as a heap with the nearest on top.
-std::pmr::vector<Leaf> leaves_by_distance(const KnnLeaves& leaves, std::span<const float> query,
-                                          Memory memory) {
-  std::pmr::vector<Leaf> heap(memory);
+/// To the box about each leaf.
+std::pmr::vector<float> distances_to_leaves(const KnnLeaves& leaves, std::span<const float> query,
+                                            Memory memory) {
+  std::pmr::vector<float> distances(memory);
   const std::size_t count = leaves.leaf_count();
-  heap.reserve(count);
+  distances.reserve(count);
   for (std::size_t first = 0; first < count; first += kLeaf) {
     const std::size_t at = first * query.size();
-    const Lanes distances = distances_to_boxes(query, &leaves.lower[at], &leaves.upper[at]);
-    for (std::size_t i = 0; i < std::min(kLeaf, count - first); ++i) {
-      heap.push_back(
-          {distances[static_cast<Eigen::Index>(i)], static_cast<std::uint32_t>(first + i)});
-    }
+    const Lanes group = distances_to_boxes(query, &leaves.lower[at], &leaves.upper[at]);
+    distances.insert(distances.end(), group.data(), group.data() + std::min(kLeaf, count - first));
   }
-  std::make_heap(heap.begin(), heap.end(), is_farther);
-  return heap;
+  return distances;
 }
 
 /// The nearest so far, as a heap with the farthest on top.
@@ -88,10 +89,12 @@ float squared_distance(std::span<const float> a, const float* b) {
   return sum;
 }
 
-// Leaf after leaf, the nearest box first, until the next box is farther than the k-th neighbour. At
-// the very same distance a leaf may still hold an observation of lower index.
+// First the few leaves with the nearest boxes, so that the k-th neighbour is soon near; then, as
+// they stand, the others whose box is no farther than that. At the very same distance one may still
+// hold an observation of lower index. (A heap of leaves costs more than the visits that it saves.)
 std::pmr::vector<Neighbour> nearest(const KnnModel& model, std::span<const double> scaled, int k,
                                     const ClipMask& allowed_clips, Memory memory) {
+  constexpr int kNearestLeaves = 4;
   std::pmr::vector<Neighbour> found(memory);
   const auto most = std::min(static_cast<std::size_t>(std::max(k, 0)), model.label.size());
   if (most == 0) {
@@ -100,22 +103,38 @@ std::pmr::vector<Neighbour> nearest(const KnnModel& model, std::span<const doubl
   found.reserve(most);
   std::pmr::vector<float> query(scaled.size(), memory);
   std::transform(scaled.begin(), scaled.end(), query.begin(), knn_coordinate);
-  auto leaves = leaves_by_distance(model.leaves, query, memory);
-  while (!leaves.empty() && (found.size() < most ||
-                             leaves.front().squared_distance <= found.front().squared_distance)) {
-    const std::size_t first = leaves.front().index * kLeaf;
-    std::pop_heap(leaves.begin(), leaves.end(), is_farther);
-    leaves.pop_back();
+  const auto is_too_far = [&](float distance) {
+    return found.size() == most && distance > found.front().squared_distance;
+  };
+  const auto visit = [&](std::size_t leaf) {
+    const std::size_t first = leaf * kLeaf;
     const Lanes distances = distances_to_points(query, &model.leaves.points[first * query.size()]);
+    if (is_too_far(distances.minCoeff())) {
+      return;
+    }
     for (std::size_t i = 0; i < kLeaf; ++i) {
       const float distance = distances[static_cast<Eigen::Index>(i)];
       const int observation = model.leaves.observation[first + i];
-      if (observation < 0 || (found.size() == most && distance > found.front().squared_distance) ||
-          (!allowed_clips.empty() && !allowed_clips[static_cast<std::size_t>(
-                                         model.label[static_cast<std::size_t>(observation)])])) {
-        continue;
+      if (observation >= 0 && !is_too_far(distance) &&
+          (allowed_clips.empty() || allowed_clips[static_cast<std::size_t>(
+                                        model.label[static_cast<std::size_t>(observation)])])) {
+        enter({observation, distance}, most, found);
       }
-      enter({observation, distance}, most, found);
+    }
+  };
+  constexpr float kVisited = std::numeric_limits<float>::infinity();
+  auto leaves = distances_to_leaves(model.leaves, query, memory);
+  for (int i = 0; i < kNearestLeaves; ++i) {
+    const auto next = std::min_element(leaves.begin(), leaves.end());
+    if (*next == kVisited) {
+      break;
+    }
+    visit(static_cast<std::size_t>(next - leaves.begin()));
+    *next = kVisited;
+  }
+  for (std::size_t leaf = 0; leaf < leaves.size(); ++leaf) {
+    if (leaves[leaf] != kVisited && !is_too_far(leaves[leaf])) {
+      visit(leaf);
     }
   }
   std::sort_heap(found.begin(), found.end(), nearer);

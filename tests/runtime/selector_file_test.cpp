@@ -99,7 +99,7 @@ std::vector<std::uint64_t> bits_of(const std::vector<double>& numbers) {
   return bits;
 }
 
-std::vector<std::uint32_t> bits_of(const std::vector<float>& numbers) {
+std::vector<std::uint32_t> bits_of_floats(const std::vector<float>& numbers) {
   std::vector<std::uint32_t> bits;
   for (const float number : numbers) bits.push_back(std::bit_cast<std::uint32_t>(number));
   return bits;
@@ -120,15 +120,15 @@ void expect_same(const models::KnnModel& a, const models::KnnModel& b) {
   EXPECT_EQ(a.k, b.k);
   EXPECT_EQ(a.vote, b.vote);
   EXPECT_EQ(a.feature_count, b.feature_count);
-  EXPECT_EQ(bits_of(a.points), bits_of(b.points));
+  EXPECT_EQ(bits_of_floats(a.points), bits_of_floats(b.points));
   EXPECT_EQ(a.label, b.label);
   EXPECT_EQ(a.cost, b.cost);
   EXPECT_EQ(a.clip_count, b.clip_count);
   EXPECT_EQ(a.cost_step_ns, b.cost_step_ns);
   EXPECT_EQ(a.leaves.observation, b.leaves.observation);
-  EXPECT_EQ(bits_of(a.leaves.points), bits_of(b.leaves.points));
-  EXPECT_EQ(bits_of(a.leaves.lower), bits_of(b.leaves.lower));
-  EXPECT_EQ(bits_of(a.leaves.upper), bits_of(b.leaves.upper));
+  EXPECT_EQ(bits_of_floats(a.leaves.points), bits_of_floats(b.leaves.points));
+  EXPECT_EQ(bits_of_floats(a.leaves.lower), bits_of_floats(b.leaves.lower));
+  EXPECT_EQ(bits_of_floats(a.leaves.upper), bits_of_floats(b.leaves.upper));
 }
 
 void expect_same(const models::NetworkModel& a, const models::NetworkModel& b) {
@@ -139,7 +139,7 @@ void expect_same(const models::NetworkModel& a, const models::NetworkModel& b) {
   EXPECT_EQ(a.mean_root, b.mean_root);
   EXPECT_EQ(a.scale_root, b.scale_root);
   EXPECT_EQ(a.variance_ns, b.variance_ns);
-  EXPECT_EQ(bits_of(a.weights), bits_of(b.weights));
+  EXPECT_EQ(bits_of_floats(a.weights), bits_of_floats(b.weights));
 }
 
 void expect_same(const models::ClipSummary& a, const models::ClipSummary& b) {
