@@ -13,7 +13,14 @@ std::array<std::uint32_t, 4> philox4x32(std::array<std::uint32_t, 4> counter,
                                         std::array<std::uint32_t, 2> key);
 
 /// What numbers are drawn for. Draws for one purpose do not disturb those for another.
-enum class Purpose : std::uint32_t { scenario, baseline, bootstrap, cross_validation, perception };
+enum class Purpose : std::uint32_t {
+  scenario,
+  baseline,
+  bootstrap,
+  cross_validation,
+  perception,
+  noise
+};
 
 /// The numbers of one (seed, purpose, stream), in order. For scenarios the stream is the scenario's
 /// number, so that a scenario does not depend on which others are drawn, or by whom. Uses no

@@ -240,7 +240,8 @@ void insert(Statement& statement, const Observation& observation) {
       .bind(double{scenario.state.position.x()})
       .bind(double{scenario.state.position.y()})
       .bind(double{scenario.state.facing});
-  for (const float value : observation.features) statement.bind(double{value});
+  for (const float value : std::span(observation.features).first(features::kFeatureCount))
+    statement.bind(double{value});
   const std::vector<std::byte> trials = encode_trials(observation.trials);
   statement.bind(std::span<const std::byte>(trials)).run();
 }
@@ -266,7 +267,7 @@ Observation observation_of(const Statement& row, const StoreHeader& header,
   scenario.threat.mass_kg = real(10);
   scenario.state = {real(11), {real(12), real(13)}, real(14)};
   bool sound = true;
-  for (std::size_t i = 0; i < observation.features.size(); ++i) {
+  for (std::size_t i = 0; i < features::kFeatureCount; ++i) {
     observation.features[i] = real(kFirstFeatureColumn + static_cast<int>(i));
     sound = sound && std::isfinite(observation.features[i]);
   }

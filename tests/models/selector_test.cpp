@@ -119,6 +119,7 @@ TEST(Selector, ScalesAndMasksBeforeItAsksItsModel) {
   Selector selector;
   selector.clips = {
       {"idle", {}}, clip_for(Target::head), clip_for(Target::head), clip_for(Target::legs)};
+  selector.layout = features::feature_set_named("paper")->layout;
   selector.scaling.least.assign(features::kFeatureCount, 0);
   selector.scaling.most.assign(features::kFeatureCount, 10);
   KnnModel knn{1, KnnVote::majority, features::kFeatureCount, {}, {1, 2, 3}};

@@ -138,7 +138,7 @@ Json selector_document(const runtime::SelectorFile& file) {
   Json document{{"kind", "selector"},
                 {"library_hash", database::hash_text(selector.library_hash)},
                 {"brawn", selector.brawn},
-                {"features", selector.feature_names}};
+                {"features", selector.layout.names()}};
   if (const auto* svm = std::get_if<models::SvmModel>(&selector.model)) {
     document["model"] = "svm";
     document["classes"] = svm->class_count();
