@@ -236,24 +236,26 @@ bool simulate_store(const SimulationSubject& subject, const std::string& path,
                     std::uint64_t scenarios, int threads, const std::atomic<bool>& stop,
                     const std::function<void(const SimulationProgress&)>& report) {
   const StoreHeader header = make_store_header(subject);
+  const ScenarioRange wanted{0, scenarios};
   SimulationProgress progress;
   progress.of = scenarios;
   if (std::filesystem::is_regular_file(path)) {
     const StoreSummary finished = summarise_store(path);
     require_same_run(finished.header, header, path);
     progress.scenarios = finished.observation_count;
-    if (finished.observation_count >= scenarios) {
+    if (finished.holds(wanted)) {
       report(progress);
       return true;
     }
   }
-  StoreWriter writer(path, header);
+  StoreWriter writer(path, header, wanted);
   progress.scenarios = writer.count();
   report(progress);
-  while (writer.count() < scenarios) {
-    const std::uint64_t first = writer.count();
+  while (!writer.missing().empty()) {
+    const ScenarioRange missing = writer.missing().front();
+    const std::uint64_t first = missing.first;
     // Batches begin at multiples of their size, wherever an earlier run was stopped.
-    const std::uint64_t end = std::min(scenarios, (first / kBatch + 1) * kBatch);
+    const std::uint64_t end = std::min(missing.end(), (first / kBatch + 1) * kBatch);
     std::vector<Observation> observations(end - first);
     if (!simulate_batch(subject, threads, first, observations, stop)) return false;
     writer.append(observations);

@@ -21,6 +21,7 @@ namespace {
     case SQLITE_NOTADB:
       throw Error(path, "not a store (not a SQLite file); `flinch simulate` makes one");
     case SQLITE_CORRUPT:
+    case SQLITE_ERROR:  // the statements are sound, so the tables are not
       throw Error(path, "the store is damaged; delete it and run `flinch simulate` again");
     case SQLITE_CANTOPEN:
       throw Error(path, "cannot open; check the path and its permissions");
@@ -103,14 +104,22 @@ std::string Statement::text(int column) const {
   return text == nullptr ? std::string() : std::string(text, text + size);
 }
 
-std::vector<std::byte> Statement::blob(int column) const {
+std::span<const std::byte> Statement::blob(int column) const {
   const auto* data = static_cast<const std::byte*>(sqlite3_column_blob(statement_.get(), column));
-  const int size = sqlite3_column_bytes(statement_.get(), column);
-  return data == nullptr ? std::vector<std::byte>() : std::vector<std::byte>(data, data + size);
+  const auto size = static_cast<std::size_t>(sqlite3_column_bytes(statement_.get(), column));
+  return {data, data == nullptr ? 0 : size};
 }
 
 bool Statement::is_null(int column) const {
   return sqlite3_column_type(statement_.get(), column) == SQLITE_NULL;
+}
+
+bool Statement::is_text(int column) const {
+  return sqlite3_column_type(statement_.get(), column) == SQLITE_TEXT;
+}
+
+int Statement::column_count() const {
+  return sqlite3_column_count(statement_.get());
 }
 
 void Database::Closer::operator()(sqlite3* database) const {

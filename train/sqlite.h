@@ -5,7 +5,6 @@
 #include <memory>
 #include <span>
 #include <string>
-#include <vector>
 
 struct sqlite3;
 struct sqlite3_stmt;
@@ -30,8 +29,11 @@ class Statement {
   std::int64_t integer(int column) const;
   double real(int column) const;
   std::string text(int column) const;
-  std::vector<std::byte> blob(int column) const;
+  /// Stands until the statement moves on.
+  std::span<const std::byte> blob(int column) const;
   bool is_null(int column) const;
+  bool is_text(int column) const;
+  int column_count() const;
 
  private:
   friend class Database;

@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "train/store.h"
 
-#include <fcntl.h>
-#include <unistd.h>
-
-#include <cerrno>
-#include <cstring>
+#include <algorithm>
 #include <filesystem>
 #include <optional>
 
+#include "database/library_file.h"
+#include "features/feature_vector.h"
 #include "motion/error.h"
 #include "train/file_opening.h"
 #include "train/sqlite.h"
+#include "train/store_rows.h"
 #include "train/store_schema.h"
 
 namespace flinch::train {
@@ -39,66 +38,93 @@ Database open_for_reading(const std::string& path) {
   return database;
 }
 
-std::uint64_t count_of(Database& database) {
-  Statement statement =
-      database.prepare("SELECT count(*), coalesce(max(number) + 1, 0) FROM observation");
-  statement.step();
-  if (statement.integer(0) != statement.integer(1))
-    throw Error(database.path(),
-                "the store lacks scenarios in its middle; delete it and run "
-                "flinch simulate again");
-  return static_cast<std::uint64_t>(statement.integer(0));
-}
-
-/// Writes the whole database anew: the bytes then depend on its content alone and not on the
-/// transactions that made it.
-void write_compacted(Database& database, const std::string& path) {
-  fs::remove(path);
-  // VACUUM keeps, and raises, the one number in the header that counts what went before.
-  database.execute("PRAGMA schema_version = 1");
-  database.prepare("VACUUM INTO ?").bind(path).run();
-  const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  const bool synced = file >= 0 && ::fsync(file) == 0;
-  const int error = errno;
-  if (file >= 0) ::close(file);
-  if (!synced) throw Error(path, std::string("cannot be written: ") + std::strerror(error));
-}
-
-void rename_or_throw(const std::string& from, const std::string& to) {
-  std::error_code error;
-  fs::rename(from, to, error);
-  if (error) throw Error(to, "cannot be written: " + error.message());
-}
-
-bool is_empty(Database& database) {
-  return integer(database, "SELECT count(*) FROM sqlite_master") == 0;
+/// What idling looks like, which the features need.
+motion::Motion idle_of(const StoreHeader& header, const std::string& path) {
+  database::Library library;
+  if (read_library(header.library_file, library) != database::LoadStatus::ok ||
+      library.idle != header.idle)
+    throw Error(path, kDamagedStore);
+  return library.clips[static_cast<std::size_t>(library.idle)].motion;
 }
 
 }  // namespace
 
-void require_same_run(const StoreHeader& stored, const StoreHeader& wanted,
-                      const std::string& path) {
-  const std::string remedy = "; choose another --out, or delete it";
+void require_same_run(const StoreHeader& stored, const StoreHeader& wanted, const std::string& path,
+                      const std::string& remedy) {
   if (stored.library_hash != wanted.library_hash)
     throw Error(path, "made from another library (" + stored.library_name + ", " +
                           database::hash_text(stored.library_hash) + "), not from " +
                           wanted.library_name + ", " + database::hash_text(wanted.library_hash) +
-                          remedy);
+                          "; " + remedy);
   if (stored.seed != wanted.seed)
     throw Error(path, "made with --seed " + std::to_string(stored.seed) + ", not " +
-                          std::to_string(wanted.seed) + remedy);
+                          std::to_string(wanted.seed) + "; " + remedy);
   if (stored.distribution != wanted.distribution)
-    throw Error(path, "made with another scenario distribution, " + stored.distribution + remedy);
+    throw Error(path,
+                "made with another scenario distribution, " + stored.distribution + "; " + remedy);
   if (stored.simulation != wanted.simulation)
-    throw Error(path, "made with another simulation, " + stored.simulation + remedy);
+    throw Error(path, "made with another simulation, " + stored.simulation + "; " + remedy);
+}
+
+struct StoreReader::File {
+  explicit File(const std::string& path)
+      : database(open_for_reading(path)),
+        header(read_header(database)),
+        seal(read_seal(database)),
+        idle(idle_of(header, path)),
+        row(prepare_select(database)) {}
+
+  /// That the observation is the one that must follow.
+  void require_next(std::uint64_t number);
+  void require_whole() const;
+
+  Database database;
+  StoreHeader header;
+  std::optional<ScenarioRange> seal;
+  motion::Motion idle;
+  Statement row;
+  ScenarioRange taken;
+};
+
+void StoreReader::File::require_next(std::uint64_t number) {
+  if (taken.count == 0) taken.first = number;
+  if (number != taken.end())
+    throw Error(database.path(), "the store lacks " + text_of({taken.end(), number - taken.end()}) +
+                                     "; run the `flinch simulate` that made it again");
+  ++taken.count;
+}
+
+void StoreReader::File::require_whole() const {
+  if (seal && taken != *seal) throw Error(database.path(), kDamagedStore);
+}
+
+StoreReader::StoreReader(const std::string& path) : file_(std::make_unique<File>(path)) {}
+StoreReader::~StoreReader() = default;
+StoreReader::StoreReader(StoreReader&&) noexcept = default;
+StoreReader& StoreReader::operator=(StoreReader&&) noexcept = default;
+
+const StoreHeader& StoreReader::header() const {
+  return file_->header;
+}
+
+bool StoreReader::next(Observation& observation) {
+  if (!file_->row.step()) {
+    file_->require_whole();
+    return false;
+  }
+  observation = observation_of(file_->row, file_->header, file_->database.path());
+  file_->require_next(observation.number);
+  observation.features =
+      features::to_vector(features::features_of(observation.scenario, file_->idle));
+  return true;
 }
 
 Store read_store(const std::string& path) {
-  Database database = open_for_reading(path);
+  StoreReader reader(path);
   Store store;
-  store.header = read_header(database);
-  Statement row = prepare_select(database);
-  while (row.step()) store.observations.push_back(observation_of(row, store.header, path));
+  store.header = reader.header();
+  Observation observation;
+  while (reader.next(observation)) store.observations.push_back(std::move(observation));
   return store;
 }
 
@@ -106,76 +132,33 @@ StoreSummary summarise_store(const std::string& path) {
   Database database = open_for_reading(path);
   StoreSummary summary;
   summary.header = read_header(database);
-  summary.observation_count = count_of(database);
+  if (const std::optional<ScenarioRange> seal = read_seal(database)) {
+    summary.range = *seal;
+    summary.observation_count = seal->count;
+  } else {
+    summary.range = range_of_rows(database);
+    summary.observation_count =
+        static_cast<std::uint64_t>(integer(database, "SELECT count(*) FROM observation"));
+  }
   return summary;
 }
 
-struct StoreWriter::File {
-  std::string path;
-  std::optional<Database> database;
-  std::uint64_t count = 0;
-
-  std::string partial() const { return path + ".partial"; }
-  std::string copy() const { return path + ".partial-copy"; }
-
-  void start_from_finished(const StoreHeader& header) const;
-  void open_partial(const StoreHeader& header);
-};
-
-/// Where a finished store stands and no partial one: go on from a copy of it.
-void StoreWriter::File::start_from_finished(const StoreHeader& header) const {
-  if (!fs::exists(path)) return;
-  Database finished = open_for_reading(path);
-  require_same_run(read_header(finished), header, path);
-  if (fs::exists(partial())) return;
-  std::error_code error;
-  fs::copy_file(path, copy(), fs::copy_options::overwrite_existing, error);
-  if (error) throw Error(partial(), "cannot be written: " + error.message());
-  rename_or_throw(copy(), partial());
+StoreContents count_contents(const std::string& path) {
+  StoreContents contents;
+  contents.bytes = fs::file_size(path);
+  StoreReader reader(path);
+  Observation observation;
+  while (reader.next(observation)) {
+    contents.trials += observation.trials.size();
+    for (const Trial& trial : observation.trials)
+      contents.impulses += static_cast<std::uint64_t>(
+          std::ranges::count_if(trial.impulse, [](float impulse) { return impulse != 0; }));
+  }
+  return contents;
 }
 
-void StoreWriter::File::open_partial(const StoreHeader& header) {
-  database.emplace(partial(), Database::Mode::create);
-  // All of one run must have the same pages; the lock keeps other writers out until the end.
-  database->execute("PRAGMA page_size = 4096");
-  database->execute("PRAGMA locking_mode = EXCLUSIVE");
-  Transaction transaction(*database);
-  if (is_empty(*database)) write_header(*database, header);
-  require_same_run(read_header(*database), header, partial());
-  count = count_of(*database);
-  transaction.commit();
-}
-
-StoreWriter::StoreWriter(const std::string& path, const StoreHeader& header)
-    : file_(std::make_unique<File>()) {
-  file_->path = path;
-  if (fs::is_directory(path)) throw Error(path, "is a folder; name a file in it");
-  file_->start_from_finished(header);
-  file_->open_partial(header);
-}
-
-StoreWriter::~StoreWriter() = default;
-
-std::uint64_t StoreWriter::count() const {
-  return file_->count;
-}
-std::string StoreWriter::partial_path() const {
-  return file_->partial();
-}
-
-void StoreWriter::append(std::span<const Observation> observations) {
-  Transaction transaction(*file_->database);
-  Statement statement = prepare_insert(*file_->database);
-  for (const Observation& observation : observations) insert(statement, observation);
-  transaction.commit();
-  file_->count += observations.size();
-}
-
-void StoreWriter::finish() {
-  write_compacted(*file_->database, file_->copy());
-  rename_or_throw(file_->copy(), file_->path);
-  file_->database.reset();
-  fs::remove(file_->partial());
+bool StoreSummary::holds(const ScenarioRange& wanted) const {
+  return observation_count == range.count && contains(range, wanted);
 }
 
 }  // namespace flinch::train

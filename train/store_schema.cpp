@@ -2,63 +2,20 @@
 #include "train/store_schema.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
-#include <cstring>
 #include <numbers>
-#include <optional>
+#include <span>
 
+#include "database/content_hash.h"
 #include "database/sealed_file.h"
 #include "motion/error.h"
+#include "train/store_rows.h"
 
 namespace flinch::train {
 
 namespace {
 
-static_assert(std::endian::native == std::endian::little, "the trials are kept little-endian");
-
 constexpr double kDegrees = 180 / std::numbers::pi;
-constexpr const char* kDamaged = "the store is damaged; delete it and run `flinch simulate` again";
-
-/// The columns before the features, in order, after the number.
-constexpr std::array<const char*, 14> kScenarioColumns{"target TEXT NOT NULL",
-                                                       "time_to_impact_s REAL NOT NULL",
-                                                       "threat_x REAL NOT NULL",
-                                                       "threat_y REAL NOT NULL",
-                                                       "threat_z REAL NOT NULL",
-                                                       "threat_velocity_x REAL NOT NULL",
-                                                       "threat_velocity_y REAL NOT NULL",
-                                                       "threat_velocity_z REAL NOT NULL",
-                                                       "radius_m REAL NOT NULL",
-                                                       "mass_kg REAL NOT NULL",
-                                                       "idle_time_s REAL NOT NULL",
-                                                       "character_x REAL NOT NULL",
-                                                       "character_y REAL NOT NULL",
-                                                       "character_facing REAL NOT NULL"};
-constexpr int kFirstFeatureColumn = 1 + static_cast<int>(kScenarioColumns.size());
-constexpr int kTrialsColumn = kFirstFeatureColumn + features::kFeatureCount;
-
-std::string observation_table() {
-  std::string sql = "CREATE TABLE observation(number INTEGER PRIMARY KEY";
-  for (const char* column : kScenarioColumns) sql += std::string(", ") + column;
-  for (const std::string_view name : features::kFeatureNames)
-    sql += ", feature_" + std::string(name) + " REAL NOT NULL";
-  return sql + ", trials BLOB NOT NULL)";
-}
-
-template <class T>
-void put(std::vector<std::byte>& bytes, T value) {
-  const auto* first = reinterpret_cast<const std::byte*>(&value);
-  bytes.insert(bytes.end(), first, first + sizeof value);
-}
-
-template <class T>
-T take(std::span<const std::byte>& bytes) {
-  T value;
-  std::memcpy(&value, bytes.data(), sizeof value);
-  bytes = bytes.subspan(sizeof value);
-  return value;
-}
 
 void write_clips(Database& database, const StoreHeader& header) {
   Statement statement = database.prepare(
@@ -89,10 +46,13 @@ void write_library_file(Database& database, const StoreHeader& header) {
 
 void read_library_file(Database& database, StoreHeader& header) {
   Statement row = database.prepare("SELECT file FROM library");
-  if (row.step()) header.library_file = row.blob(0);
+  if (row.step()) {
+    const std::span<const std::byte> bytes = row.blob(0);
+    header.library_file.assign(bytes.begin(), bytes.end());
+  }
   const database::Unsealed file = database::unseal(database::kLibraryKind, header.library_file);
   if (file.status != database::LoadStatus::ok || file.hash != header.library_hash)
-    throw Error(database.path(), kDamaged);
+    throw Error(database.path(), kDamagedStore);
 }
 
 void read_clips(Database& database, StoreHeader& header) {
@@ -103,11 +63,11 @@ void read_clips(Database& database, StoreHeader& header) {
     models::ClipSummary clip;
     clip.name = row.text(1);
     if (row.integer(0) != static_cast<std::int64_t>(header.clips.size()))
-      throw Error(database.path(), kDamaged);
+      throw Error(database.path(), kDamagedStore);
     if (!row.is_null(3)) {
       const auto target = motion::target_named(row.text(3));
       const auto degree = motion::degree_named(row.text(5));
-      if (!target || !degree) throw Error(database.path(), kDamaged);
+      if (!target || !degree) throw Error(database.path(), kDamagedStore);
       clip.annotation = motion::Annotation{*target,
                                            static_cast<float>(row.real(4) / kDegrees),
                                            *degree,
@@ -147,7 +107,7 @@ void write_meta(Database& database, const char* key, const Value& value) {
 /// A statement that stands on the value of a key of the meta table.
 Statement meta(Database& database, const char* key) {
   Statement statement = database.prepare("SELECT value FROM meta WHERE key = ?");
-  if (!statement.bind(std::string(key)).step()) throw Error(database.path(), kDamaged);
+  if (!statement.bind(std::string(key)).step()) throw Error(database.path(), kDamagedStore);
   return statement;
 }
 
@@ -167,6 +127,33 @@ void require_store(Database& database) {
                                      "; delete it and run `flinch simulate` again");
 }
 
+void add_bytes(const void* from, std::size_t size, std::vector<std::byte>& to) {
+  const auto* first = static_cast<const std::byte*>(from);
+  to.insert(to.end(), first, first + size);
+}
+
+/// Of the range and every value of the small tables, row by row: numbers as doubles, texts with
+/// their lengths. The library has a seal of its own, and so has each observation.
+std::int64_t checksum_of(Database& database, const ScenarioRange& range) {
+  std::vector<std::byte> bytes;
+  add_bytes(&range.first, sizeof range.first, bytes);
+  add_bytes(&range.count, sizeof range.count, bytes);
+  for (const char* table :
+       {"meta ORDER BY key", "clip ORDER BY clip", "body ORDER BY body", "target ORDER BY name"}) {
+    Statement row = database.prepare(std::string("SELECT * FROM ") + table);
+    while (row.step()) {
+      for (int column = 0; column < row.column_count(); ++column) {
+        const std::string text = row.is_text(column) ? row.text(column) : std::string();
+        const double number =
+            row.is_text(column) ? static_cast<double>(text.size()) : row.real(column);
+        add_bytes(&number, sizeof number, bytes);
+        add_bytes(text.data(), text.size(), bytes);
+      }
+    }
+  }
+  return static_cast<std::int64_t>(database::content_hash(bytes));
+}
+
 }  // namespace
 
 void write_header(Database& database, const StoreHeader& header) {
@@ -181,7 +168,10 @@ void write_header(Database& database, const StoreHeader& header) {
   database.execute(
       "CREATE TABLE target(name TEXT PRIMARY KEY, x REAL NOT NULL, y REAL NOT NULL, "
       "z REAL NOT NULL) WITHOUT ROWID");
-  database.execute(observation_table());
+  database.execute(
+      "CREATE TABLE seal(first INTEGER NOT NULL, scenarios INTEGER NOT NULL, "
+      "checksum INTEGER NOT NULL)");
+  create_observation_table(database);
   write_meta(database, "library_hash", database::hash_text(header.library_hash));
   write_meta(database, "library_name", header.library_name);
   write_meta(database, "seed", std::to_string(header.seed));
@@ -211,97 +201,35 @@ StoreHeader read_header(Database& database) {
   Statement row = database.prepare("SELECT name, x, y, z FROM target");
   while (row.step()) {
     const auto target = motion::target_named(row.text(0));
-    if (!target) throw Error(database.path(), kDamaged);
+    if (!target) throw Error(database.path(), kDamagedStore);
     header.idle_target_centres[static_cast<std::size_t>(*target)] =
         Eigen::Vector3d(row.real(1), row.real(2), row.real(3)).cast<float>();
   }
   if (header.idle < 0 || header.idle >= static_cast<int>(header.clips.size()) ||
       !(header.reference_work_j > 0) || !(header.reference_impulse_ns > 0))
-    throw Error(database.path(), kDamaged);
+    throw Error(database.path(), kDamagedStore);
   return header;
 }
 
-Statement prepare_insert(Database& database) {
-  std::string marks = "?";
-  for (int column = 0; column < kTrialsColumn; ++column) marks += ", ?";
-  return database.prepare("INSERT INTO observation VALUES(" + marks + ")");
+void write_seal(Database& database, const ScenarioRange& range) {
+  database.prepare("INSERT INTO seal(first, scenarios, checksum) VALUES(?, ?, ?)")
+      .bind(static_cast<std::int64_t>(range.first))
+      .bind(static_cast<std::int64_t>(range.count))
+      .bind(checksum_of(database, range))
+      .run();
 }
 
-void insert(Statement& statement, const Observation& observation) {
-  const features::Scenario& scenario = observation.scenario;
-  statement.bind(static_cast<std::int64_t>(observation.number))
-      .bind(std::string(motion::name_of(scenario.target)))
-      .bind(double{scenario.time_to_impact_s});
-  for (int i = 0; i < 3; ++i) statement.bind(double{scenario.threat.position[i]});
-  for (int i = 0; i < 3; ++i) statement.bind(double{scenario.threat.velocity[i]});
-  statement.bind(double{scenario.threat.radius})
-      .bind(double{scenario.threat.mass_kg})
-      .bind(double{scenario.state.idle_time_s})
-      .bind(double{scenario.state.position.x()})
-      .bind(double{scenario.state.position.y()})
-      .bind(double{scenario.state.facing});
-  for (const float value : std::span(observation.features).first(features::kFeatureCount))
-    statement.bind(double{value});
-  const std::vector<std::byte> trials = encode_trials(observation.trials);
-  statement.bind(std::span<const std::byte>(trials)).run();
+void break_seal(Database& database) {
+  database.execute("DELETE FROM seal");
 }
 
-Statement prepare_select(Database& database) {
-  return database.prepare("SELECT * FROM observation ORDER BY number");
-}
-
-Observation observation_of(const Statement& row, const StoreHeader& header,
-                           const std::string& path) {
-  const auto real = [&row](int column) { return static_cast<float>(row.real(column)); };
-  Observation observation;
-  observation.number = static_cast<std::uint64_t>(row.integer(0));
-  const auto target = motion::target_named(row.text(1));
-  const std::vector<std::byte> bytes = row.blob(kTrialsColumn);
-  if (!target || bytes.empty() || bytes.size() % kTrialBytes != 0) throw Error(path, kDamaged);
-  features::Scenario& scenario = observation.scenario;
-  scenario.target = *target;
-  scenario.time_to_impact_s = real(2);
-  scenario.threat.position = {real(3), real(4), real(5)};
-  scenario.threat.velocity = {real(6), real(7), real(8)};
-  scenario.threat.radius = real(9);
-  scenario.threat.mass_kg = real(10);
-  scenario.state = {real(11), {real(12), real(13)}, real(14)};
-  bool sound = true;
-  for (std::size_t i = 0; i < features::kFeatureCount; ++i) {
-    observation.features[i] = real(kFirstFeatureColumn + static_cast<int>(i));
-    sound = sound && std::isfinite(observation.features[i]);
-  }
-  observation.trials = decode_trials(bytes);
-  bool tried_idle = false;
-  for (const Trial& trial : observation.trials) {
-    tried_idle = tried_idle || trial.clip == header.idle;
-    sound = sound && trial.clip < static_cast<int>(header.clips.size()) &&
-            std::isfinite(trial.work_j) &&
-            std::ranges::all_of(trial.impulse, [](float i) { return std::isfinite(i); });
-  }
-  if (!sound || !tried_idle) throw Error(path, kDamaged);
-  return observation;
-}
-
-std::vector<std::byte> encode_trials(std::span<const Trial> trials) {
-  std::vector<std::byte> bytes;
-  bytes.reserve(trials.size() * kTrialBytes);
-  for (const Trial& trial : trials) {
-    put(bytes, static_cast<std::uint16_t>(trial.clip));
-    put(bytes, trial.work_j);
-    for (const float impulse : trial.impulse) put(bytes, impulse);
-  }
-  return bytes;
-}
-
-std::vector<Trial> decode_trials(std::span<const std::byte> bytes) {
-  std::vector<Trial> trials(bytes.size() / kTrialBytes);
-  for (Trial& trial : trials) {
-    trial.clip = take<std::uint16_t>(bytes);
-    trial.work_j = take<float>(bytes);
-    for (float& impulse : trial.impulse) impulse = take<float>(bytes);
-  }
-  return trials;
+std::optional<ScenarioRange> read_seal(Database& database) {
+  Statement row = database.prepare("SELECT first, scenarios, checksum FROM seal");
+  if (!row.step()) return std::nullopt;
+  const ScenarioRange range{static_cast<std::uint64_t>(row.integer(0)),
+                            static_cast<std::uint64_t>(row.integer(1))};
+  if (row.integer(2) != checksum_of(database, range)) throw Error(database.path(), kDamagedStore);
+  return range;
 }
 
 }  // namespace flinch::train

@@ -1,19 +1,21 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstddef>
-#include <span>
-#include <vector>
+#include <optional>
 
 #include "train/sqlite.h"
 #include "train/store.h"
 
 namespace flinch::train {
 
-/// How the tables of a store look; docs/store.md describes them for people.
+/// How the tables of a store look, but for the observations; docs/store.md describes them for
+/// people.
 
 /// Says in the file's header that it is a Flinch store: "FLCH".
 inline constexpr int kStoreApplicationId = 0x464C4348;
+
+inline constexpr const char* kDamagedStore =
+    "the store is damaged; delete it and run `flinch simulate` again";
 
 /// Makes the tables and fills in all but the observations.
 void write_header(Database& database, const StoreHeader& header);
@@ -21,19 +23,13 @@ void write_header(Database& database, const StoreHeader& header);
 /// Throws Error when the file is no store or of another version.
 StoreHeader read_header(Database& database);
 
-/// A statement that takes one observation after the other.
-Statement prepare_insert(Database& database);
-void insert(Statement& statement, const Observation& observation);
-
-/// A statement that yields all observations by number.
-Statement prepare_select(Database& database);
-/// The observation of the row that the statement stands on. Throws Error for a damaged row.
-Observation observation_of(const Statement& row, const StoreHeader& header,
-                           const std::string& path);
-
-/// One trial after the other, little-endian: the clip as u16, work and 17 impulses as f32.
-inline constexpr std::size_t kTrialBytes = 2 + 4 + 4 * motion::kBodyCount;
-std::vector<std::byte> encode_trials(std::span<const Trial> trials);
-std::vector<Trial> decode_trials(std::span<const std::byte> bytes);
+/// A finished store is sealed: the range that it holds, and a checksum of that and of all but the
+/// library and the observations.
+void write_seal(Database& database, const ScenarioRange& range);
+/// Takes the seal away, if there is one.
+void break_seal(Database& database);
+/// The range that was sealed; nothing while the store is being made. Throws Error when the checksum
+/// says otherwise.
+std::optional<ScenarioRange> read_seal(Database& database);
 
 }  // namespace flinch::train

@@ -67,6 +67,7 @@ class BadInput(ProgramTest):
             "store to train on": ["train", path, "--out", self.out],
             "store to compare on": ["compare", path],
             "store to export": ["export", path, "--out", f"{self.out}.csv"],
+            "store to merge": ["merge", path, "--out", self.out],
             "selector": ["select", path],
             "anything": ["info", path],
         }
@@ -156,6 +157,8 @@ class BadInput(ProgramTest):
                 ("--vulnerability", ["compare", self.store, "--vulnerability", "none"]),
                 ("--out", ["simulate", self.library, "-n", 2]),
                 ("-n", ["simulate", self.library, "--out", self.out, "-n", 0]),
+                ("--out", ["merge", self.store]),
+                ("STORE", ["merge", "--out", self.out]),
                 ("--threads", ["simulate", self.library, "--out", self.out, "-n", 2, "--threads", 0]),
         ]:
             with self.subTest(command=command):
@@ -166,9 +169,11 @@ class BadInput(ProgramTest):
         nowhere = self.folder / "no" / "where"
         for command in [["simulate", self.library, "--out", nowhere, "-n", 2],
                         ["train", self.store, "--out", nowhere],
+                        ["merge", self.store, "--out", nowhere],
                         ["export", self.store, "--out", f"{nowhere}.csv"],
                         ["compare", self.store, "--report", self.library / "report"],
                         ["simulate", self.library, "--out", self.folder, "-n", 2],
+                        ["merge", self.store, "--out", self.folder],
                         ["train", self.store, "--out", self.folder]]:
             with self.subTest(command=command):
                 self.refuse(1, str(command[-1] if command[-2] != "-n" else command[-3]), *command)

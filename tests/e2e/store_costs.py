@@ -4,7 +4,16 @@
 import sqlite3
 import struct
 
-TRIAL = struct.Struct("<Hf17f")  # clip, work, impulse of each body
+
+def trials_of(blob):
+    """Each trial's clip, its work and {body: impulse}."""
+    place, clip = 0, -1
+    while place < len(blob):
+        head, work = struct.unpack_from("<Hf", blob, place)
+        place, clip = place + 6, clip + head // 32
+        end = place + 5 * (head % 32)
+        yield clip, work, dict(struct.iter_unpack("<Bf", blob[place:end]))
+        place = end
 
 
 def costs(store, vulnerability, brawn):
@@ -17,8 +26,8 @@ def costs(store, vulnerability, brawn):
         result = {}
         for number, trials in database.execute("SELECT number, trials FROM observation"):
             result[number] = {}
-            for clip, work, *impulse in TRIAL.iter_unpack(trials):
-                damage = sum(a * b for a, b in zip(v, impulse))
+            for clip, work, impulse in trials_of(trials):
+                damage = sum(v[body] * i for body, i in sorted(impulse.items()))
                 result[number][clip] = ((1 - brawn) * damage
                                         + brawn * work * reference_damage / meta["reference_work_j"])
         return result

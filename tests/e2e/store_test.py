@@ -4,10 +4,12 @@
 
 import resource
 import signal
+import sqlite3
 import subprocess
 import unittest
 
 from flinch_program import FLINCH, ProgramTest, make_library
+from store_costs import trials_of
 
 SCENARIOS = 40
 
@@ -19,8 +21,8 @@ class Store(ProgramTest):
         self.whole = self.folder / "whole"
         make_library(self.library)
 
-    def command(self, store, *options):
-        return ["simulate", self.library, "--out", store, "-n", SCENARIOS, *options]
+    def command(self, store, *options, scenarios=SCENARIOS):
+        return ["simulate", self.library, "--out", store, "-n", scenarios, *options]
 
     def make_whole(self):
         self.succeed(*self.command(self.whole, "--threads", 1))
@@ -98,24 +100,72 @@ class Store(ProgramTest):
         self.assertEqual(first.wait(), 0)
         self.assertEqual(store.read_bytes(), self.make_whole())
 
-    def test_a_full_disk_is_told_and_loses_nothing(self):
-        whole = self.make_whole()
-        store = self.folder / "full"
-        room = self.library.stat().st_size + 40_000  # for the library and some observations
-
+    def run_with_little_room(self, room, *arguments):
+        """The finished process, none of whose files may become larger than `room`."""
         def allow_little():
             signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
             resource.setrlimit(resource.RLIMIT_FSIZE, (room, resource.RLIM_INFINITY))
 
-        process = subprocess.run([FLINCH, *map(str, self.command(store))], stderr=subprocess.PIPE,
-                                 stdout=subprocess.PIPE, text=True, check=False,
-                                 preexec_fn=allow_little, restore_signals=False)
+        return subprocess.run([FLINCH, *map(str, arguments)], stderr=subprocess.PIPE,
+                              stdout=subprocess.PIPE, text=True, check=False,
+                              preexec_fn=allow_little, restore_signals=False)
+
+    def test_a_full_disk_is_told_and_loses_nothing(self):
+        self.make_whole()
+        room = self.whole.stat().st_size  # of a store of fewer scenarios
+        many = 5 * SCENARIOS
+        whole = self.folder / "many"
+        self.succeed(*self.command(whole, scenarios=many))
+        store = self.folder / "full"
+        process = self.run_with_little_room(room, *self.command(store, scenarios=many))
         self.assertEqual(process.returncode, 1, process.stderr)
         self.assertIn("make room", process.stderr.splitlines()[-1])
         self.assertFalse(store.exists())
-        done = self.succeed(*self.command(store))
+        done = self.succeed(*self.command(store, scenarios=many))
         self.assertIn("going on after", done.stderr)
-        self.assertEqual(store.read_bytes(), whole)
+        self.assertEqual(store.read_bytes(), whole.read_bytes())
+
+    def test_merged_stores_are_the_store_of_all(self):
+        whole = self.make_whole()
+        part = self.folder / "part"
+        merged = self.folder / "merged"
+        self.succeed("simulate", self.library, "--out", part, "-n", 21)
+        process = self.run_with_little_room(len(whole) // 2, "merge", self.whole, part, "--out", merged)
+        self.assertEqual(process.returncode, 1)
+        self.assertIn("make room", process.stderr)
+        self.assertFalse(merged.exists())
+        document = self.document("merge", self.whole, part, "--out", merged)
+        self.assertEqual((document["first"], document["scenarios"]), (0, SCENARIOS))
+        self.assertEqual(merged.read_bytes(), whole)
+        self.assertEqual(list(self.folder.glob("merged?*")), [])
+
+    def test_stores_of_other_runs_are_not_merged(self):
+        self.make_whole()
+        stores = {"--seed 2, not 1": self.folder / "seed", "another library": self.folder / "library"}
+        other = self.folder / "other.flinchlib"
+        make_library(other, "other")
+        self.succeed("simulate", self.library, "--out", stores["--seed 2, not 1"], "-n", 2, "--seed", 2)
+        self.succeed("simulate", other, "--out", stores["another library"], "-n", 2)
+        for words, store in stores.items():
+            line = self.fail_with(1, "merge", self.whole, store, "--out", self.folder / "merged")
+            self.assertIn(f"{store}: made", line)
+            self.assertIn(words, line)
+            self.assertEqual(list(self.folder.glob("merged*")), [])
+
+    def test_info_tells_what_a_store_holds(self):
+        size = len(self.make_whole())
+        document = self.document("info", self.whole)
+        self.assertEqual((document["first"], document["scenarios"]), (0, SCENARIOS))
+        with sqlite3.connect(f"file:{self.whole}?mode=ro", uri=True) as database:
+            trials = [t for (blob,) in database.execute("SELECT trials FROM observation")
+                      for t in trials_of(blob)]
+            library = database.execute("SELECT length(file) FROM library").fetchone()[0]
+        self.assertEqual(document["trials"], len(trials))
+        hits = sum(len(impulse) for _, _, impulse in trials)
+        self.assertAlmostEqual(document["non_zero_impulse_share"], hits / (17 * len(trials)))
+        self.assertGreater(hits, SCENARIOS / 2)
+        self.assertEqual(document["bytes"], size)
+        self.assertAlmostEqual(document["bytes_per_scenario"], (size - library) / SCENARIOS)
 
 
 if __name__ == "__main__":

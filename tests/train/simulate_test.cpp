@@ -6,7 +6,7 @@
 #include "motion/error.h"
 #include "runtime/response.h"
 #include "tests/train/made_up_store.h"
-#include "train/store_schema.h"
+#include "train/store_trials.h"
 
 namespace flinch::train {
 namespace {

@@ -20,6 +20,7 @@ void add_author(CLI::App& program);
 void add_import(CLI::App& program);
 void add_info(CLI::App& program);
 void add_simulate(CLI::App& program);
+void add_merge(CLI::App& program);
 void add_train(CLI::App& program);
 void add_compare(CLI::App& program);
 void add_export(CLI::App& program);

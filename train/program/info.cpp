@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <iostream>
 #include <memory>
 
@@ -88,7 +89,27 @@ void print_library(const database::Library& library) {
             << table.text();
 }
 
-Json store_document(const StoreSummary& store) {
+/// A store's numbers, of which JSON and text say the same.
+struct StoreView {
+  explicit StoreView(const std::string& path)
+      : summary(summarise_store(path)), contents(count_contents(path)) {}
+
+  /// Without the library.
+  double bytes_per_scenario() const {
+    return static_cast<double>(contents.bytes - summary.header.library_file.size()) /
+           static_cast<double>(std::max<std::uint64_t>(summary.observation_count, 1));
+  }
+  double non_zero_share() const {
+    return static_cast<double>(contents.impulses) /
+           static_cast<double>(motion::kBodyCount * std::max<std::uint64_t>(contents.trials, 1));
+  }
+
+  StoreSummary summary;
+  StoreContents contents;
+};
+
+Json store_document(const StoreView& view) {
+  const StoreSummary& store = view.summary;
   const StoreHeader& header = store.header;
   Json clips = Json::array();
   for (std::size_t i = 0; i < header.clips.size(); ++i) {
@@ -97,7 +118,12 @@ Json store_document(const StoreSummary& store) {
                      {"annotation", to_json(header.clips[i])}});
   }
   return {{"kind", "store"},
+          {"first", store.range.first},
           {"scenarios", store.observation_count},
+          {"trials", view.contents.trials},
+          {"non_zero_impulse_share", view.non_zero_share()},
+          {"bytes", view.contents.bytes},
+          {"bytes_per_scenario", view.bytes_per_scenario()},
           {"seed", header.seed},
           {"library", header.library_name},
           {"library_hash", database::hash_text(header.library_hash)},
@@ -109,7 +135,8 @@ Json store_document(const StoreSummary& store) {
           {"clips", clips}};
 }
 
-void print_store(const StoreSummary& store) {
+void print_store(const StoreView& view) {
+  const StoreSummary& store = view.summary;
   const StoreHeader& header = store.header;
   Table table({{"clip"}, {"work, J", right}, {"target"}, {"direction", right}, {"degree"}});
   for (std::size_t i = 0; i < header.clips.size(); ++i) {
@@ -117,9 +144,14 @@ void print_store(const StoreSummary& store) {
     table.add({header.clips[i].name, fixed(header.clip_work_j[i], 1), annotation[0], annotation[1],
                annotation[2]});
   }
-  std::cout << "store of " << store.observation_count << " scenarios, seed " << header.seed
-            << ", of library " << header.library_name << ", "
-            << database::hash_text(header.library_hash) << "\ndistribution " << header.distribution
+  std::cout << "store of " << store.observation_count << " scenarios from number "
+            << store.range.first << ", seed " << header.seed << ", of library "
+            << header.library_name << ", " << database::hash_text(header.library_hash) << '\n'
+            << view.contents.trials << " trials, " << fixed(100 * view.non_zero_share(), 1)
+            << " % of their impulses are not zero; "
+            << fixed(static_cast<double>(view.contents.bytes) / 1e6, 1) << " MB, "
+            << fixed(view.bytes_per_scenario(), 0)
+            << " bytes a scenario without the library\ndistribution " << header.distribution
             << "\nsimulation " << header.simulation << "\n\n"
             << table.text();
 }
@@ -213,7 +245,7 @@ void run(const Options& options) {
                     [](const database::Library& library) { std::cout << quality_text(library); });
       return show(options, database::load_library(options.file), library_document, print_library);
     case FileKind::store:
-      return show(options, summarise_store(options.file), store_document, print_store);
+      return show(options, StoreView(options.file), store_document, print_store);
     case FileKind::selector:
       return show(options, load_selector_file(options.file), selector_document, print_selector);
     case FileKind::bvh:

@@ -58,6 +58,7 @@ int main(int argument_count, char** arguments) {
   add_import(program);
   add_info(program);
   add_simulate(program);
+  add_merge(program);
   add_train(program);
   add_compare(program);
   add_export(program);
