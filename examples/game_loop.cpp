@@ -67,8 +67,8 @@ bool perceive(runtime::Character& character, runtime::Workspace& workspace, cons
   std::printf("a ball is thrown: %s\n", message_of(status));
   for (const models::Candidate& candidate : character.candidates().first(
            status == runtime::Status::ok ? character.candidates().size() : 0))
-    std::printf("  clip %d has %.0f %% of the votes\n", candidate.clip,
-                static_cast<double>(100 * candidate.vote));
+    std::printf("  clip %d is expected to cost %.2f N s\n", candidate.clip,
+                static_cast<double>(candidate.expected_cost_ns));
   return status == (thrown.hits ? runtime::Status::ok : runtime::Status::misses);
 }
 

@@ -19,6 +19,7 @@ enum class Purpose : std::uint32_t {
   bootstrap,
   cross_validation,
   perception,
+  fitting,
   noise
 };
 

@@ -4,58 +4,21 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <exception>
 #include <map>
+#include <optional>
 #include <random>
 #include <string>
 #include <utility>
 
+#include "models/in_parallel.h"
 #include "models/selector.h"
+#include "models/splits.h"
 #include "motion/error.h"
 
 namespace flinch::models {
 namespace {
 
 using Choices = std::vector<std::vector<int>>;
-
-/// One fold: the observations that it holds out, and a model's training set of all the others.
-struct Split {
-  std::vector<int> held_out;
-  TrainingSet others;
-};
-
-std::vector<Split> make_splits(const TrainingSet& set, std::span<const int> fold) {
-  const int count = fold.empty() ? 0 : *std::max_element(fold.begin(), fold.end()) + 1;
-  std::vector<Split> splits(static_cast<std::size_t>(count));
-  for (int f = 0; f < count; ++f) {
-    std::vector<int> others;
-    Split& split = splits[static_cast<std::size_t>(f)];
-    for (int i = 0; i < set.size(); ++i) {
-      (fold[static_cast<std::size_t>(i)] == f ? split.held_out : others).push_back(i);
-    }
-    split.others = subset(set, others);
-  }
-  return splits;
-}
-
-/// Runs task(0), …, task(count - 1) on OpenMP's threads, and throws what the first of them threw.
-template <typename Task>
-void in_parallel(std::size_t count, const Task& task) {
-  std::vector<std::exception_ptr> thrown(count);
-#pragma omp parallel for schedule(dynamic)
-  for (std::size_t i = 0; i < count; ++i) {
-    try {
-      task(i);
-    } catch (...) {
-      thrown[i] = std::current_exception();
-    }
-  }
-  for (const std::exception_ptr& exception : thrown) {
-    if (exception) {
-      std::rethrow_exception(exception);
-    }
-  }
-}
 
 Choices no_choices(const TrainingSet& set, std::size_t rows) {
   return Choices(rows, std::vector<int>(set.label.size()));
@@ -74,7 +37,7 @@ class MaskedNeighbours {
       }
       TrainingSet allowed = subset(set, rows);
       labels_.push_back(std::move(allowed.label));
-      trees_.emplace_back(std::move(allowed.points), set.feature_count);
+      trees_.emplace_back(allowed.points, set.feature_count);
     }
   }
 
@@ -88,23 +51,39 @@ class MaskedNeighbours {
   std::vector<NeighbourIndex> trees_;
 };
 
+bool averages_costs(const KnnParameters& parameters) {
+  return parameters.vote == KnnVote::cost;
+}
+
 /// The choices of every parameter set of the grid for one fold's observations: the most neighbours
-/// that any of them asks for are found once.
+/// that any of them asks for are found once, among the allowed for votes and among all for costs.
 void choose_for_fold(const TrainingSet& set, std::span<const KnnParameters> grid,
                      const Split& split, Choices& choices) {
   int most = 0;
   for (const KnnParameters& parameters : grid) {
     most = std::max(most, parameters.k);
   }
-  const MaskedNeighbours neighbours(split.others);
+  const bool any_averages = std::any_of(grid.begin(), grid.end(), averages_costs);
+  const bool all_average = std::all_of(grid.begin(), grid.end(), averages_costs);
+  std::optional<MaskedNeighbours> by_label;
+  if (!all_average) {
+    by_label.emplace(split.others);
+  }
+  const auto by_cost = any_averages ? fit_knn(split.others, {most, KnnVote::cost}) : KnnModel();
   for (const int observation : split.held_out) {
     const auto i = static_cast<std::size_t>(observation);
-    const std::vector<Neighbour> found =
-        neighbours.nearest(set.mask[i], set.point(observation), most);
+    const std::span<const double> point = set.point(observation);
+    const auto allowed =
+        all_average ? std::vector<Neighbour>() : by_label->nearest(set.mask[i], point, most);
+    const auto all = nearest(by_cost, point, any_averages ? most : 0, {});
     for (std::size_t row = 0; row < grid.size(); ++row) {
-      const auto k = std::min(static_cast<std::size_t>(grid[row].k), found.size());
+      const auto first = [&](std::span<const Neighbour> found) {
+        return found.first(std::min(static_cast<std::size_t>(grid[row].k), found.size()));
+      };
       const std::pmr::vector<Candidate> ranked =
-          count_votes(std::span(found).first(k), neighbours.labels(set.mask[i]), grid[row].vote);
+          averages_costs(grid[row])
+              ? average_costs(first(all), by_cost, set.allowed_clips(observation))
+              : count_votes(first(allowed), by_label->labels(set.mask[i]), grid[row].vote);
       choices[row][i] = ranked.empty() ? set.idle : ranked.front().clip;
     }
   }

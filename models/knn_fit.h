@@ -22,15 +22,20 @@ struct KnnParameters {
 /// either vote.
 std::vector<KnnParameters> knn_grid();
 
-/// Keeps the observations. Throws Error for what check() refuses and for k below 1.
+/// The same k, averaging costs.
+std::vector<KnnParameters> knn_cost_grid();
+
+/// Keeps the observations, and for a KNN that averages costs what every clip cost, in 65534 steps
+/// from nothing to the largest. Throws Error for what check() refuses, for k below 1 or above
+/// 65535, and where costs are averaged for a set without them.
 KnnModel fit_knn(const TrainingSet& set, const KnnParameters& parameters);
 
 /// Finds exact neighbours by FLANN's single kd-tree: the same as nearest() over all observations,
-/// to the bit and in the same order, in less time when many are asked for.
+/// to the bit and in the same order.
 class NeighbourIndex {
  public:
   /// `points` is row-major with one row of feature_count an observation; there may be none.
-  NeighbourIndex(std::vector<double> points, int feature_count);
+  NeighbourIndex(std::span<const double> points, int feature_count);
   ~NeighbourIndex();
   NeighbourIndex(NeighbourIndex&&) noexcept;
   NeighbourIndex& operator=(NeighbourIndex&&) noexcept;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <utility>
 
 namespace flinch::models {
 namespace {
@@ -26,10 +27,10 @@ std::pmr::vector<Candidate> candidates(const SvmModel& model, std::span<const do
     }
   }
   if (classes.empty()) {
-    return only({idle, 0.0F}, memory);
+    return only({.clip = idle}, memory);
   }
   if (classes.size() == 1) {
-    return only({model.label[classes[0]], 1.0F}, memory);
+    return only({.clip = model.label[classes[0]], .vote = 1}, memory);
   }
   std::pmr::vector<int> votes(model.label.size(), memory);
   vote(model, scaled, allowed, votes, memory);
@@ -48,11 +49,23 @@ std::pmr::vector<Candidate> candidates(const SvmModel& model, std::span<const do
 
 std::pmr::vector<Candidate> candidates(const KnnModel& model, std::span<const double> scaled,
                                        const ClipMask& allowed_clips, int idle, Memory memory) {
+  // What a clip cost is known on observations whose label is not allowed, too.
+  if (model.vote == KnnVote::cost) {
+    auto averages = average_costs(nearest(model, scaled, model.k, ClipMask(memory), memory), model,
+                                  allowed_clips, memory);
+    return averages.empty() ? only({.clip = idle}, memory) : std::move(averages);
+  }
   const auto neighbours = nearest(model, scaled, model.k, allowed_clips, memory);
   if (neighbours.empty()) {
-    return only({idle, 0.0F}, memory);
+    return only({.clip = idle}, memory);
   }
   return count_votes(neighbours, model.label, model.vote, memory);
+}
+
+std::pmr::vector<Candidate> candidates(const NetworkModel& model, std::span<const double> scaled,
+                                       const ClipMask& allowed_clips, int idle, Memory memory) {
+  auto expected = expected_costs(model, scaled, allowed_clips, memory);
+  return expected.empty() ? only({.clip = idle}, memory) : std::move(expected);
 }
 
 std::pmr::vector<Candidate> candidates(const Selector& selector, const features::FeatureVector& x,

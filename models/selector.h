@@ -12,6 +12,7 @@
 #include "features/feature_layout.h"
 #include "models/candidate.h"
 #include "models/knn.h"
+#include "models/network.h"
 #include "models/svm.h"
 #include "motion/clip.h"
 
@@ -32,7 +33,7 @@ struct Selector {
   int idle = 0;                    ///< the library's idle clip: always allowed
   features::Layout layout;         ///< of the features that it is asked with
   features::Scaling scaling;
-  std::variant<SvmModel, KnnModel> model;
+  std::variant<SvmModel, KnnModel, NetworkModel> model;
   double brawn = 0.1;  ///< that its labels were made with
   /// Centres of the targets of the idling character, by Target, in the frame of the features, m:
   /// where a threat described without a character aims.
@@ -43,13 +44,17 @@ struct Selector {
 
 /// The allowed clips that the model votes among, best first. An SVM's are all its classes, ranked
 /// by votes, ties by the model's class order; a KNN's are its neighbours' labels, ranked by votes,
-/// ties by the nearer neighbour. Neither expects a cost. Where
-/// the model knows no allowed clip the idle clip is the last resort, with no vote: never empty.
-/// `scaled` has the model's feature_count values.
+/// ties by the nearer neighbour. Neither expects a cost. A network's are all its clips, and those
+/// of a KNN that averages costs all that were tried on its neighbours, ranked by expected cost,
+/// with no votes. Where the model knows no allowed clip the idle clip is the last resort, with
+/// neither: never empty. `scaled` has the model's feature_count values.
 std::pmr::vector<Candidate> candidates(const SvmModel& model, std::span<const double> scaled,
                                        const ClipMask& allowed_clips, int idle,
                                        Memory memory = std::pmr::get_default_resource());
 std::pmr::vector<Candidate> candidates(const KnnModel& model, std::span<const double> scaled,
+                                       const ClipMask& allowed_clips, int idle,
+                                       Memory memory = std::pmr::get_default_resource());
+std::pmr::vector<Candidate> candidates(const NetworkModel& model, std::span<const double> scaled,
                                        const ClipMask& allowed_clips, int idle,
                                        Memory memory = std::pmr::get_default_resource());
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "models/training_set.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <string>
@@ -48,6 +49,23 @@ void check(const TrainingSet& set) {
   }
   for (int i = 0; i < set.size(); ++i) {
     check_observation(set, i);
+  }
+}
+
+void check_costs(const TrainingSet& set) {
+  if (set.cost.empty()) {
+    throw Error("", "the training set has no costs to learn from");
+  }
+  for (int i = 0; i < set.size(); ++i) {
+    const std::span<const float> costs = set.costs(i);
+    if (std::none_of(costs.begin(), costs.end(), [](float cost) { return std::isfinite(cost); })) {
+      throw Error("",
+                  "observation " + std::to_string(i) + " has no finite cost; simulate it again");
+    }
+    if (!std::all_of(costs.begin(), costs.end(), [](float cost) { return cost >= 0; })) {
+      throw Error("", "observation " + std::to_string(i) +
+                          " has a cost that is negative or not a number; simulate it again");
+    }
   }
 }
 

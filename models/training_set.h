@@ -42,6 +42,10 @@ struct TrainingSet {
 /// every observation's label is allowed by its mask.
 void check(const TrainingSet& set);
 
+/// Throws Error unless every observation has a clip whose cost is known and no cost is negative or
+/// not a number: what learning from costs needs beside check().
+void check_costs(const TrainingSet& set);
+
 /// The observations with these indices, in this order.
 TrainingSet subset(const TrainingSet& set, std::span<const int> observations);
 

@@ -297,7 +297,7 @@ flinch_status flinch_character_candidates(const flinch_character* character, fli
   const auto all = character->content->character.candidates();
   const auto first = all.first(std::min(all.size(), static_cast<std::size_t>(capacity)));
   std::ranges::transform(first, out, [](const flinch::models::Candidate& candidate) {
-    return flinch_candidate{candidate.clip, candidate.vote};
+    return flinch_candidate{candidate.clip, candidate.vote, candidate.expected_cost_ns};
   });
   *count = static_cast<std::int32_t>(first.size());
   return FLINCH_OK;

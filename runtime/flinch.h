@@ -290,7 +290,9 @@ FLINCH_API flinch_status flinch_character_describe(const flinch_character* chara
 /* A clip that the selector considered. This struct will not grow. */
 typedef struct flinch_candidate {
   int32_t clip;
-  float vote; /* share of the votes cast, 0 to 1 */
+  float vote;             /* share of the votes cast, 0 to 1; 0 where costs are expected */
+  float expected_cost_ns; /* what playing it is expected to cost, N s; not a number where clips are
+                           * voted for */
 } flinch_candidate;
 /* What the selector considered for the last threat, best first: writes at most `capacity` of them,
  * and to `count` how many it wrote. There are never more than FLINCH_MOST_CANDIDATES. */

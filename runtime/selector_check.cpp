@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <numeric>
 #include <set>
 #include <span>
@@ -58,11 +59,37 @@ bool is_sound(const models::SvmModel& model, std::size_t clip_count, std::size_t
          all_finite(model.coefficients) && all_finite(model.rho);
 }
 
+// Sums of costs have room for 65535 neighbours.
 bool is_sound(const models::KnnModel& model, std::size_t clip_count, std::size_t feature_count) {
-  return model.k >= 1 && model.vote <= models::KnnVote::inverse_distance &&
+  const bool has_costs = model.vote == models::KnnVote::cost;
+  return model.k >= 1 && model.k <= 0xFFFF && model.vote <= models::KnnVote::cost &&
          static_cast<std::size_t>(model.feature_count) == feature_count && !model.label.empty() &&
          are_clips(model.label, clip_count) &&
-         model.points.size() == model.label.size() * feature_count && all_finite(model.points);
+         model.points.size() == model.label.size() * feature_count &&
+         std::all_of(model.points.begin(), model.points.end(),
+                     [](float x) { return std::isfinite(x); }) &&
+         model.cost.size() == (has_costs ? model.label.size() * clip_count : 0) &&
+         (!has_costs || (std::isfinite(model.cost_step_ns) && model.cost_step_ns > 0));
+}
+
+// A unit too many, or a member, would be read beyond the weights; sizes beyond a few thousand would
+// overflow their product.
+bool is_sound(const models::NetworkModel& model, std::size_t clip_count, std::size_t feature_count) {
+  constexpr int kMost = 1 << 12;
+  const auto is_weight = [](float weight) {
+    return std::abs(weight) <= models::kMostNetworkWeight;  // not so where it is not a number
+  };
+  return static_cast<std::size_t>(model.feature_count) == feature_count && model.hidden_count >= 1 &&
+         model.hidden_count <= kMost && model.hidden_count % models::kNetworkBlock == 0 &&
+         model.member_count >= 1 && model.member_count <= kMost && !model.clip.empty() &&
+         are_clips(model.clip, clip_count) &&
+         std::adjacent_find(model.clip.begin(), model.clip.end(), std::greater_equal<>()) ==
+             model.clip.end() &&
+         is_weight(model.mean_root) && is_weight(model.scale_root) && model.scale_root > 0 &&
+         is_weight(model.variance_ns) && model.variance_ns >= 0 &&
+         model.weights.size() ==
+             model.shape().weight_count() * static_cast<std::size_t>(model.member_count) &&
+         std::all_of(model.weights.begin(), model.weights.end(), is_weight);
 }
 
 }  // namespace

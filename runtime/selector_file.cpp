@@ -45,12 +45,28 @@ models::SvmModel read_model(const schema::Svm& stored, int feature_count) {
           .rho = to_vector(*stored.rho())};
 }
 
-models::KnnModel read_model(const schema::Knn& stored, int feature_count) {
-  return {.k = stored.k(),
-          .vote = static_cast<models::KnnVote>(stored.vote()),
-          .feature_count = feature_count,
-          .points = to_vector(*stored.points()),
-          .label = to_vector(*stored.label())};
+models::KnnModel read_model(const schema::Knn& stored, int feature_count, int clip_count) {
+  return {
+      .k = stored.k(),
+      .vote = static_cast<models::KnnVote>(stored.vote()),
+      .feature_count = feature_count,
+      .points = to_vector(*stored.points()),
+      .label = to_vector(*stored.label()),
+      .cost = stored.cost() == nullptr ? std::vector<std::uint16_t>() : to_vector(*stored.cost()),
+      .clip_count = clip_count,
+      .cost_step_ns = stored.cost_step_ns(),
+      .leaves = {}};
+}
+
+models::NetworkModel read_model(const schema::Network& stored, int feature_count) {
+  return {.feature_count = feature_count,
+          .hidden_count = stored.hidden_count(),
+          .member_count = stored.member_count(),
+          .clip = to_vector(*stored.clip()),
+          .mean_root = stored.mean_root(),
+          .scale_root = stored.scale_root(),
+          .variance_ns = stored.variance_ns(),
+          .weights = to_vector(*stored.weights())};
 }
 
 /// None unless this build computes every feature.
@@ -75,11 +91,15 @@ bool read_stored(const schema::Selector& stored, models::Selector& selector) {
   if (const schema::Svm* svm = stored.model_as_Svm()) {
     selector.model = read_model(*svm, selector.layout.size());
   } else if (const schema::Knn* knn = stored.model_as_Knn()) {
-    selector.model = read_model(*knn, selector.layout.size());
+    selector.model = read_model(*knn, selector.layout.size(), static_cast<int>(selector.clips.size()));
+  } else if (const schema::Network* network = stored.model_as_Network()) {
+    selector.model = read_model(*network, selector.layout.size());
   } else {
     return false;
   }
-  return is_sound(selector);
+  if (!is_sound(selector)) return false;
+  if (auto* knn = std::get_if<models::KnnModel>(&selector.model)) models::index(*knn);
+  return true;
 }
 
 /// The library that the file has in it, where it has one.

@@ -44,7 +44,18 @@ Offset<void> store(FlatBufferBuilder& builder, const models::SvmModel& model) {
 Offset<void> store(FlatBufferBuilder& builder, const models::KnnModel& model) {
   const auto points = builder.CreateVector(model.points);
   const auto label = builder.CreateVector(model.label);
-  return schema::CreateKnn(builder, model.k, static_cast<std::uint8_t>(model.vote), points, label)
+  Offset<flatbuffers::Vector<std::uint16_t>> cost;
+  if (!model.cost.empty()) cost = builder.CreateVector(model.cost);
+  return schema::CreateKnn(builder, model.k, static_cast<std::uint8_t>(model.vote), points, label,
+                           cost, model.cost_step_ns)
+      .Union();
+}
+
+Offset<void> store(FlatBufferBuilder& builder, const models::NetworkModel& model) {
+  const auto clip = builder.CreateVector(model.clip);
+  const auto weights = builder.CreateVector(model.weights);
+  return schema::CreateNetwork(builder, model.hidden_count, model.member_count, clip,
+                               model.mean_root, model.scale_root, model.variance_ns, weights)
       .Union();
 }
 
@@ -54,6 +65,10 @@ schema::Model kind_of(const models::SvmModel&) {
 
 schema::Model kind_of(const models::KnnModel&) {
   return schema::Model::Knn;
+}
+
+schema::Model kind_of(const models::NetworkModel&) {
+  return schema::Model::Network;
 }
 
 // At a multiple of 16 bytes, so that the library is read in place.

@@ -8,6 +8,7 @@
 
 #include "models/cross_validation.h"
 #include "models/knn_fit.h"
+#include "models/network_fit.h"
 #include "models/svm_fit.h"
 #include "motion/error.h"
 #include "train/labels.h"
@@ -37,6 +38,12 @@ Fitted fit_knn(const models::TrainingSet& set, std::span<const int> folds,
           chosen.mean_score};
 }
 
+Fitted fit_knn_cost(const models::TrainingSet& set, std::span<const int> folds,
+                    const models::Score& regret) {
+  const auto chosen = models::choose_parameters(set, models::knn_cost_grid(), folds, regret);
+  return {models::fit_knn(set, chosen.parameters), {{"k", chosen.parameters.k}}, chosen.mean_score};
+}
+
 Fitted fit_svm(const models::TrainingSet& set, std::span<const int> folds,
                const models::Score& regret) {
   const auto chosen =
@@ -51,6 +58,20 @@ Fitted fit_svm(const models::TrainingSet& set, std::span<const int> folds,
           chosen.mean_score};
 }
 
+Fitted fit_network(const models::TrainingSet& set, std::span<const int> folds,
+                   const models::Score& regret) {
+  const models::NetworkParameters parameters;
+  const auto validation = models::validate_network(set, parameters, folds);
+  models::NetworkModel model = models::fit_network(set, parameters);
+  model.variance_ns = static_cast<float>(validation.variance_ns);
+  return {std::move(model),
+          {{"members", parameters.member_count},
+           {"hidden", parameters.hidden_count},
+           {"epochs", parameters.epoch_count},
+           {"weight_decay", parameters.weight_decay}},
+          models::mean_scores(std::span(&validation.choice, 1), regret).front()};
+}
+
 struct MethodEntry {
   Method method;
   std::string_view name;
@@ -60,6 +81,8 @@ struct MethodEntry {
 constexpr std::array kEntries{
     MethodEntry{Method::knn, "knn", fit_knn},
     MethodEntry{Method::svm, "svm", fit_svm},
+    MethodEntry{Method::knn_cost, "knn_cost", fit_knn_cost},
+    MethodEntry{Method::network, "network", fit_network},
 };
 constexpr auto kMethods = [] {
   std::array<Method, kEntries.size()> methods{};

@@ -31,7 +31,7 @@ class MainPath(ProgramTest):
         clips = [c["name"] for c in library["clips"]]
         done = self.document("simulate", self.library, "--out", self.store, "-n", SCENARIOS)
         self.assertEqual(done["scenarios"], SCENARIOS)
-        for model in ("knn", "svm"):
+        for model in ("knn", "svm", "knn_cost", "network"):
             self.document("train", self.store, "--out", self.selector, "--model", model)
             self.check_description(self.document("info", self.selector), model, library)
             for target in ("head", "trunk", "pelvis", "legs"):
@@ -41,10 +41,12 @@ class MainPath(ProgramTest):
                 self.assertEqual(answer["target"], target)
                 self.assertEqual(answer["time_to_impact_s"], 0.5)
                 self.assertEqual(answer["candidates"][0]["clip"], answer["clip"])
-                votes = [c["vote"] for c in answer["candidates"]]
-                self.assertEqual(votes, sorted(votes, reverse=True))
-        text = self.succeed("select", self.selector, "--target", "legs").stdout
-        self.assertIn("vote", text)
+                by_votes = model in ("knn", "svm")
+                ranks = [-c["vote"] if by_votes else c["expected_cost_ns"]
+                         for c in answer["candidates"]]
+                self.assertEqual(ranks, sorted(ranks))
+            text = self.succeed("select", self.selector, "--target", "legs").stdout
+            self.assertIn("vote" if by_votes else "expected cost, N s", text)
         self.check_comparison()
         self.check_export()
 

@@ -195,6 +195,26 @@ TEST(HeldOutChoices, AreThoseOfModelsThatNeverSawTheObservation) {
   }
 }
 
+TEST(HeldOutChoices, AreAveragedFromCostsOfTheOthersAlone) {
+  const TrainingSet set = with_costs(masked_clouds(240), 9);
+  const std::vector<int> fold = make_folds(set.label, 4, 2);
+  std::vector<KnnParameters> grid = knn_cost_grid();
+  grid.push_back({5, KnnVote::majority});
+  const auto choices = held_out_choices(set, grid, fold);
+  for (int f = 0; f < 4; ++f) {
+    const TrainingSet others = subset(set, others_than(fold, f));
+    for (std::size_t row = 0; row < grid.size(); ++row) {
+      const KnnModel model = fit_knn(others, grid[row]);
+      for (int i = 0; i < set.size(); ++i) {
+        if (fold[static_cast<std::size_t>(i)] == f) {
+          ASSERT_EQ(choices[row][static_cast<std::size_t>(i)],
+                    candidates(model, set.point(i), set.allowed_clips(i), 0).front().clip);
+        }
+      }
+    }
+  }
+}
+
 TEST(HeldOutChoices, DoNotDependOnTheNumberOfThreads) {
   const TrainingSet set = masked_clouds(240);
   const std::vector<int> fold = make_folds(set.label, 5, 3);

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <utility>
 #include <vector>
 
 namespace flinch::models {
@@ -26,6 +27,16 @@ SvmModel hand_made_svm() {
   // Vector of class 0: machines (0,1) and (0,2); vector of class 2: machines (0,2) and (1,2).
   model.coefficients = {1, 1, 0, 0};
   model.rho = {0, 2, -1};
+  return model;
+}
+
+KnnModel make_knn(int k, int feature_count, std::vector<float> points, std::vector<int> label) {
+  KnnModel model;
+  model.k = k;
+  model.feature_count = feature_count;
+  model.points = std::move(points);
+  model.label = std::move(label);
+  index(model);
   return model;
 }
 
@@ -75,7 +86,7 @@ TEST(Candidates, IdleIsTheLastResort) {
   EXPECT_EQ(ranked[0].clip, 4);
   EXPECT_EQ(ranked[0].vote, 0);
 
-  const KnnModel knn{1, KnnVote::majority, 1, {0.0, 1.0}, {5, 3}};
+  const KnnModel knn = make_knn(1, 1, {0, 1}, {5, 3});
   ranked = candidates(knn, std::vector<double>{1}, allowed, 4);
   ASSERT_EQ(ranked.size(), 1U);
   EXPECT_EQ(ranked[0].clip, 4);
@@ -83,7 +94,7 @@ TEST(Candidates, IdleIsTheLastResort) {
 }
 
 TEST(KnnCandidates, AreTheNeighboursAllowedLabels) {
-  const KnnModel knn{3, KnnVote::majority, 1, {0.0, 1.0, 2.0, 3.0, 4.0}, {5, 3, 5, 1, 1}};
+  const KnnModel knn = make_knn(3, 1, {0, 1, 2, 3, 4}, {5, 3, 5, 1, 1});
   ClipMask allowed(6, true);
   auto ranked = candidates(knn, std::vector<double>{0.9}, allowed, 0);
   ASSERT_EQ(ranked.size(), 2U);
@@ -95,6 +106,26 @@ TEST(KnnCandidates, AreTheNeighboursAllowedLabels) {
   ASSERT_EQ(ranked.size(), 2U);
   EXPECT_EQ(ranked[0].clip, 1);  // two of the three that are left
   EXPECT_EQ(ranked[1].clip, 3);
+}
+
+TEST(KnnCandidates, OfCostsCountWhateverTheNeighboursLabel) {
+  KnnModel knn = make_knn(2, 1, {0, 1, 2}, {0, 1, 2});
+  knn.vote = KnnVote::cost;
+  knn.clip_count = 3;
+  knn.cost_step_ns = 0.5F;
+  knn.cost = {4, 2, 9, 6, 4, 9, 0, 0, 0};
+  ClipMask allowed(3, true);
+  allowed[1] = false;
+  const auto ranked = candidates(knn, std::vector<double>{0.6}, allowed, 0);
+  ASSERT_EQ(ranked.size(), 2U);
+  EXPECT_EQ(ranked[0].clip, 0);
+  EXPECT_FLOAT_EQ(ranked[0].expected_cost_ns, 2.5F);
+  EXPECT_EQ(ranked[1].clip, 2);
+  EXPECT_FLOAT_EQ(ranked[1].expected_cost_ns, 4.5F);
+  EXPECT_EQ(ranked[0].vote, 0);
+  // None of the allowed clips was tried on a neighbour.
+  knn.cost.assign(9, KnnModel::kUntried);
+  EXPECT_EQ(candidates(knn, std::vector<double>{0.6}, allowed, 2).front().clip, 2);
 }
 
 ClipSummary clip_for(Target target) {
@@ -122,11 +153,11 @@ TEST(Selector, ScalesAndMasksBeforeItAsksItsModel) {
   selector.layout = features::feature_set_named("paper")->layout;
   selector.scaling.least.assign(features::kFeatureCount, 0);
   selector.scaling.most.assign(features::kFeatureCount, 10);
-  KnnModel knn{1, KnnVote::majority, features::kFeatureCount, {}, {1, 2, 3}};
-  for (const double value : {-1.0, 0.0, 1.0}) {  // raw 0, 5 and 10
-    knn.points.insert(knn.points.end(), features::kFeatureCount, value);
+  std::vector<float> points;
+  for (const float value : {-1.0F, 0.0F, 1.0F}) {  // raw 0, 5 and 10
+    points.insert(points.end(), features::kFeatureCount, value);
   }
-  selector.model = knn;
+  selector.model = make_knn(1, features::kFeatureCount, points, {1, 2, 3});
   features::FeatureVector x;
   x.fill(5.5F);
   EXPECT_EQ(select(selector, x, Target::head), 2);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <random>
 #include <utility>
 #include <vector>
@@ -52,6 +53,36 @@ inline TrainingSet random_clouds(std::uint64_t seed, int count, int class_count,
     label.push_back(2 * static_cast<int>(c) + 1);
   }
   return make_set(feature_count, std::move(points), std::move(label), 2 * class_count);
+}
+
+/// The same set with costs: of clip c at x (3 + c's own plane of x)^2 / 10, so that every clip is
+/// the best somewhere and its cost is smooth. Each observation's label is its cheapest allowed
+/// clip; clips that its mask forbids were not tried.
+inline TrainingSet with_costs(TrainingSet set, std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  std::vector<std::vector<double>> planes;
+  for (std::size_t clip = 0; clip < set.clip_count(); ++clip) {
+    planes.push_back(random_point(random, set.feature_count));
+  }
+  set.cost.clear();
+  for (int i = 0; i < set.size(); ++i) {
+    const ClipMask& allowed = set.allowed_clips(i);
+    int best = -1;
+    for (std::size_t clip = 0; clip < set.clip_count(); ++clip) {
+      double height = 3;
+      for (std::size_t f = 0; f < planes[clip].size(); ++f) {
+        height += planes[clip][f] * set.point(i)[f];
+      }
+      set.cost.push_back(allowed[clip] ? static_cast<float>(height * height / 10)
+                                       : std::numeric_limits<float>::infinity());
+      if (allowed[clip] &&
+          (best < 0 || set.cost.back() < set.costs(i)[static_cast<std::size_t>(best)])) {
+        best = static_cast<int>(clip);
+      }
+    }
+    set.label[static_cast<std::size_t>(i)] = best;
+  }
+  return set;
 }
 
 }  // namespace flinch::models

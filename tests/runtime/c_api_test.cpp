@@ -160,6 +160,7 @@ TEST_F(CApi, PlaysTheMotionOfTheCxxApiBitForBit) {
   for (std::int32_t i = 0; i < count; ++i) {
     EXPECT_EQ(candidates[i].clip, twin.candidates()[static_cast<std::size_t>(i)].clip);
     EXPECT_EQ(candidates[i].vote, twin.candidates()[static_cast<std::size_t>(i)].vote);
+    EXPECT_TRUE(std::isnan(candidates[i].expected_cost_ns));
   }
   EXPECT_EQ(flinch_character_candidates(character, candidates, 1, &count), FLINCH_OK);
   EXPECT_EQ(count, 1);

@@ -7,6 +7,7 @@
 #include "database/library_writer.h"
 #include "database/sealed_file.h"
 #include "models/knn_fit.h"
+#include "models/network_fit.h"
 #include "models/svm_fit.h"
 #include "tests/models/training_sets.h"
 #include "tests/scenes/synthetic_library.h"
@@ -42,7 +43,7 @@ struct MadeUpSelector {
   std::string file() const { return train::selector_bytes(selector, library_bytes()); }
 };
 
-enum class Fitted : std::uint8_t { svm, knn };
+enum class Fitted : std::uint8_t { svm, knn, knn_cost, network };
 
 inline MadeUpSelector made_up_selector(const database::Library& library, int observation_count,
                                        Fitted model) {
@@ -59,10 +60,21 @@ inline MadeUpSelector made_up_selector(const database::Library& library, int obs
   models::TrainingSet set =
       models::random_clouds(1, observation_count, class_count, features::kFeatureCount);
   for (int& label : set.label) label = 1 + label / 2;
-  if (model == Fitted::svm) {
-    selector.model = models::fit_svm(set, models::default_svm_parameters(features::kFeatureCount));
-  } else {
-    selector.model = models::fit_knn(set, {10, models::KnnVote::inverse_distance});
+  set.masks = {models::ClipMask(library.clips.size(), true)};
+  switch (model) {
+    case Fitted::svm:
+      selector.model =
+          models::fit_svm(set, models::default_svm_parameters(features::kFeatureCount));
+      break;
+    case Fitted::knn:
+      selector.model = models::fit_knn(set, {10, models::KnnVote::inverse_distance});
+      break;
+    case Fitted::knn_cost:
+      selector.model = models::fit_knn(models::with_costs(set, 2), {10, models::KnnVote::cost});
+      break;
+    case Fitted::network:
+      selector.model = models::fit_network(models::with_costs(set, 2), {.epoch_count = 1});
+      break;
   }
   return made;
 }

@@ -9,8 +9,11 @@
 #include <functional>
 #include <limits>
 #include <random>
+#include <type_traits>
 
 #include "database/file_io.h"
+#include "models/knn_fit.h"
+#include "models/network_fit.h"
 #include "models/svm_fit.h"
 #include "motion/error.h"
 #include "tests/models/training_sets.h"
@@ -68,15 +71,37 @@ Selector svm_selector() {
 
 Selector knn_selector() {
   Selector selector = selector_without_model();
-  const models::TrainingSet set = training_set();
-  selector.model = models::KnnModel{7, models::KnnVote::inverse_distance, set.feature_count,
-                                    set.points, set.label};
+  selector.model = models::fit_knn(training_set(), {7, models::KnnVote::inverse_distance});
   return selector;
+}
+
+Selector knn_cost_selector() {
+  Selector selector = selector_without_model();
+  selector.model =
+      models::fit_knn(models::with_costs(training_set(), 5), {7, models::KnnVote::cost});
+  return selector;
+}
+
+Selector network_selector() {
+  Selector selector = selector_without_model();
+  selector.model = models::fit_network(models::with_costs(training_set(), 5),
+                                       {.hidden_count = 16, .member_count = 2, .epoch_count = 1});
+  return selector;
+}
+
+std::vector<Selector> one_of_each() {
+  return {svm_selector(), knn_selector(), knn_cost_selector(), network_selector()};
 }
 
 std::vector<std::uint64_t> bits_of(const std::vector<double>& numbers) {
   std::vector<std::uint64_t> bits;
   for (const double number : numbers) bits.push_back(std::bit_cast<std::uint64_t>(number));
+  return bits;
+}
+
+std::vector<std::uint32_t> bits_of(const std::vector<float>& numbers) {
+  std::vector<std::uint32_t> bits;
+  for (const float number : numbers) bits.push_back(std::bit_cast<std::uint32_t>(number));
   return bits;
 }
 
@@ -97,6 +122,24 @@ void expect_same(const models::KnnModel& a, const models::KnnModel& b) {
   EXPECT_EQ(a.feature_count, b.feature_count);
   EXPECT_EQ(bits_of(a.points), bits_of(b.points));
   EXPECT_EQ(a.label, b.label);
+  EXPECT_EQ(a.cost, b.cost);
+  EXPECT_EQ(a.clip_count, b.clip_count);
+  EXPECT_EQ(a.cost_step_ns, b.cost_step_ns);
+  EXPECT_EQ(a.leaves.observation, b.leaves.observation);
+  EXPECT_EQ(bits_of(a.leaves.points), bits_of(b.leaves.points));
+  EXPECT_EQ(bits_of(a.leaves.lower), bits_of(b.leaves.lower));
+  EXPECT_EQ(bits_of(a.leaves.upper), bits_of(b.leaves.upper));
+}
+
+void expect_same(const models::NetworkModel& a, const models::NetworkModel& b) {
+  EXPECT_EQ(a.feature_count, b.feature_count);
+  EXPECT_EQ(a.hidden_count, b.hidden_count);
+  EXPECT_EQ(a.member_count, b.member_count);
+  EXPECT_EQ(a.clip, b.clip);
+  EXPECT_EQ(a.mean_root, b.mean_root);
+  EXPECT_EQ(a.scale_root, b.scale_root);
+  EXPECT_EQ(a.variance_ns, b.variance_ns);
+  EXPECT_EQ(bits_of(a.weights), bits_of(b.weights));
 }
 
 void expect_same(const models::ClipSummary& a, const models::ClipSummary& b) {
@@ -122,15 +165,15 @@ void expect_same(const Selector& a, const Selector& b) {
   EXPECT_EQ(bits_of({a.brawn}), bits_of({b.brawn}));
   EXPECT_EQ(a.target_centres, b.target_centres);
   ASSERT_EQ(a.model.index(), b.model.index());
-  if (const auto* svm = std::get_if<models::SvmModel>(&a.model)) {
-    expect_same(*svm, std::get<models::SvmModel>(b.model));
-  } else {
-    expect_same(std::get<models::KnnModel>(a.model), std::get<models::KnnModel>(b.model));
-  }
+  std::visit(
+      [&](const auto& model) {
+        expect_same(model, std::get<std::decay_t<decltype(model)>>(b.model));
+      },
+      a.model);
 }
 
 TEST(SelectorFile, ComesBackToTheBit) {
-  for (const Selector& selector : {svm_selector(), knn_selector()}) {
+  for (const Selector& selector : one_of_each()) {
     const std::string bytes = train::selector_bytes(selector);
     EXPECT_EQ(bytes, train::selector_bytes(selector));
     Selector back;
@@ -140,15 +183,16 @@ TEST(SelectorFile, ComesBackToTheBit) {
 }
 
 TEST(SelectorFile, ChoosesTheSameAfterwards) {
-  const Selector selector = svm_selector();
-  Selector back;
-  ASSERT_EQ(read(train::selector_bytes(selector), back), LoadStatus::ok);
-  std::mt19937_64 random(2);
-  for (int i = 0; i < 200; ++i) {
-    features::FeatureVector x{};
-    for (float& value : x) value = static_cast<float>(models::random_point(random, 1)[0]);
-    const auto target = static_cast<Target>(random() % 4);
-    ASSERT_EQ(models::select(back, x, target), models::select(selector, x, target));
+  for (const Selector& selector : one_of_each()) {
+    Selector back;
+    ASSERT_EQ(read(train::selector_bytes(selector), back), LoadStatus::ok);
+    std::mt19937_64 random(2);
+    for (int i = 0; i < 200; ++i) {
+      features::FeatureVector x{};
+      for (float& value : x) value = static_cast<float>(models::random_point(random, 1)[0]);
+      const auto target = static_cast<Target>(random() % 4);
+      ASSERT_EQ(models::select(back, x, target), models::select(selector, x, target));
+    }
   }
 }
 
@@ -224,7 +268,7 @@ TEST(SelectorFile, AnotherFeatureLayoutIsRefusedAsSuch) {
 // Damage that the seal cannot see, because who sealed it meant it: the verifier and the checks that
 // follow must still keep anything out that would be read beyond its bounds.
 TEST(SelectorFile, SealedNonsenseNeverGetsThroughUnsound) {
-  for (const Selector& original : {svm_selector(), knn_selector()}) {
+  for (const Selector& original : one_of_each()) {
     const std::string bytes = train::selector_bytes(original);
     std::mt19937_64 random(4);
     int refused = 0;
@@ -290,7 +334,31 @@ TEST(SelectorFile, WhatCannotBeReadIsNotWritten) {
       [&](Selector& s) { knn(s).label[5] = -1; },
       [&](Selector& s) { knn(s).label.pop_back(); },
       [&](Selector& s) { knn(s).label.clear(), knn(s).points.clear(); },
-      [&](Selector& s) { knn(s).points[5] = nan; }};
+      [&](Selector& s) { knn(s).points[5] = static_cast<float>(nan); }};
+  const std::vector<std::function<void(Selector&)>> faults_of_knn_cost{
+      [&](Selector& s) { knn(s).cost.pop_back(); },
+      [&](Selector& s) { knn(s).cost.clear(); },
+      [&](Selector& s) { knn(s).vote = models::KnnVote::majority; },
+      [&](Selector& s) { knn(s).k = 65536; },
+      [&](Selector& s) { knn(s).cost_step_ns = 0; },
+      [&](Selector& s) { knn(s).cost_step_ns = static_cast<float>(nan); }};
+  const auto network = [](Selector& s) -> models::NetworkModel& {
+    return std::get<models::NetworkModel>(s.model);
+  };
+  const std::vector<std::function<void(Selector&)>> faults_of_network{
+      [&](Selector& s) { network(s).clip[1] = network(s).clip[0]; },
+      [&](Selector& s) { network(s).clip.back() = 8; },
+      [&](Selector& s) { network(s).clip.clear(); },
+      [&](Selector& s) { network(s).hidden_count = 24; },
+      [&](Selector& s) { network(s).hidden_count = 0; },
+      [&](Selector& s) { network(s).member_count = 3; },
+      [&](Selector& s) { network(s).member_count = 0; },
+      [&](Selector& s) { network(s).weights.pop_back(); },
+      [&](Selector& s) { network(s).weights[7] = static_cast<float>(nan); },
+      [&](Selector& s) { network(s).weights[7] = -2e4F; },
+      [&](Selector& s) { network(s).scale_root = 0; },
+      [&](Selector& s) { network(s).mean_root = static_cast<float>(nan); },
+      [&](Selector& s) { network(s).variance_ns = -1; }};
   const auto expect_refused = [](Selector selector, const auto& faults) {
     ASSERT_NO_THROW(train::selector_bytes(selector));
     for (std::size_t i = 0; i < faults.size(); ++i) {
@@ -302,6 +370,8 @@ TEST(SelectorFile, WhatCannotBeReadIsNotWritten) {
   expect_refused(svm_selector(), faults_of_any);
   expect_refused(svm_selector(), faults_of_svm);
   expect_refused(knn_selector(), faults_of_knn);
+  expect_refused(knn_cost_selector(), faults_of_knn_cost);
+  expect_refused(network_selector(), faults_of_network);
 }
 
 }  // namespace

@@ -42,7 +42,9 @@ std::vector<features::FeatureVector> queries() {
 }
 
 class WorkspaceOf : public testing::TestWithParam<Fitted> {};
-INSTANTIATE_TEST_SUITE_P(Models, WorkspaceOf, testing::Values(Fitted::svm, Fitted::knn));
+INSTANTIATE_TEST_SUITE_P(Models, WorkspaceOf,
+                         testing::Values(Fitted::svm, Fitted::knn, Fitted::knn_cost,
+                                         Fitted::network));
 
 TEST_P(WorkspaceOf, SelectsWhatTheModelDoesWithoutAllocation) {
   const models::Selector selector = selector_with(GetParam());

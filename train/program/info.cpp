@@ -162,6 +162,24 @@ std::size_t pose_count(const database::Library& library) {
   return count;
 }
 
+Json model_document(const models::SvmModel& svm) {
+  return {
+      {"model", "svm"}, {"classes", svm.class_count()}, {"support_vectors", svm.vector_count()}};
+}
+
+Json model_document(const models::KnnModel& knn) {
+  return {{"model", knn.vote == models::KnnVote::cost ? "knn_cost" : "knn"},
+          {"k", knn.k},
+          {"observations", knn.label.size()}};
+}
+
+Json model_document(const models::NetworkModel& network) {
+  return {{"model", "network"},
+          {"members", network.member_count},
+          {"hidden", network.hidden_count},
+          {"classes", network.clip.size()}};
+}
+
 Json selector_document(const runtime::SelectorFile& file) {
   const models::Selector& selector = file.selector;
   Json clips = Json::array();
@@ -171,16 +189,8 @@ Json selector_document(const runtime::SelectorFile& file) {
                 {"library_hash", database::hash_text(selector.library_hash)},
                 {"brawn", selector.brawn},
                 {"features", selector.layout.names()}};
-  if (const auto* svm = std::get_if<models::SvmModel>(&selector.model)) {
-    document["model"] = "svm";
-    document["classes"] = svm->class_count();
-    document["support_vectors"] = svm->vector_count();
-  } else {
-    const auto& knn = std::get<models::KnnModel>(selector.model);
-    document["model"] = "knn";
-    document["k"] = knn.k;
-    document["observations"] = knn.label.size();
-  }
+  document.update(
+      std::visit([](const auto& model) { return model_document(model); }, selector.model));
   document["idle"] = selector.clips[static_cast<std::size_t>(selector.idle)].name;
   document["clips"] = clips;
   document["has_clips"] = file.library.has_value();
@@ -194,7 +204,8 @@ Json selector_document(const runtime::SelectorFile& file) {
 void print_selector(const runtime::SelectorFile& file) {
   const Json document = selector_document(file);
   std::cout << "selector for library " << document["library_hash"].get<std::string>();
-  for (const char* key : {"model", "classes", "support_vectors", "k", "observations", "brawn"})
+  for (const char* key :
+       {"model", "classes", "support_vectors", "k", "observations", "members", "hidden", "brawn"})
     if (document.contains(key))
       std::cout << '\n'
                 << key << ": "

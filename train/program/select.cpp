@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <iostream>
 #include <memory>
 
@@ -23,7 +24,12 @@ struct Options {
 
 Json candidate_document(const models::Selector& selector, const models::Candidate& candidate) {
   const models::ClipSummary& clip = selector.clips[static_cast<std::size_t>(candidate.clip)];
-  Json document{{"clip", clip.name}, {"vote", shortest(candidate.vote)}};
+  Json document{{"clip", clip.name}};
+  if (std::isnan(candidate.expected_cost_ns)) {
+    document["vote"] = shortest(candidate.vote);
+  } else {
+    document["expected_cost_ns"] = shortest(candidate.expected_cost_ns);
+  }
   if (clip.annotation) document.update(to_json(clip));
   return document;
 }
@@ -46,14 +52,18 @@ void print_text(const models::Selector& selector, const ThreatOptions& threat,
                 std::span<const models::Candidate> candidates) {
   using enum Table::Align;
   constexpr std::size_t kMostShown = 5;
-  Table table({{"clip"}, {"target"}, {"direction", right}, {"vote", right}});
+  const bool by_votes = std::isnan(candidates.front().expected_cost_ns);
+  Table table({{"clip"},
+               {"target"},
+               {"direction", right},
+               {by_votes ? "vote" : "expected cost, N s", right}});
   for (const models::Candidate& candidate :
        candidates.first(std::min(kMostShown, candidates.size()))) {
     const models::ClipSummary& clip = selector.clips[static_cast<std::size_t>(candidate.clip)];
     const auto& annotation = clip.annotation;
     table.add({clip.name, annotation ? std::string(motion::name_of(annotation->target)) : "-",
                annotation ? fixed(degrees(double{annotation->direction}), 0) : "-",
-               fixed(double{candidate.vote}, 3)});
+               fixed(double{by_votes ? candidate.vote : candidate.expected_cost_ns}, 3)});
   }
   const models::ClipSummary& best =
       selector.clips[static_cast<std::size_t>(candidates.front().clip)];

@@ -17,7 +17,7 @@ namespace {
 struct Options {
   std::string store;
   std::string selector;
-  std::string model{"svm"};
+  std::string model{name_of(kDefaultMethod)};
   std::string features;
   CostOptions cost;
   bool json = false;
@@ -84,7 +84,7 @@ void add_train(CLI::App& program) {
   add_features_option(*command, options->features);
   add_cost_options(*command, options->cost);
   add_json_option(*command, options->json);
-  command->footer("Example:\n  flinch train real.flinchobs --out real.flinch --model svm");
+  command->footer("Example:\n  flinch train real.flinchobs --out real.flinch");
   command->callback([options] { run(*options); });
 }
 

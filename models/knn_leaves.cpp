@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <numeric>
+#include <span>
+
+#include "models/knn.h"
+
+namespace flinch::models {
+namespace {
+
+constexpr auto kLeaf = static_cast<std::size_t>(KnnLeaves::kLeafSize);
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
+
+/// The points as rows, and how to compare them.
+struct Rows {
+  std::span<const float> values;
+  std::size_t feature_count;
+
+  float value(int observation, std::size_t feature) const {
+    return values[static_cast<std::size_t>(observation) * feature_count + feature];
+  }
+};
+
+/// The feature over which these observations spread most, the first of equals.
+std::size_t widest_feature(const Rows& rows, std::span<const int> observations) {
+  std::size_t widest = 0;
+  float most = -1;
+  for (std::size_t feature = 0; feature < rows.feature_count; ++feature) {
+    float least = kInfinity;
+    float greatest = -kInfinity;
+    for (const int observation : observations) {
+      least = std::min(least, rows.value(observation, feature));
+      greatest = std::max(greatest, rows.value(observation, feature));
+    }
+    if (greatest - least > most) {
+      most = greatest - least;
+      widest = feature;
+    }
+  }
+  return widest;
+}
+
+/// Puts near observations together: halves them at a whole number of leaves along the feature over
+/// which they spread most, and so on in either half (Friedman, Bentley and Finkel 1977).
+void arrange(const Rows& rows, std::span<int> observations) {
+  if (observations.size() <= kLeaf) {
+    return;
+  }
+  const std::size_t feature = widest_feature(rows, observations);
+  const std::size_t leaves = (observations.size() + kLeaf - 1) / kLeaf;
+  const std::size_t half = leaves / 2 * kLeaf;
+  const auto is_before = [&](int a, int b) {
+    const float value_a = rows.value(a, feature);
+    const float value_b = rows.value(b, feature);
+    return value_a != value_b ? value_a < value_b : a < b;
+  };
+  std::nth_element(observations.begin(), observations.begin() + static_cast<std::ptrdiff_t>(half),
+                   observations.end(), is_before);
+  arrange(rows, observations.first(half));
+  arrange(rows, observations.subspan(half));
+}
+
+}  // namespace
+
+void index(KnnModel& model) {
+  const Rows rows{model.points, static_cast<std::size_t>(model.feature_count)};
+  const std::size_t count = model.label.size();
+  const std::size_t leaf_count = (count + kLeaf - 1) / kLeaf;
+  const std::size_t groups = (leaf_count + kLeaf - 1) / kLeaf;
+  KnnLeaves& leaves = model.leaves;
+  leaves.observation.assign(leaf_count * kLeaf, -1);
+  std::iota(leaves.observation.begin(),
+            leaves.observation.begin() + static_cast<std::ptrdiff_t>(count), 0);
+  arrange(rows, std::span(leaves.observation).first(count));
+  leaves.points.assign(leaf_count * kLeaf * rows.feature_count, kInfinity);
+  leaves.lower.assign(groups * kLeaf * rows.feature_count, kInfinity);
+  leaves.upper.assign(leaves.lower.size(), kInfinity);
+  for (std::size_t leaf = 0; leaf < leaf_count; ++leaf) {
+    for (std::size_t feature = 0; feature < rows.feature_count; ++feature) {
+      const std::size_t box = (leaf / kLeaf * rows.feature_count + feature) * kLeaf + leaf % kLeaf;
+      leaves.upper[box] = -kInfinity;
+      for (std::size_t i = 0; i < kLeaf; ++i) {
+        const int observation = leaves.observation[leaf * kLeaf + i];
+        if (observation < 0) {
+          continue;
+        }
+        const float value = rows.value(observation, feature);
+        leaves.points[(leaf * rows.feature_count + feature) * kLeaf + i] = value;
+        leaves.lower[box] = std::min(leaves.lower[box], value);
+        leaves.upper[box] = std::max(leaves.upper[box], value);
+      }
+    }
+  }
+}
+
+}  // namespace flinch::models
