@@ -68,7 +68,8 @@ Layout without(const Layout& layout, const FeatureGroup& group);
 FeatureVector feature_vector(const Layout& layout, const Scenario& scenario,
                              const IdlingFigure& figure);
 
-/// The same of a character that stands still at the origin, facing X, with its targets there.
+/// The same of a character that stands still at the origin, facing X, with its targets there. For
+/// tools: allocates.
 FeatureVector feature_vector(const Layout& layout, const Scenario& scenario,
                              const TargetCentres& centres);
 
