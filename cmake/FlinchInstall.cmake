@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 # Installs the run time's libraries and headers as the CMake package `flinch`, its C interface also
-# for pkg-config, and the program.
+# for pkg-config, the reaction to a hit as the package's component `reaction`, and the program.
 # The offline libraries stay behind: a game has no use for them, and the program does their work.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
@@ -46,6 +46,19 @@ install(EXPORT flinch_c NAMESPACE flinch:: FILE flinchCTargets.cmake
 file(RELATIVE_PATH to_prefix /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
 configure_file(${CMAKE_CURRENT_LIST_DIR}/flinch.pc.in ${PROJECT_BINARY_DIR}/flinch.pc @ONLY)
 install(FILES ${PROJECT_BINARY_DIR}/flinch.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+
+# The reaction links ODE, which the package then looks for as this build did.
+if(TARGET flinch_reaction)
+  install(TARGETS flinch_reaction flinch_sim EXPORT flinch_reaction
+    ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+  install(EXPORT flinch_reaction NAMESPACE flinch:: FILE flinchReactionTargets.cmake
+    DESTINATION ${package_directory})
+  install(FILES ${CMAKE_CURRENT_LIST_DIR}/FindODE.cmake DESTINATION ${package_directory})
+  foreach(header reacting_character reaction reaction_clips recovery simulator)
+    install(FILES ${PROJECT_SOURCE_DIR}/sim/${header}.h
+      DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/flinch/sim)
+  endforeach()
+endif()
 
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 

@@ -86,7 +86,7 @@ Pose balanced(const Figure& figure, const PerSide<FootPlace>& feet, Pose pose, A
 
 Pose evasive_pose(const Figure& figure, const Pose& start, const Evasion& evasion) {
   const motion::Skeleton& skeleton = figure.skeleton();
-  const float leg = leg_length(skeleton);
+  const float leg = motion::limb_length(skeleton, motion::Limb::left_leg);
   const JointFrames frames = motion::forward_kinematics(skeleton, start);
   const Eigen::Quaternionf facing = turn_about(Eigen::Vector3f::UnitZ(), motion::facing(start));
   PerSide<FootPlace> feet;

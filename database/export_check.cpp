@@ -15,7 +15,8 @@ void check_exportable(const motion::Character& character, const motion::Motion& 
     throw Error("", "the motion's rate is not above 0");
   }
   if (motion.poses.empty()) throw Error("", "the motion has no poses: there is nothing to write");
-  const auto broken = std::find_if_not(motion.poses.begin(), motion.poses.end(), is_sound);
+  const auto broken = std::ranges::find_if_not(
+      motion.poses, [](const motion::Pose& pose) { return is_sound(pose); });
   if (broken != motion.poses.end()) {
     throw Error("", "pose " + std::to_string(broken - motion.poses.begin()) +
                         " of the motion has a number that is not finite or a rotation that is not "

@@ -52,14 +52,12 @@ bool put_feet(const Skeleton& skeleton, const JointFrames& trunk, const PerSide<
 
 float highest_pelvis(const Skeleton& skeleton, const JointFrames& trunk,
                      const PerSide<FootPlace>& feet) {
-  const float reach = 0.997F * leg_length(skeleton);
   float highest = std::numeric_limits<float>::infinity();
   for (Side side : kSides) {
+    const float reach = 0.997F * motion::limb_length(skeleton, leg_of(side));
     const Eigen::Vector3f& hip = trunk.position[motion::roles_of(leg_of(side)).upper];
-    const Eigen::Vector3f& ankle = feet[index_of(side)].ankle;
-    const float across = (hip - ankle).head<2>().squaredNorm();
-    const float up = std::sqrt(std::max(reach * reach - across, 0.0F));
-    highest = std::min(highest, ankle.z() + up - hip.z());
+    const float hip_z = motion::highest_upper(hip, feet[index_of(side)].ankle, reach);
+    highest = std::min(highest, hip_z - hip.z());
   }
   return trunk.position[Role::pelvis].z() + highest;
 }
@@ -107,14 +105,6 @@ void set_arm(Pose& pose, Side side, const ArmAngles& angles) {
 
 Eigen::Quaternionf relative_rotation(const JointFrames& frames, Role from, Role to) {
   return frames.orientation[from].conjugate() * frames.orientation[to];
-}
-
-float arm_length(const Skeleton& skeleton) {
-  return skeleton.offset[Role::left_forearm].norm() + skeleton.offset[Role::left_hand].norm();
-}
-
-float leg_length(const Skeleton& skeleton) {
-  return skeleton.offset[Role::left_shin].norm() + skeleton.offset[Role::left_foot].norm();
 }
 
 float stature(const Skeleton& skeleton) {

@@ -74,10 +74,6 @@ void set_arm(motion::Pose& pose, motion::Side side, const ArmAngles& angles);
 Eigen::Quaternionf relative_rotation(const motion::JointFrames& frames, motion::Role from,
                                      motion::Role to);
 
-/// Largest distance of wrist and shoulder, m.
-float arm_length(const motion::Skeleton& skeleton);
-/// Of hip and ankle, m.
-float leg_length(const motion::Skeleton& skeleton);
 /// Height of the crown in the rest pose, m.
 float stature(const motion::Skeleton& skeleton);
 

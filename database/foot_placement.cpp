@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "motion/foot.h"
 #include "motion/interpolation.h"
 #include "motion/support_polygon.h"
 
@@ -97,12 +97,6 @@ float ankle_height(const Foot& foot, const Vector3f& to_ball, float ankle_lift, 
 
 }  // namespace
 
-float lowest_point(const std::vector<Vector3f>& points, const Quaternionf& orientation) {
-  float lowest = std::numeric_limits<float>::infinity();
-  for (const Vector3f& point : points) lowest = std::min(lowest, (orientation * point).z());
-  return lowest;
-}
-
 std::vector<AnkleGoals> place_feet(const SourceMotion& source, const motion::Skeleton& skeleton,
                                    const std::vector<SourceFrame>& frames, float interval_s,
                                    float scale) {
@@ -124,7 +118,7 @@ std::vector<AnkleGoals> place_feet(const SourceMotion& source, const motion::Ske
                                           std::min(ankle_lift, ball_lift));
         goal.z() = ankle_height(foot, to_ball, ankle_lift, ball_lift);
       }
-      goal.z() = std::max(goal.z(), -lowest_point(foot.sole, orientation));
+      goal.z() = std::max(goal.z(), -motion::lowest_point(foot.sole, orientation));
     }
   }
   return goals;

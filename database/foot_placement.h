@@ -23,8 +23,4 @@ std::vector<AnkleGoals> place_feet(const SourceMotion& source, const motion::Ske
                                    const std::vector<SourceFrame>& frames, float interval_s,
                                    float scale);
 
-/// The lowest of points in a frame with this orientation, above the frame's origin, m.
-float lowest_point(const std::vector<Eigen::Vector3f>& points,
-                   const Eigen::Quaternionf& orientation);
-
 }  // namespace flinch::database

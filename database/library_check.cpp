@@ -17,7 +17,6 @@ using motion::Clip;
 using motion::Pose;
 
 constexpr float kTimeTolerance_s = 1e-4F;
-constexpr float kUnitTolerance = 1e-3F;
 constexpr float kDirectionTolerance = 1e-4F;
 
 bool is_above_zero(float number) {
@@ -47,22 +46,13 @@ const char* fault_of(const Clip& clip, float rate_hz) {
   if (clip.purpose > motion::Purpose::push) return "has an unknown purpose";
   if (clip.motion.rate_hz != rate_hz) return "has another rate than its library";
   if (clip.motion.poses.empty()) return "has no poses";
-  if (!std::all_of(clip.motion.poses.begin(), clip.motion.poses.end(), is_sound)) {
+  if (!std::ranges::all_of(clip.motion.poses, [](const Pose& pose) { return is_sound(pose); })) {
     return "has a pose with a number that is not finite or a rotation that is not a unit one";
   }
   return clip.annotation ? fault_of(*clip.annotation, clip.motion.duration_s()) : nullptr;
 }
 
 }  // namespace
-
-bool is_sound(const Pose& pose) {
-  // A comparison with NaN is false, so this also finds numbers that are not finite.
-  const auto is_unit = [](const Eigen::Quaternionf& rotation) {
-    return std::abs(rotation.squaredNorm() - 1) <= 2 * kUnitTolerance;
-  };
-  return pose.root_position.allFinite() &&
-         std::all_of(pose.rotation.begin(), pose.rotation.end(), is_unit);
-}
 
 const char* fault_of(const motion::Character& character) {
   const auto is_finite = [](const Eigen::Vector3f& vector) { return vector.allFinite(); };

@@ -57,14 +57,6 @@ void turn_neck(Pose& pose, const Eigen::Vector3f& axis, float angle) {
   turn_joint(pose, Role::head, turn_about(axis, angle / 2));
 }
 
-float wrapped(float angle) {
-  return std::remainder(angle, 2 * std::numbers::pi_v<float>);
-}
-
-float yaw_of(const Eigen::Vector3f& direction) {
-  return std::atan2(direction.y(), direction.x());
-}
-
 // Neck and head within the human limits, which table 3.2 exceeds by 5 degrees sideways.
 void limit_neck(Pose& pose) {
   const JointLimits& limits = joint_limits_named("neck");
@@ -103,7 +95,8 @@ float scale_of(const Figure& figure) {
 
 // Beyond a straight arm the control would change nothing.
 float farthest_reach(const Figure& figure, const TargetWeights& weights) {
-  const float straight = 0.98F * arm_length(figure.skeleton()) + 0.25F * hand_length(figure);
+  const float straight = 0.98F * motion::limb_length(figure.skeleton(), motion::Limb::left_arm) +
+                         0.25F * hand_length(figure);
   const float scale = scale_of(figure);
   return weights.head * std::min(scale * kHeadReach.farthest, straight) +
          weights.pelvis * std::min(scale * kPelvisReach.farthest, straight);
@@ -260,7 +253,7 @@ Pose lean_away(const Pose& pose, const Eigen::Vector3f& travel, float lean,
 
 Pose turn_away(const Pose& pose, float azimuth, float turn) {
   const float amount = std::clamp(turn, 0.0F, 1.0F);
-  const float from = wrapped(azimuth);
+  const float from = motion::wrapped(azimuth);
   // Facing away is half a turn from the threat, to the side that it does not come from.
   const float sense = from >= 0 ? -1.0F : 1.0F;
   const float needed = std::numbers::pi_v<float> - std::abs(from);
@@ -298,8 +291,8 @@ Aim aim_of(const Figure& figure, const Pose& pose, const Danger& danger) {
   aim.target_point = danger.target_point;
   aim.to_threat = (danger.position - danger.target_point).normalized();
   aim.travel = turn_about(Eigen::Vector3f::UnitZ(), -motion::facing(pose)) * -aim.to_threat;
-  aim.azimuth = wrapped(yaw_of(aim.to_threat) -
-                        yaw_of(frames.orientation[Role::head] * Eigen::Vector3f::UnitX()));
+  aim.azimuth = motion::wrapped(motion::yaw_of(aim.to_threat) -
+                                motion::yaw_of(frames.orientation[Role::head]));
   aim.weights = target_weights(distance(Role::head), distance(Role::pelvis));
   return aim;
 }

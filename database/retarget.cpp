@@ -49,11 +49,6 @@ Target make_target(const SourceMotion& source, const Skeleton& skeleton) {
            motion::sole_outline(skeleton, motion::Side::right)}};
 }
 
-float length_of_leg(const Skeleton& skeleton, const Leg& leg) {
-  const auto roles = motion::roles_of(leg.limb);
-  return skeleton.offset[roles.lower].norm() + skeleton.offset[roles.end].norm();
-}
-
 Vector3f between_hips(const Skeleton& skeleton) {
   return 0.5F * (skeleton.offset[Role::left_thigh] + skeleton.offset[Role::right_thigh]);
 }
@@ -79,10 +74,10 @@ Pose transferred(const Target& target, const SourceFrame& frame) {
 float sinking_needed(const Target& target, const Vector3f& hip, const Vector3f& ankle,
                      std::size_t side) {
   constexpr float kNearlyStraight = 0.99998F;  // of the leg's length: within the hinge's limit
-  const float reach = kNearlyStraight * length_of_leg(target.skeleton, kLegs[side]);
+  const float reach = kNearlyStraight * motion::limb_length(target.skeleton, kLegs[side].limb);
   const float across = (ankle - hip).head<2>().norm();
   if (across >= reach) return 0;  // sinking does not help
-  return std::max(0.0F, hip.z() - ankle.z() - std::sqrt(reach * reach - across * across));
+  return std::max(0.0F, hip.z() - motion::highest_upper(hip, ankle, reach));
 }
 
 // 1 while a foot is down, going over to 0 while it is lifted: only feet that carry pull the pelvis.
@@ -109,7 +104,8 @@ void keep_toes_up(const Target& target, std::size_t side, Pose& pose) {
   const Leg& leg = kLegs[side];
   const JointFrames frames = forward_kinematics(target.skeleton, pose);
   const float ball = frames.position[leg.toes].z();
-  const float depth = -lowest_point(target.sole[side].toes, frames.orientation[leg.toes]) - ball;
+  const float depth =
+      -motion::lowest_point(target.sole[side].toes, frames.orientation[leg.toes]) - ball;
   if (depth <= 0) return;
   const float length = target.skeleton.tip[leg.toes].norm();
   const Vector3f tip = frames.orientation[leg.toes] * target.skeleton.tip[leg.toes];
@@ -171,7 +167,7 @@ float pelvis_facing(const SourceFrame& frame) {
 }  // namespace
 
 float leg_ratio(const SourceMotion& source, const Skeleton& skeleton) {
-  return length_of_leg(skeleton, kLegs[0]) / source.leg_length_m;
+  return motion::limb_length(skeleton, kLegs[0].limb) / source.leg_length_m;
 }
 
 SourceFrame sample(const SourceMotion& source, double time_s) {

@@ -37,8 +37,7 @@ PerSide<FootPlace> planted_feet(const Figure& figure, const JointFrames& frames)
     FootPlace& place = feet[index_of(side)];
     place = foot_place(frames, side);
     place.ankle.z() = motion::measure_foot(figure.skeleton(), side).ankle_height;
-    const Eigen::Vector3f forward = place.orientation * Eigen::Vector3f::UnitX();
-    place.orientation = turn_about(Eigen::Vector3f::UnitZ(), std::atan2(forward.y(), forward.x()));
+    place.orientation = turn_about(Eigen::Vector3f::UnitZ(), motion::yaw_of(place.orientation));
   }
   return feet;
 }
@@ -51,7 +50,8 @@ Pose planted(const Figure& figure, const Pose& pose) {
     const motion::LimbRoles roles = motion::roles_of(leg_of(side));
     const FootPlace& place = feet[index_of(side)];
     const float needed = (place.ankle - frames.position[roles.upper]).norm();
-    if (needed > leg_length(figure.skeleton())) feet[index_of(side)] = foot_place(frames, side);
+    const float length = motion::limb_length(figure.skeleton(), leg_of(side));
+    if (needed > length) feet[index_of(side)] = foot_place(frames, side);
   }
   return with_feet(figure.skeleton(), pose, feet);
 }

@@ -97,8 +97,7 @@ FootPlace place_in_step(const Step& step, float s) {
   // It is lifted before it travels, and has arrived before it is put down.
   constexpr float kOnlyLift = 0.1F;
   const float weight = eased_between(u, kOnlyLift, 1 - kOnlyLift);
-  FootPlace place{mix(step.from.ankle, step.to.ankle, weight),
-                  motion::slerp(step.from.orientation, step.to.orientation, weight)};
+  FootPlace place = blend(step.from, step.to, weight);
   // 16 u^2 (1-u)^2 leaves and meets the ground without a jolt.
   place.ankle.z() += step.lift_m * 16 * u * u * (1 - u) * (1 - u);
   return place;
@@ -147,8 +146,7 @@ PerSide<HandPlace> hands_at(const Transition& transition, const JointFrames& fra
   for (Side side : kSides) {
     const std::size_t i = index_of(side);
     const Role hand = motion::roles_of(arm_of(side)).end;
-    const float turn = std::remainder(transition.to_swivel[i] - transition.from_swivel[i],
-                                      2 * std::numbers::pi_v<float>);
+    const float turn = motion::wrapped(transition.to_swivel[i] - transition.from_swivel[i]);
     hands[i] = {
         mix(transition.from_frames.position[hand], transition.to_frames.position[hand], weight),
         arm_pole(frames), transition.from_swivel[i] + weight * turn};
@@ -171,7 +169,8 @@ PerSide<bool> blocked_hands(const Figure& figure, const Transition& transition) 
       bool& is_blocked = blocked[index_of(side)];
       const LimbRoles arm = motion::roles_of(arm_of(side));
       const float reach = (frames.position[arm.end] - frames.position[arm.upper]).norm();
-      is_blocked = is_blocked || reach < kNearShoulder * arm_length(figure.skeleton());
+      is_blocked = is_blocked ||
+                   reach < kNearShoulder * motion::limb_length(figure.skeleton(), arm_of(side));
       const Capsule hand = capsule_of(figure, frames, motion::body_of(arm.end));
       for (motion::Body body : kCoreBodies) {
         is_blocked = is_blocked || distance_between(figure, frames, body, hand) < kNearBody;

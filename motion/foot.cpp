@@ -2,6 +2,9 @@
 #include "motion/foot.h"
 
 #include <algorithm>
+#include <limits>
+
+#include "motion/interpolation.h"
 
 namespace flinch::motion {
 
@@ -13,6 +16,18 @@ FootRoles roles_of(Side side) {
 FootPlace foot_place(const JointFrames& frames, Side side) {
   const Role foot = roles_of(side).foot;
   return {frames.position[foot], frames.orientation[foot]};
+}
+
+FootPlace blend(const FootPlace& from, const FootPlace& to, float weight) {
+  return {from.ankle + weight * (to.ankle - from.ankle),
+          slerp(from.orientation, to.orientation, weight)};
+}
+
+float lowest_point(std::span<const Eigen::Vector3f> points, const Eigen::Quaternionf& orientation) {
+  const Eigen::Vector3f up = orientation.conjugate() * Eigen::Vector3f::UnitZ();
+  float lowest = std::numeric_limits<float>::infinity();
+  for (const Eigen::Vector3f& point : points) lowest = std::min(lowest, up.dot(point));
+  return lowest;
 }
 
 FootMeasures measure_foot(const Skeleton& skeleton, Side side) {

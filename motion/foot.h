@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 
 #include "motion/skeleton.h"
 
@@ -39,6 +40,13 @@ struct FootPlace {
   Eigen::Quaternionf orientation = Eigen::Quaternionf::Identity();
 };
 FootPlace foot_place(const JointFrames& frames, Side side);
+
+/// Between two places: the ankle linearly, the orientation by slerp.
+FootPlace blend(const FootPlace& from, const FootPlace& to, float weight);
+
+/// The lowest of points in a frame with this orientation, above the frame's origin, m; infinite of
+/// no points.
+float lowest_point(std::span<const Eigen::Vector3f> points, const Eigen::Quaternionf& orientation);
 
 /// Size and place of a foot, in the frame of its joint in the rest pose, whose ankle stands above
 /// the ground.

@@ -5,13 +5,10 @@
 #include <cmath>
 
 #include "motion/interpolation.h"
+#include "motion/rotation.h"
 
 namespace flinch::motion {
 namespace {
-
-Eigen::Quaternionf rotation_about(const Eigen::Vector3f& axis, float angle) {
-  return Eigen::Quaternionf(Eigen::AngleAxisf(angle, axis));
-}
 
 Eigen::Vector3f without_part_along(const Eigen::Vector3f& vector, const Eigen::Vector3f& line) {
   return vector - vector.dot(line) * line;
@@ -133,6 +130,17 @@ Limb leg_of(Side side) {
   return side == Side::left ? Limb::left_leg : Limb::right_leg;
 }
 
+float limb_length(const Skeleton& skeleton, Limb limb) {
+  const LimbRoles roles = roles_of(limb);
+  return skeleton.offset[roles.lower].norm() + skeleton.offset[roles.end].norm();
+}
+
+float highest_upper(const Eigen::Vector3f& upper_position, const Eigen::Vector3f& end_position,
+                    float reach) {
+  const float across = (upper_position - end_position).head<2>().squaredNorm();
+  return end_position.z() + std::sqrt(std::max(reach * reach - across, 0.0F));
+}
+
 Eigen::Vector3f hinge_axis(Limb limb) {
   if (limb == Limb::left_arm) return -Eigen::Vector3f::UnitZ();
   if (limb == Limb::right_arm) return Eigen::Vector3f::UnitZ();
@@ -150,7 +158,7 @@ LimbSolution solve_limb(const Skeleton& skeleton, Limb limb, const Eigen::Vector
   const float distance = to_target.norm();
 
   const HingeBend bend = bend_for_distance(upper_bone, lower_bone, hinge, distance, limits);
-  const Eigen::Quaternionf lower_local = rotation_about(hinge, bend.angle);
+  const Eigen::Quaternionf lower_local = turn_about(hinge, bend.angle);
   const Eigen::Vector3f to_end = upper_bone + lower_local * lower_bone;  // in the upper frame
 
   const Eigen::Vector3f line =
@@ -163,7 +171,7 @@ LimbSolution solve_limb(const Skeleton& skeleton, Limb limb, const Eigen::Vector
 
   LimbSolution solution;
   solution.upper = taking(to_end.normalized(), bending_direction(upper_bone, to_end, hinge), line,
-                          rotation_about(line, swivel) * square);
+                          turn_about(line, swivel) * square);
   solution.lower = (solution.upper * lower_local).normalized();
   solution.reached = bend.in_reach;
   return solution;
@@ -189,7 +197,7 @@ bool move_limb_end(const JointFrames& frames, Limb limb, const Eigen::Vector3f& 
       bend_for_distance(upper_bone, lower_bone, axis, (end_position - root).norm(),
                         {std::min(limits.least, bend_of(upper_bone, lower_bone, axis)),
                          std::max(limits.most, bend_of(upper_bone, lower_bone, axis))});
-  const Eigen::Quaternionf flex = rotation_about(axis, bend.angle);
+  const Eigen::Quaternionf flex = turn_about(axis, bend.angle);
   const Eigen::Quaternionf swing =
       Eigen::Quaternionf::FromTwoVectors(upper_bone + flex * lower_bone, end_position - root);
   const Eigen::Quaternionf& parent = frames.orientation[*parent_of(roles.upper)];

@@ -22,6 +22,14 @@ LimbRoles roles_of(Limb limb);
 Limb arm_of(Side side);
 Limb leg_of(Side side);
 
+/// The length of its two bones, m: how far the end of a straight limb is from its upper joint.
+float limb_length(const Skeleton& skeleton, Limb limb);
+
+/// How high the upper joint may rise, world z, m, with the end no farther off than `reach`; where
+/// the end is farther aside than that, the end's own height.
+float highest_upper(const Eigen::Vector3f& upper_position, const Eigen::Vector3f& end_position,
+                    float reach);
+
 /// The axis of the elbow or knee in the frame of the upper joint, unit; turning the lower joint by
 /// a positive angle about it bends the limb. Knees bend about +Y, which takes the shin backwards
 /// from the rest pose; the left elbow about -Z and the right about +Z, which take the forearm

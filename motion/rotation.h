@@ -16,6 +16,20 @@ constexpr float degrees(float radians) {
   return radians * 180 / std::numbers::pi_v<float>;
 }
 
+/// The same angle in [-pi, pi], radians.
+inline float wrapped(float angle) {
+  return std::remainder(angle, 2 * std::numbers::pi_v<float>);
+}
+
+/// Which way a direction points on the ground, radians counter-clockwise from the world's X axis.
+inline float yaw_of(const Eigen::Vector3f& direction) {
+  return std::atan2(direction.y(), direction.x());
+}
+/// The same of the X axis of what is turned so.
+inline float yaw_of(const Eigen::Quaternionf& orientation) {
+  return yaw_of(Eigen::Vector3f(orientation * Eigen::Vector3f::UnitX()));
+}
+
 /// The rotation by `angle` radians about a unit axis.
 inline Eigen::Quaternionf turn_about(const Eigen::Vector3f& axis, float angle) {
   return Eigen::Quaternionf(Eigen::AngleAxisf(angle, axis));

@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "motion/rotation.h"
+
 namespace flinch::motion {
 
 Pose::Pose() {
@@ -48,12 +50,21 @@ Pose rest_pose(const Skeleton& skeleton) {
 }
 
 float facing(const Pose& pose) {
-  const Eigen::Vector3f forward = pose.rotation[Role::pelvis] * Eigen::Vector3f::UnitX();
-  return std::atan2(forward.y(), forward.x());
+  return yaw_of(pose.rotation[Role::pelvis]);
+}
+
+// |q|^2 - 1 is 2 (|q| - 1) near 1. A comparison with NaN is false, so this also finds numbers that
+// are not finite. Most poses are sound: all rotations are looked at, without a branch for each.
+bool is_sound(const Pose& pose, float unit_tolerance) noexcept {
+  bool sound = pose.root_position.allFinite();
+  for (const Eigen::Quaternionf& rotation : pose.rotation) {
+    sound &= std::abs(rotation.squaredNorm() - 1) <= 2 * unit_tolerance;
+  }
+  return sound;
 }
 
 Pose placed(const Pose& pose, float yaw, const Eigen::Vector3f& translation) {
-  const Eigen::Quaternionf turn(Eigen::AngleAxisf(yaw, Eigen::Vector3f::UnitZ()));
+  const Eigen::Quaternionf turn = turn_about(Eigen::Vector3f::UnitZ(), yaw);
   Pose result = pose;
   result.root_position = turn * pose.root_position + translation;
   result.rotation[Role::pelvis] = (turn * pose.rotation[Role::pelvis]).normalized();

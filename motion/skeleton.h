@@ -57,6 +57,9 @@ Pose rest_pose(const Skeleton& skeleton);
 /// counter-clockwise from the world's X axis, in (-pi, pi].
 float facing(const Pose& pose);
 
+/// Whether a pose is finite and its rotations are unit ones to `unit_tolerance`.
+bool is_sound(const Pose& pose, float unit_tolerance = 1e-3F) noexcept;
+
 /// The pose turned by `yaw` radians about the world's vertical through the origin, then moved.
 Pose placed(const Pose& pose, float yaw, const Eigen::Vector3f& translation);
 

@@ -97,7 +97,7 @@ Status Character::place(const Eigen::Vector2f& position, float facing, float idl
   time_s_ = 0;
   response_ = {};
   origin_ = {};
-  delayed_clip_ = -1;
+  delayed_clip_.reset();
   return Status::ok;
 }
 
@@ -115,7 +115,7 @@ Status Character::stand_in(const Pose& before, const Pose& now, float dt_s) noex
 Status Character::settle() noexcept {
   if (!library_->is_loaded()) return Status::not_loaded;
   if (!is_responding() && !is_settling()) return Status::ok;
-  delayed_clip_ = -1;
+  delayed_clip_.reset();
   to_impact_s_ = std::numeric_limits<double>::infinity();
   return begin(library_->prepared().library->idle, 1);
 }
@@ -212,7 +212,7 @@ Status Character::begin(int clip, float time_to_impact_s) noexcept {
   state_ = state;
   origin_ = {};
   time_s_ = 0;
-  delayed_clip_ = -1;
+  delayed_clip_.reset();
   return Status::ok;
 }
 
@@ -228,13 +228,13 @@ Status Character::update(float dt_s) noexcept {
   const double dt = double{dt_s};
   time_s_ += dt;
   to_impact_s_ -= dt;
-  if (delayed_clip_ >= 0) {
+  if (delayed_clip_) {
     delay_s_ -= dt;
     // What hits before the delay is over is not answered any more.
     if (to_impact_s_ <= 0) {
-      delayed_clip_ = -1;
+      delayed_clip_.reset();
     } else if (delay_s_ <= 0) {
-      begin(delayed_clip_, static_cast<float>(to_impact_s_));
+      begin(*delayed_clip_, static_cast<float>(to_impact_s_));
     }
   }
   if (is_responding() && time_s_ >= double{duration_s(response_)}) finish();
@@ -281,7 +281,7 @@ bool Character::is_settling() const noexcept {
 }
 
 Phase Character::phase() const noexcept {
-  if (delayed_clip_ >= 0) return Phase::reacting;
+  if (delayed_clip_) return Phase::reacting;
   if (!is_responding()) return Phase::idle;
   const float t = response_time_s();
   if (response_.clip == library_->prepared().library->idle) return Phase::returning;

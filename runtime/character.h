@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <span>
 
 #include "models/candidate.h"
@@ -134,8 +135,8 @@ class Character {
   motion::Target target_ = motion::Target::head;
   std::array<models::Candidate, kMostCandidates> candidates_{};
   std::size_t candidate_count_ = 0;
-  int delayed_clip_ = -1;  ///< the answer that waits for the reaction's delay; none: -1
-  double delay_s_ = 0;     ///< that is left of it
+  std::optional<int> delayed_clip_;  ///< the answer that waits for the reaction's delay
+  double delay_s_ = 0;               ///< that is left of it
 };
 
 }  // namespace flinch::runtime

@@ -33,6 +33,10 @@ struct Sole {
 
 Sole make_sole(const motion::Skeleton& skeleton, motion::Side side);
 
+/// Ankle and orientation of one foot alone, world: cheaper than all joints.
+motion::FootPlace foot_of(const motion::Skeleton& skeleton, const motion::Pose& pose,
+                          motion::Side side);
+
 /// Lowest point of a sole in the world, z, m, of a foot at this place whose toes are turned by
 /// `toes` against it. `toes_offset` is the skeleton's.
 float lowest_point(const Sole& sole, const motion::FootPlace& foot, const Eigen::Quaternionf& toes,

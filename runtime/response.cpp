@@ -28,17 +28,12 @@ float part_of(const Window& window, float time_s) {
   return (time_s - window.begin_s) / (window.end_s - window.begin_s);
 }
 
-FootPlace mix(const FootPlace& from, const FootPlace& to, float weight) {
-  return {from.ankle + weight * (to.ankle - from.ankle),
-          motion::slerp(from.orientation, to.orientation, weight)};
-}
-
 // A step over part u of its window: 64 u^3 (1 - u)^3 leaves and meets the ground without a jolt,
 // and the foot is lifted before it travels and has arrived before it is put down.
 FootPlace step_between(const FootPlace& from, const FootPlace& to, float u, float lift_m) {
   constexpr float kOnlyLift = 0.1F;
   const float weight = motion::minimum_jerk((u - kOnlyLift) / (1 - 2 * kOnlyLift));
-  FootPlace place = mix(from, to, weight);
+  FootPlace place = blend(from, to, weight);
   place.ankle.z() += lift_m * 64 * u * u * u * (1 - u) * (1 - u) * (1 - u);
   return place;
 }
@@ -102,14 +97,14 @@ FootPlace foot_at(const Response& r, Side side, float t) {
   const float u = part_of(plan.home, t);
   if (plan.home_lift_m > 0)
     return step_between(away, home_foot_at(r, side, t), u, plan.home_lift_m);
-  return mix(away, home_foot_at(r, side, t), motion::minimum_jerk(u));
+  return blend(away, home_foot_at(r, side, t), motion::minimum_jerk(u));
 }
 
 Eigen::Vector3f weight_shift_at(const Response& r, float t) {
   Eigen::Vector3f shift = Eigen::Vector3f::Zero();
   for (const WeightShift& part : r.shifts) {
-    const Window up{part.window.begin_s, part.peak_s};
-    const Window down{part.peak_s, part.window.end_s};
+    const Window up{part.window.begin_s, part.held.begin_s};
+    const Window down{part.held.end_s, part.window.end_s};
     const float weight =
         motion::minimum_jerk(part_of(up, t)) - motion::minimum_jerk(part_of(down, t));
     if (weight > 0) shift += weight * part.pelvis;
@@ -136,13 +131,11 @@ float way_down(const motion::Skeleton& skeleton, const JointFrames& frames,
   float down = 0;
   for (Side side : motion::kSides) {
     const motion::LimbRoles leg = motion::roles_of(motion::leg_of(side));
-    const float length = skeleton.offset[leg.lower].norm() + skeleton.offset[leg.end].norm();
+    const float length = motion::limb_length(skeleton, motion::leg_of(side));
     const float now = (frames.position[leg.end] - frames.position[leg.upper]).norm();
     const float reach = std::max(kBent * length, now);
     const Eigen::Vector3f hip = frames.position[leg.upper] + shift;
-    const Eigen::Vector3f& ankle = feet[motion::index_of(side)].ankle;
-    const float across = (hip - ankle).head<2>().squaredNorm();
-    const float highest = ankle.z() + std::sqrt(std::max(reach * reach - across, 0.0F));
+    const float highest = motion::highest_upper(hip, feet[motion::index_of(side)].ankle, reach);
     down = std::min(down, highest - hip.z());
   }
   return std::max(down, kLowest);
@@ -152,16 +145,6 @@ float way_down(const motion::Skeleton& skeleton, const JointFrames& frames,
 
 Eigen::Vector3f level(const Eigen::Vector3f& vector) {
   return {vector.x(), vector.y(), 0};
-}
-
-FootPlace foot_of(const motion::Skeleton& skeleton, const Pose& pose, Side side) {
-  const motion::LimbRoles leg = motion::roles_of(motion::leg_of(side));
-  FootPlace place{pose.root_position, pose.rotation[Role::pelvis]};
-  for (Role role : {leg.upper, leg.lower, leg.end}) {
-    place.ankle += place.orientation * skeleton.offset[role];
-    place.orientation = place.orientation * pose.rotation[role];
-  }
-  return place;
 }
 
 Pose source_pose_at(const Response& r, float time_s) {
@@ -203,7 +186,7 @@ FootPlace clip_foot_at(const Response& r, Side side, float time_s) {
   const FootPlace offset = moved(own, plan.offset);
   if (u <= 0) return offset;
   if (plan.change_lift_m > 0) return step_between(offset, own, u, plan.change_lift_m);
-  return mix(offset, own, motion::minimum_jerk(u));
+  return blend(offset, own, motion::minimum_jerk(u));
 }
 
 Pose pose_at(const Response& response, float time_s) noexcept {

@@ -31,10 +31,11 @@ struct FootPlan {
 };
 
 /// A shift of the weight: the pelvis moves by `pelvis` until the centre of mass is above the sole
-/// of the support foot at `peak_s`, when the other foot leaves the ground, and comes back.
+/// of the support foot, stays over `held`, in which the other foot leaves the ground, and comes
+/// back.
 struct WeightShift {
   Window window;
-  float peak_s = std::numeric_limits<float>::infinity();
+  Window held;
   Eigen::Vector3f pelvis = Eigen::Vector3f::Zero();  ///< world, m
 };
 
@@ -79,7 +80,8 @@ struct Response {
 };
 
 inline constexpr float kMostPlaybackRate = 1.4F;
-inline constexpr float kBlend = 0.2F;  ///< s, where no foot has to step back
+inline constexpr float kBlend =
+    0.2F;  ///< s, into a clip at least, and back where no foot has to step
 
 /// Plans the response of a character in `state` with clip number `clip`, which must be annotated or
 /// the library's idle clip, to an impact predicted in `time_to_impact_s` (positive, finite). Input

@@ -24,10 +24,6 @@ motion::FootPlace home_foot_at(const Response& response, motion::Side side, floa
 motion::FootPlace uncorrected_clip_foot_at(const Response& response, motion::Side side,
                                            float time_s);
 
-/// Ankle and orientation of one foot alone, world: cheaper than all joints.
-motion::FootPlace foot_of(const motion::Skeleton& skeleton, const motion::Pose& pose,
-                          motion::Side side);
-
 Eigen::Vector3f level(const Eigen::Vector3f& vector);
 
 }  // namespace flinch::runtime

@@ -2,7 +2,6 @@
 #include "sim/contacts.h"
 
 #include <cmath>
-#include <numbers>
 
 namespace flinch::sim {
 namespace {
@@ -10,26 +9,26 @@ namespace {
 // The ball with every body, and every pair of bodies.
 constexpr std::size_t kMostMeasured =
     motion::kBodyCount + motion::kBodyCount * (motion::kBodyCount - 1) / 2;
-constexpr double kFriction = 0.5;           // of ball and body or ground
-constexpr double kGroundFrequency_hz = 20;  // of the figure on its feet
-
-dContact contact_at(const Eigen::Vector3d& point, const Eigen::Vector3d& normal) {
+dContact contact_of(const Touch& touch) {
   dContact contact{};
   for (int i = 0; i < 3; ++i) {
-    contact.geom.pos[i] = point[i];
-    contact.geom.normal[i] = normal[i];
+    contact.geom.pos[i] = touch.point[i];
+    contact.geom.normal[i] = touch.normal[i];
   }
-  contact.surface.mode = dContactSoftERP | dContactApprox1;
-  return contact;
-}
-
-dContact bounce_at(const Eigen::Vector3d& point, const Eigen::Vector3d& normal,
-                   double restitution) {
-  dContact contact = contact_at(point, normal);
-  contact.surface.mode |= dContactBounce;
-  contact.surface.bounce = restitution;
-  contact.surface.bounce_vel = kRestSpeed_mps;
-  contact.surface.mu = kFriction;
+  contact.geom.depth = touch.depth_m;
+  contact.surface.mode = dContactSoftERP | dContactSoftCFM | dContactApprox1;
+  contact.surface.soft_erp = touch.error_reduction;
+  contact.surface.soft_cfm = touch.softness;
+  contact.surface.mu = touch.friction;
+  if (touch.bounce > 0) {
+    contact.surface.mode |= dContactBounce;
+    contact.surface.bounce = touch.bounce;
+    contact.surface.bounce_vel = kRestSpeed_mps;
+  }
+  if (touch.free_closing_mps != 0) {
+    contact.surface.mode |= dContactMotionN;
+    contact.surface.motionN = -touch.free_closing_mps;
+  }
   return contact;
 }
 
@@ -44,7 +43,8 @@ Contacts::~Contacts() {
   dJointGroupDestroy(group_);
 }
 
-dJointID Contacts::attach(const dContact& contact, dBodyID first, dBodyID second) {
+dJointID Contacts::attach(const Touch& touch, dBodyID first, dBodyID second) {
+  const dContact contact = contact_of(touch);
   const dJointID joint = dJointCreateContact(world_, group_, &contact);
   dJointAttach(joint, first, second);
   return joint;
@@ -57,36 +57,23 @@ void Contacts::measure(dJointID joint, motion::Body first, std::optional<motion:
 
 void Contacts::add_hit(dBodyID ball, dBodyID part, motion::Body body, const features::Clearance& at,
                        double restitution) {
-  measure(attach(bounce_at(at.point, at.normal, restitution), ball, part), body, std::nullopt);
+  measure(attach(hit_at(at.point, at.normal, restitution), ball, part), body, std::nullopt);
 }
 
 void Contacts::add_bounce(dBodyID ball, const Eigen::Vector3d& point, double restitution) {
-  attach(bounce_at(point, Eigen::Vector3d::UnitZ(), restitution), ball, nullptr);
+  attach(hit_at(point, Eigen::Vector3d::UnitZ(), restitution), ball, nullptr);
 }
 
 void Contacts::add_push(dBodyID first_part, motion::Body first, dBodyID second_part,
                         motion::Body second, const features::Clearance& at, double free_closing_mps,
                         bool measured) {
-  dContact contact = contact_at(at.point, at.normal);
-  contact.surface.mode |= dContactMotionN;
-  contact.surface.motionN = -free_closing_mps;
-  const dJointID joint = attach(contact, first_part, second_part);
+  const dJointID joint = attach(push_at(at, free_closing_mps), first_part, second_part);
   if (measured) measure(joint, first, second);
 }
 
-// A spring k and damper c taken implicitly over a step h (ODE manual, 3.8.2):
-//   erp = h k / (h k + c),  cfm = 1 / (h k + c),  with k = m w^2 and c = 2 m w.
 void Contacts::add_support(dBodyID part, const Eigen::Vector3d& point, double depth_m,
                            double mass_kg, double step_s) {
-  const double frequency = 2 * std::numbers::pi * kGroundFrequency_hz;
-  const double spring = step_s * mass_kg * frequency * frequency;
-  const double damper = 2 * mass_kg * frequency;
-  dContact contact = contact_at(point, Eigen::Vector3d::UnitZ());
-  contact.geom.depth = depth_m;
-  contact.surface.mode |= dContactSoftCFM;
-  contact.surface.soft_erp = spring / (spring + damper);
-  contact.surface.soft_cfm = 1 / (spring + damper);
-  attach(contact, part, nullptr);
+  attach(support_at(point, depth_m, mass_kg, step_s), part, nullptr);
 }
 
 std::span<const ContactImpulse> Contacts::impulses(double step_s) {

@@ -1,41 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <limits>
-
-#include "motion/body.h"
 #include "sim/contacts.h"
-#include "sim/joint_limits.h"
+#include "sim/figure_rows.h"
 #include "sim/motors.h"
 #include "sim/ode_world.h"
-#include "sim/reference.h"
-#include "sim/sweep.h"
+#include "sim/pair_clearance.h"
 
 namespace flinch::sim {
-
-/// What a figure is made of: all that does not change from one simulation to the next.
-struct FigurePlan {
-  explicit FigurePlan(const motion::Character& character);
-
-  motion::Skeleton skeleton;
-  motion::BodyModel model;
-  motion::PerBody<MovingShape> outline;      ///< in the frame of the centre of mass, at rest
-  motion::PerBody<Eigen::Matrix3d> inertia;  ///< about the centre of mass, kg·m²
-  motion::PerBody<Gains> gains;              ///< of the joint to the parent; pelvis: its turning
-  Gains pelvis_gains;                        ///< of the pelvis' place
-  double mass_kg = 0;                        ///< of the whole figure
-  motion::PerBody<JointKind> kinds;
-  motion::PerBody<JointLimits> limits;
-  /// Pairs that can push each other: neither jointed nor overlapping in the rest pose.
-  motion::PerBody<motion::PerBody<bool>> may_touch;
-};
-
-/// How hard a figure is driven to its reference: shares of the plan's stiffness (see weakened).
-struct Drive {
-  double joints = 1;
-  double pelvis = 1;
-  double most_pelvis_force_n = std::numeric_limits<double>::infinity();
-};
 
 /// The 17 bodies in a world, tracking a reference.
 class Figure {
@@ -77,9 +49,5 @@ class Figure {
   motion::PerBody<dJointID> joints_;  // the pelvis has a linear motor in place of a joint
   motion::PerBody<dJointID> motors_;
 };
-
-/// How near two parts are: spheres that fill either against the exact other; where each is nearest.
-/// The normal points from `second` to `first`.
-features::Clearance clearance(const MovingShape& first, const MovingShape& second);
 
 }  // namespace flinch::sim

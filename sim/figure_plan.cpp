@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include <cmath>
+#include "sim/figure_plan.h"
 
-#include "sim/figure.h"
+#include <ode/mass.h>
+
+#include "sim/pair_clearance.h"
 
 namespace flinch::sim {
 namespace {

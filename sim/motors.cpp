@@ -1,41 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "sim/motors.h"
 
-#include <cmath>
-
 namespace flinch::sim {
-namespace {
 
-/// Parameters of one axis of a motor: ODE numbers them in groups.
-void set_axis(dJointID motor, int axis, double velocity, double softness, SetMotorParameter set) {
-  set(motor, dParamVel + axis * dParamGroup, velocity);
-  set(motor, dParamCFM + axis * dParamGroup, softness);
+// ODE numbers the parameters of a motor's axes in groups.
+void set_row(dJointID motor, int axis, const AxisRow& row, SetMotorParameter set) {
+  set(motor, dParamVel + axis * dParamGroup, row.velocity);
+  set(motor, dParamCFM + axis * dParamGroup, row.softness);
 }
 
-}  // namespace
-
-Gains critically_damped(double inertia, double frequency) {
-  return {inertia * frequency * frequency, 2 * inertia * frequency};
-}
-
-Gains weakened(const Gains& gains, double share) {
-  return {share * gains.stiffness, std::sqrt(share) * gains.damping};
-}
-
-// A spring k to an error e and a damper c to a velocity w_d, both taken at the end of a step h:
-//
-//   f = k (e - h w) + c (w_d - w)   <=>   w + f / (h k + c) = (k e + c w_d) / (h k + c)
-//
-// which is ODE's motor row with CFM = 1 / (h k + c) and that velocity. It is stable for every h.
 void set_spring(dJointID motor, int axis, const Gains& gains, double pull, double wanted_velocity,
                 double step_s, SetMotorParameter set) {
-  const double stiffness = step_s * gains.stiffness + gains.damping;
-  set_axis(motor, axis, (pull + gains.damping * wanted_velocity) / stiffness, 1 / stiffness, set);
-}
-
-void set_rigid(dJointID motor, int axis, double error, double wanted_velocity, double step_s) {
-  const double velocity = wanted_velocity + joint_error_reduction(step_s) * error / step_s;
-  set_axis(motor, axis, velocity, 0, dJointSetAMotorParam);
+  set_row(motor, axis, spring_row(gains, pull, wanted_velocity, step_s), set);
 }
 
 void set_axes(dJointID motor, dBodyID second, const Eigen::Matrix3d& axes_world) {
@@ -67,11 +43,6 @@ dJointID make_linear_motor(dWorldID world, dBodyID body) {
     dJointSetLMotorParam(motor, dParamFMax + axis * dParamGroup, dInfinity);
   }
   return motor;
-}
-
-Eigen::Vector3d shortened(const Eigen::Vector3d& error, double most) {
-  const double length = error.norm();
-  return length > most ? Eigen::Vector3d(most / length * error) : error;
 }
 
 }  // namespace flinch::sim

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "sim/ode_world.h"
 
-#include <algorithm>
 #include <cstdarg>
 #include <cstdio>
 #include <mutex>
@@ -10,8 +9,6 @@
 
 namespace flinch::sim {
 namespace {
-
-constexpr double kJointErrorTime_s = 0.02;
 
 // ODE's handlers take no context and are one set a process; a counter a thread is the least state
 // that tells one simulation's messages from another's.
@@ -75,10 +72,6 @@ void OdeWorld::Free::operator()(dxThreadingImplementation* threading) const {
 
 void OdeWorld::Free::operator()(dxWorld* world) const {
   dWorldDestroy(world);
-}
-
-double joint_error_reduction(double step_s) {
-  return std::min(step_s / kJointErrorTime_s, 0.8);
 }
 
 Eigen::Vector3d position_of(dBodyID body) {

@@ -6,6 +6,8 @@
 #include <Eigen/Geometry>
 #include <memory>
 
+#include "sim/body_state.h"
+
 namespace flinch::sim {
 
 /// What ODE wanted to print on this thread so far. ODE keeps one message handler a process; ours
@@ -35,23 +37,12 @@ class OdeWorld {
   std::unique_ptr<dxWorld, Free> world_;
 };
 
-/// Error reduction of joints, as the share of an error that a step of `step_s` takes back, so that
-/// errors fade over the same time (kJointErrorTime_s) whatever the step is.
-double joint_error_reduction(double step_s);
-
 // ODE's vectors in Eigen's terms.
 Eigen::Vector3d position_of(dBodyID body);          ///< m
 Eigen::Quaterniond orientation_of(dBodyID body);    ///< unit
 Eigen::Vector3d velocity_of(dBodyID body);          ///< of the centre of mass, m/s
 Eigen::Vector3d angular_velocity_of(dBodyID body);  ///< rad/s, world
 
-/// Where a body is and how it moves: its centre of mass, world.
-struct BodyState {
-  Eigen::Vector3d position = Eigen::Vector3d::Zero();               ///< m
-  Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();  ///< unit
-  Eigen::Vector3d velocity = Eigen::Vector3d::Zero();               ///< m/s
-  Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero();       ///< rad/s
-};
 void set_state(dBodyID body, const BodyState& state);
 BodyState state_of(dBodyID body);
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include <array>
+#include "sim/pair_clearance.h"
 
-#include "sim/figure.h"
+#include <array>
+#include <limits>
 
 namespace flinch::sim {
 namespace {

@@ -10,11 +10,39 @@ using motion::Body;
 
 constexpr double kDriveTime_s = 0.1;  // six times 1 / w of the joints' springs
 constexpr double kBlowSpeed_mps = 0.1;
+// What a blow has set in motion swings no farther than it moves in kSwing_s, twice 1 / w, and what
+// it carries along less than kStrike_m.
+constexpr double kSwing_s = 0.03;
+constexpr double kStrike_m = 0.01;
 constexpr double kTouch_m = 1e-3;
 
 double closing_speed(const MovingShape& first, const MovingShape& second,
                      const features::Clearance& near) {
   return -near.normal.dot(first.velocity_at(near.point) - second.velocity_at(near.point));
+}
+
+// Where two are nearest, at a gap g, that point is within r + g of either's centre, r being the
+// radius of the sphere about it, and so they close by no more than
+//
+//   V + W g,  V = |v_1 - v_2| + |w_1| r_1 + |w_2| r_2,  W = |w_1| + |w_2|:
+//
+// where g <= d + (V + W g) h, g <= (d + V h) / (1 - W h).
+/// Whether two are within `distance_m` and what they may close by in the horizon, by the spheres
+/// about them and by the sphere about either against the other itself.
+bool may_meet(const MovingShape& first, const MovingShape& second, double distance_m,
+              double horizon_s) {
+  const double first_m = first.bounding_radius();
+  const double second_m = second.bounding_radius();
+  const double first_turn = first.angular_velocity.norm();
+  const double second_turn = second.angular_velocity.norm();
+  const double speed =
+      (first.velocity - second.velocity).norm() + first_turn * first_m + second_turn * second_m;
+  const double share = 1 - (first_turn + second_turn) * horizon_s;
+  if (share <= 0) return true;
+  const double most = (distance_m + speed * horizon_s) / share;
+  return (first.centre - second.centre).norm() - first_m - second_m <= most &&
+         clearance(first.centre, first_m, second).gap <= most &&
+         clearance(second.centre, second_m, first).gap <= most;
 }
 
 /// How fast the reference moves the material of `shape` that is at `point`, m/s.
@@ -32,6 +60,10 @@ double reference_closing_speed(const BodyState& first, const BodyState& second,
 
 }  // namespace
 
+Pushes::Pushes(const FigurePlan& plan) : plan_(plan) {
+  found_.reserve(motion::kBodyCount * (motion::kBodyCount - 1) / 2);
+}
+
 void Pushes::begin_step(double time_s) {
   time_s_ = time_s;
   hit_now_ = {};
@@ -45,9 +77,10 @@ void Pushes::hit(Body body) {
   hit_now_[body] = true;
 }
 
-/// Once each, in a fixed order.
+/// Once each, in a fixed order, but for those too far apart to touch within the horizon.
 template <class Visit>
-void Pushes::for_each_pair(Visit visit) const {
+void Pushes::for_each_pair(const motion::PerBody<MovingShape>& shapes, double distance_m,
+                           double horizon_s, Visit visit) const {
   if (std::none_of(motion::kBodies.begin(), motion::kBodies.end(),
                    [this](Body body) { return driven(body); })) {
     return;
@@ -55,15 +88,17 @@ void Pushes::for_each_pair(Visit visit) const {
   for (Body first : motion::kBodies) {
     for (Body second : motion::kBodies) {
       if (second <= first || !plan_.may_touch[first][second]) continue;
-      if (driven(first) || driven(second)) visit(first, second);
+      if (!driven(first) && !driven(second)) continue;
+      if (may_meet(shapes[first], shapes[second], distance_m, horizon_s)) visit(first, second);
     }
   }
 }
 
-void Pushes::add(const Figure& figure, const motion::PerBody<MovingShape>& shapes,
-                 const ReferenceState& reference, Contacts& contacts) {
+std::span<const Push> Pushes::find(const motion::PerBody<MovingShape>& shapes,
+                                   const ReferenceState& reference) {
+  found_.clear();
   motion::PerBody<double> driven_until_s = driven_until_s_;
-  for_each_pair([&](Body first, Body second) {
+  for_each_pair(shapes, kTouch_m, 0, [&](Body first, Body second) {
     const features::Clearance near = clearance(shapes[first], shapes[second]);
     if (near.gap > kTouch_m) return;
     const double free_closing =
@@ -71,26 +106,36 @@ void Pushes::add(const Figure& figure, const motion::PerBody<MovingShape>& shape
     const double closing = closing_speed(shapes[first], shapes[second], near);
     const bool blow =
         hit_now_[first] || hit_now_[second] || closing > free_closing + kBlowSpeed_mps;
-    contacts.add_push(figure.body(first), first, figure.body(second), second, near, free_closing,
-                      blow);
+    found_.push_back({first, second, near, free_closing, blow});
     if (!blow) return;
     const double until_s = std::max(driven_until_s_[first], driven_until_s_[second]);
     driven_until_s[first] = std::max(driven_until_s[first], until_s);
     driven_until_s[second] = std::max(driven_until_s[second], until_s);
   });
   driven_until_s_ = driven_until_s;
+  return found_;
 }
 
 bool Pushes::ahead(const motion::PerBody<MovingShape>& shapes, const ReferenceState& reference,
                    double horizon_s) const {
   bool found = false;
-  for_each_pair([&](Body first, Body second) {
+  for_each_pair(shapes, 0, horizon_s, [&](Body first, Body second) {
     const features::Clearance near = clearance(shapes[first], shapes[second]);
     const double closing = closing_speed(shapes[first], shapes[second], near);
     const double free_closing =
         reference_closing_speed(reference.body[first], reference.body[second], near);
     found |= closing > free_closing + kBlowSpeed_mps && near.gap > kTouch_m &&
              near.gap < closing * horizon_s;
+  });
+  return found;
+}
+
+bool Pushes::may_strike(const motion::PerBody<MovingShape>& shapes) const {
+  bool found = false;
+  for_each_pair(shapes, kStrike_m, kSwing_s, [&](Body first, Body second) {
+    const features::Clearance near = clearance(shapes[first], shapes[second]);
+    const double closing = closing_speed(shapes[first], shapes[second], near);
+    found |= near.gap < kStrike_m + std::max(0.0, closing) * kSwing_s;
   });
   return found;
 }

@@ -2,11 +2,23 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
-#include "sim/contacts.h"
-#include "sim/figure.h"
+#include "sim/contact_impulse.h"
+#include "sim/figure_plan.h"
+#include "sim/pair_clearance.h"
+#include "sim/reference.h"
 
 namespace flinch::sim {
+
+/// A body that pushes another in a step.
+struct Push {
+  motion::Body first{};
+  motion::Body second{};
+  features::Clearance near;  ///< its normal points from `second` to `first`
+  double free_closing_mps = 0;
+  bool is_blow = false;
+};
 
 /// The parts that the ball drives against others, a hand into the face, and who is charged.
 ///
@@ -21,27 +33,32 @@ namespace flinch::sim {
 class Pushes {
  public:
   /// `plan` must outlive this.
-  explicit Pushes(const FigurePlan& plan) : plan_(plan) {}
+  explicit Pushes(const FigurePlan& plan);
 
   /// Before each step's other calls: the driving of what was hit long ago ends.
   void begin_step(double time_s);
   /// The ball hits `body` in this step.
   void hit(motion::Body body);
-  /// Adds the pushes of this step. `reference` is where the motion has the figure now.
-  void add(const Figure& figure, const motion::PerBody<MovingShape>& shapes,
-           const ReferenceState& reference, Contacts& contacts);
+  /// The pushes of this step; valid until the next call. `reference` is where the motion has the
+  /// figure now.
+  std::span<const Push> find(const motion::PerBody<MovingShape>& shapes,
+                             const ReferenceState& reference);
   /// Whether a blow may fall within `horizon_s` as the bodies move now.
   bool ahead(const motion::PerBody<MovingShape>& shapes, const ReferenceState& reference,
              double horizon_s) const;
+  /// Whether a driven body may still strike another, or be near enough to.
+  bool may_strike(const motion::PerBody<MovingShape>& shapes) const;
   /// Adds to each body's impulse, N·s, what it is charged for a step's contacts.
   void charge(std::span<const ContactImpulse> contacts, motion::PerBody<double>& impulse);
 
  private:
   bool driven(motion::Body body) const { return driven_until_s_[body] > time_s_; }
   template <class Visit>
-  void for_each_pair(Visit visit) const;
+  void for_each_pair(const motion::PerBody<MovingShape>& shapes, double distance_m,
+                     double horizon_s, Visit visit) const;
 
   const FigurePlan& plan_;
+  std::vector<Push> found_;
   double time_s_ = 0;
   motion::PerBody<double> driven_until_s_;
   motion::PerBody<double> given_ns_;  ///< and not yet passed on

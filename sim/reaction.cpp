@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "sim/reaction.h"
 
-#include <cmath>
 #include <limits>
 #include <optional>
 
@@ -11,7 +10,6 @@
 namespace flinch::sim {
 namespace {
 
-constexpr double kMostFrame_s = 0.1;
 // A ball that has not hit by then is not waited for.
 constexpr double kPatience_s = 0.3;
 
@@ -21,15 +19,7 @@ bool is_good(const ReactionOptions& options) {
 }
 
 bool is_good_time(double dt_s) {
-  return dt_s > 0 && dt_s <= kMostFrame_s;
-}
-
-bool is_good(const motion::Pose& pose) {
-  if (!pose.root_position.allFinite()) return false;
-  for (const Eigen::Quaternionf& rotation : pose.rotation) {
-    if (!(std::abs(rotation.squaredNorm() - 1) < 2e-3F)) return false;
-  }
-  return true;
+  return dt_s > 0 && dt_s <= kMostReactionFrame_s;
 }
 
 // Masses too far apart are more than the solver bears; the rest keeps numbers sane.
@@ -172,7 +162,7 @@ ReactionStatus Reaction::begin(const motion::Pose& before, const motion::Pose& n
                                const Ball* ball) noexcept {
   if (!state_ || !state_->plan || !is_good(state_->options)) return ReactionStatus::bad_options;
   if (!is_good_time(dt_s)) return ReactionStatus::bad_time;
-  if (!is_good(before) || !is_good(now)) return ReactionStatus::bad_pose;
+  if (!is_sound(before) || !is_sound(now)) return ReactionStatus::bad_pose;
   if (ball && !is_good(*ball)) return ReactionStatus::bad_ball;
   try {
     state_->begin(before, now, dt_s, ball);
@@ -188,7 +178,7 @@ ReactionStatus Reaction::advance(double dt_s, const motion::Pose& wanted,
                                  const motion::Pose& returning) noexcept {
   if (!state_ || state_->phase == ReactionPhase::none) return ReactionStatus::not_begun;
   if (!is_good_time(dt_s)) return ReactionStatus::bad_time;
-  if (!is_good(wanted) || !is_good(returning)) return ReactionStatus::bad_pose;
+  if (!is_sound(wanted) || !is_sound(returning)) return ReactionStatus::bad_pose;
   try {
     if (!state_->fails) {
       prepare_this_thread();

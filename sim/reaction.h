@@ -15,6 +15,9 @@ struct FigurePlan;
 /// any threads. Never changes. Nothing if memory ran out.
 std::shared_ptr<const FigurePlan> make_figure_plan(const motion::Character& character) noexcept;
 
+/// The longest frame of a reaction, s.
+inline constexpr double kMostReactionFrame_s = 0.1;
+
 /// How a character takes a blow.
 struct ReactionOptions {
   RecoverySchedule schedule;    ///< alone_s from 0.05 to 0.5
@@ -65,9 +68,9 @@ class Reaction {
   ReactionStatus begin(const motion::Pose& before, const motion::Pose& now, double dt_s,
                        const Ball* ball) noexcept;
 
-  /// Goes on by `dt_s` (above 0, at most 0.1 s, uneven as it may be). `wanted` is where the motion
-  /// that the character protects itself with is by then, `returning` where the one is that it
-  /// returns to; they may be the same. Bad input leaves things as they were.
+  /// Goes on by `dt_s` (above 0, at most kMostReactionFrame_s, uneven as it may be). `wanted` is
+  /// where the motion that the character protects itself with is by then, `returning` where the one
+  /// is that it returns to; they may be the same. Bad input leaves things as they were.
   ReactionStatus advance(double dt_s, const motion::Pose& wanted,
                          const motion::Pose& returning) noexcept;
 

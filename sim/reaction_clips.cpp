@@ -16,12 +16,6 @@ constexpr float kLeastLeft_s = 0.3F;
 constexpr float kVelocityTime_s = 0.1F;
 constexpr float kDifference_s = 1.0F / 60;
 
-bool is_finite(const motion::Pose& pose) {
-  return pose.root_position.allFinite() &&
-         std::all_of(pose.rotation.begin(), pose.rotation.end(),
-                     [](const auto& rotation) { return rotation.coeffs().allFinite(); });
-}
-
 }  // namespace
 
 motion::Pose pose_of(const motion::Clip& clip, const ReactionMatch& match, float since_s) noexcept {
@@ -81,7 +75,7 @@ ReactionClips::Frame ReactionClips::frame_of(const motion::Pose& before, const m
 std::optional<ReactionMatch> ReactionClips::find(const motion::Pose& before,
                                                  const motion::Pose& now, float dt_s,
                                                  float most_m) const noexcept {
-  if (!(dt_s > 0) || !std::isfinite(dt_s) || !is_finite(before) || !is_finite(now)) return {};
+  if (!(dt_s > 0) || !std::isfinite(dt_s) || !is_sound(before) || !is_sound(now)) return {};
   const Frame wanted = frame_of(before, now, dt_s);
   float best = most_m * most_m;
   const Frame* nearest = nullptr;

@@ -38,9 +38,9 @@ class ReactionClips {
                 motion::Purpose purpose = motion::Purpose::push);
 
   /// The nearest frame to the character at `now`, `dt_s` after `before`; none if D exceeds `most_m`
-  /// everywhere (then return to idle), if there are no clips, or for poses or times that are not
-  /// finite, dt_s not above 0. Ties go to the earlier frame. Costs about 10 ns a frame; allocates
-  /// nothing.
+  /// everywhere (then return to idle), if there are no clips, or for poses that are not sound and
+  /// times that are not finite and above 0. Ties go to the earlier frame. Costs about 10 ns a
+  /// frame; allocates nothing.
   std::optional<ReactionMatch> find(const motion::Pose& before, const motion::Pose& now, float dt_s,
                                     float most_m = kNear_m) const noexcept;
 

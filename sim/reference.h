@@ -5,7 +5,7 @@
 
 #include "motion/body.h"
 #include "motion/clip.h"
-#include "sim/ode_world.h"
+#include "sim/body_state.h"
 
 namespace flinch::sim {
 
@@ -30,6 +30,8 @@ class Reference {
             const motion::Motion& motion);
 
   ReferenceState at(double time_s) const;
+  /// Beyond its own size.
+  std::size_t byte_count() const { return velocities_.capacity() * sizeof(Velocities); }
 
  private:
   struct Velocities {

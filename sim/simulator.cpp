@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "sim/encounter.h"
+#include "sim/rehearsal_track.h"
+#include "sim/rehearsed_run.h"
 
 namespace flinch::sim {
 namespace {
@@ -76,6 +78,16 @@ Simulator& Simulator::operator=(Simulator&&) noexcept = default;
 SimulationResult Simulator::simulate(const motion::Motion& reference, const Ball* ball,
                                      double duration_s) const {
   return Run(plan_->figure, plan_->options, reference, ball).to(duration_s);
+}
+
+Rehearsal Simulator::rehearse(const motion::Motion& reference, double from_s,
+                              double duration_s) const {
+  return Rehearsal(std::make_unique<Rehearsal::Track>(plan_->figure, plan_->options, reference,
+                                                      from_s, duration_s));
+}
+
+SimulationResult Simulator::simulate(const Rehearsal& rehearsal, const Ball& ball) const {
+  return run_rehearsed(plan_->figure, plan_->options, rehearsal.track(), ball);
 }
 
 }  // namespace flinch::sim

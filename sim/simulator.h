@@ -6,6 +6,7 @@
 
 #include "motion/body.h"
 #include "motion/clip.h"
+#include "sim/rehearsal.h"
 
 namespace flinch::sim {
 
@@ -30,8 +31,9 @@ struct SimulationResult {
   /// Impulse that each body took from the ball, and from bodies that the ball drove into it, N·s.
   motion::PerBody<double> impulse;
   double first_contact_s = std::numeric_limits<double>::infinity();  ///< of ball and figure
-  int steps = 0;
-  int solver_messages = 0;  ///< that ODE wanted to print
+  bool skipped = false;     ///< nothing could touch: nothing was simulated
+  int steps = 0;            ///< that were simulated
+  int solver_messages = 0;  ///< that the solver of contacts wanted to print
   /// Root mean square over time and hands, feet and head of their distance from the reference, m.
   double tracking_error_m = 0;
 };
@@ -51,6 +53,15 @@ class Simulator {
   /// holds still. Without a ball nothing can hit. Throws Error if the physics engine fails.
   SimulationResult simulate(const motion::Motion& reference, const Ball* ball,
                             double duration_s) const;
+
+  /// Tracks `reference` without a ball for `duration_s` and keeps what a ball may meet from
+  /// `from_s` on.
+  Rehearsal rehearse(const motion::Motion& reference, double from_s, double duration_s) const;
+  /// What simulate() of the rehearsed motion finds for this ball over its whole duration, in a
+  /// fraction of the time, within the bounds that docs/simulation.md gives; without its tracking
+  /// error. `rehearsal` must come from this simulator. Throws Error if the ball
+  /// touches the figure before the rehearsal begins.
+  SimulationResult simulate(const Rehearsal& rehearsal, const Ball& ball) const;
 
  private:
   struct Plan;

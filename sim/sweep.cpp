@@ -18,12 +18,19 @@ Eigen::Vector3d MovingShape::velocity_at(const Eigen::Vector3d& point) const {
   return velocity + angular_velocity.cross(point - centre);
 }
 
+bool may_be_near(const features::FreeFlight& ball, const MovingShape& shape, double distance_m) {
+  const double most = shape.bounding_radius() + ball.radius + distance_m;
+  return (ball.position - shape.centre).squaredNorm() <= most * most;
+}
+
 // |d gap / dt| <= |v_ball - v_shape| + g T + |w| reach, and the slack grows by at most a T.
 std::optional<double> time_of_touch(const features::FreeFlight& ball, const MovingShape& shape,
                                     double horizon_s, double touch_m, double slack_mps2) {
   const double rate = (ball.velocity - shape.velocity).norm() +
                       (ball.gravity_mps2 + slack_mps2) * horizon_s +
                       shape.angular_velocity.norm() * shape.reach();
+  const double most_m = touch_m + (rate + 0.5 * slack_mps2 * horizon_s) * horizon_s;
+  if (!may_be_near(ball, shape, most_m)) return std::nullopt;
   double time_s = 0;
   while (time_s <= horizon_s) {
     const double gap = clearance(ball.position_at(time_s), ball.radius, shape.at(time_s)).gap -

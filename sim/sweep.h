@@ -14,9 +14,15 @@ struct MovingShape : features::Outline {
   Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero();  ///< rad/s
 
   MovingShape at(double time_s) const;
+  /// Of the sphere about the centre that holds it, m.
+  double bounding_radius() const { return reach() + radius; }
   /// Velocity of the material point that is now at `point`, m/s.
   Eigen::Vector3d velocity_at(const Eigen::Vector3d& point) const;
 };
+
+/// Whether they may be within `distance_m` of each other: by the sphere about the shape, in a
+/// fraction of the time that the clearance takes.
+bool may_be_near(const features::FreeFlight& ball, const MovingShape& shape, double distance_m);
 
 /// The first time in [0, horizon_s] at which the gap between ball and shape is at most
 ///

@@ -2,11 +2,12 @@
 #include "train/film.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "motion/error.h"
-#include "runtime/character.h"
 #include "runtime/workspace.h"
+#include "sim/reacting_character.h"
 
 namespace flinch::train {
 namespace {
@@ -17,14 +18,12 @@ constexpr float kAfter = 0.5F;   // s of idling at the end
 constexpr float kFall = 1.5F;    // s that a fall is shown for
 constexpr float kLongest = 15;   // s
 
-struct Scene {
-  runtime::Character character;
-  sim::Reaction reaction;
-  features::Threat threat;
-};
-
 void check(runtime::Status status) {
   if (status != runtime::Status::ok) throw Error("", runtime::message_of(status));
+}
+
+void check(sim::ReactionStatus status) {
+  if (status != sim::ReactionStatus::ok) throw Error("", sim::message_of(status));
 }
 
 sim::Ball ball_at(const features::Threat& threat, float time_s) {
@@ -36,21 +35,22 @@ sim::Ball ball_at(const features::Threat& threat, float time_s) {
   return ball;
 }
 
-bool has_the_body(sim::ReactionPhase phase) {
-  return phase != sim::ReactionPhase::none && phase != sim::ReactionPhase::over;
+// What is seen at one moment.
+void shoot(const sim::ReactingCharacter& character, const features::Threat& threat, float time_s,
+           Film& film) {
+  film.motion.poses.push_back(character.pose());
+  std::optional<Eigen::Vector3f> ball;
+  if (character.mover() == sim::Mover::physics) {
+    ball = character.reaction().ball().position.cast<float>();
+  } else if (character.reaction().phase() == sim::ReactionPhase::none) {
+    ball = features::position_at(threat, time_s);
+  }
+  film.ball.positions.push_back(ball);
 }
 
-// What is seen at one moment.
-void shoot(const Scene& scene, float time_s, Film& film) {
-  const sim::ReactionPhase phase = scene.reaction.phase();
-  film.motion.poses.push_back(has_the_body(phase) ? scene.reaction.pose() : scene.character.pose());
-  if (phase == sim::ReactionPhase::none) {
-    film.ball.positions.emplace_back(features::position_at(scene.threat, time_s));
-  } else if (has_the_body(phase)) {
-    film.ball.positions.emplace_back(scene.reaction.ball().position.cast<float>());
-  } else {
-    film.ball.positions.emplace_back(std::nullopt);
-  }
+bool idles(const sim::ReactingCharacter& character) {
+  return character.mover() == sim::Mover::character &&
+         character.character().phase() == runtime::Phase::idle;
 }
 
 }  // namespace
@@ -60,44 +60,37 @@ Film film_response(const runtime::Library& library, const features::Threat& thre
   runtime::Workspace workspace;
   if (workspace.make_room(library.selection_bytes()) != database::LoadStatus::ok)
     throw Error("", "there is not enough memory");
-  Scene scene{runtime::Character(library),
-              sim::Reaction(sim::make_figure_plan(library.clips().character)), threat};
-  check(scene.character.perceive(threat, target, time_to_impact_s, workspace));
+  sim::ReactingCharacter character(library, sim::make_reaction_kit(library));
+  check(character.character().perceive(threat, target, time_to_impact_s, workspace));
 
   Film film;
   film.motion.rate_hz = rate_hz;
   film.ball.radius = threat.radius;
-  film.clip = scene.character.clip();
+  film.clip = character.character().clip();
   film.impact_s = time_to_impact_s;
   const float dt_s = 1 / rate_hz;
   float ends_s = kLongest;
-  float begun_s = 0;  // of the reaction
+  float met_s = std::numeric_limits<float>::infinity();
   for (int frame = 0;; ++frame) {
     const float time_s = static_cast<float>(frame) * dt_s;
-    shoot(scene, time_s, film);
+    shoot(character, threat, time_s, film);
     if (time_s >= ends_s) break;
-    const motion::Pose before = scene.character.pose();
-    check(scene.character.update(dt_s));
-    const motion::Pose wanted = scene.character.pose();
-    if (has_the_body(scene.reaction.phase())) {
-      scene.reaction.advance(double{dt_s}, wanted, wanted);
-    } else if (scene.reaction.phase() == sim::ReactionPhase::none &&
-               time_s + dt_s >= time_to_impact_s - kAhead) {
-      const sim::Ball ball = ball_at(threat, time_s + dt_s);
-      scene.reaction.begin(before, wanted, double{dt_s}, &ball);
-      begun_s = time_s + dt_s;
+    check(character.update(dt_s));
+    if (std::isinf(met_s) && time_s + dt_s >= time_to_impact_s - kAhead) {
+      met_s = time_s + dt_s;
+      check(character.meet(ball_at(threat, met_s)));
     }
-    const sim::ReactionPhase phase = scene.reaction.phase();
-    if (phase == sim::ReactionPhase::knocked_over && !film.knocked_over) {
+    if (character.reaction_clip()) film.reaction_clip = character.reaction_clip();
+    if (character.reaction().phase() == sim::ReactionPhase::knocked_over && !film.knocked_over) {
       film.knocked_over = true;
       ends_s = time_s + kFall;
     }
-    const bool is_over =
-        phase == sim::ReactionPhase::over && scene.character.phase() == runtime::Phase::idle;
-    if (is_over) ends_s = std::min(ends_s, time_s + kAfter);
+    if (time_s > met_s && idles(character)) ends_s = std::min(ends_s, time_s + kAfter);
   }
-  film.contact_s = begun_s + static_cast<float>(scene.reaction.contact_s());
-  for (const double part : scene.reaction.impulse()) film.impulse_ns += static_cast<float>(part);
+  film.contact_s = met_s + static_cast<float>(character.reaction().contact_s());
+  for (const double part : character.reaction().impulse()) {
+    film.impulse_ns += static_cast<float>(part);
+  }
   return film;
 }
 

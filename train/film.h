@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
+
 #include "database/gltf_writer.h"
 #include "features/threat.h"
 #include "motion/clip.h"
 #include "runtime/library.h"
-#include "sim/reaction.h"
 
 namespace flinch::train {
 
@@ -13,10 +14,11 @@ namespace flinch::train {
 struct Film {
   motion::Motion motion;
   database::BallTrack ball;
-  int clip = 0;          ///< that answers
-  float impact_s = 0;    ///< predicted
-  float contact_s = 0;   ///< of ball and body; infinite where the ball hits nothing
-  float impulse_ns = 0;  ///< that the body took
+  int clip = 0;                      ///< that answers
+  std::optional<int> reaction_clip;  ///< that the body is given back to after the blow
+  float impact_s = 0;                ///< predicted
+  float contact_s = 0;               ///< of ball and body; infinite where the ball hits nothing
+  float impulse_ns = 0;              ///< that the body took
   bool knocked_over = false;
 };
 

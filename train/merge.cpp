@@ -121,7 +121,7 @@ void merge_stores(std::span<const std::string> paths, const std::string& out) {
   auto next = parts.begin();
   for (std::uint64_t number = range.first; number < range.end(); ++number) {
     for (; next != parts.end() && next->range.first == number; ++next) open.emplace_back(*next);
-    for (const Source& source : open)
+    for (const Source& source : std::span(open).subspan(1))
       if (!have_same_row(source.observation, open.front().observation))
         Joiner::refuse(source, open.front().part.path);
     joiner.take(open.front());

@@ -25,7 +25,49 @@ double idle_period_s(const motion::Motion& idle) {
   return 2.0 * idle.duration_s();
 }
 
+/// The time of the same place in the first period.
+double in_first_period(double time_s, double period_s) {
+  return period_s > 0 ? time_s - period_s * std::floor(time_s / period_s) : 0;
+}
+
 }  // namespace
+
+int time_count(const ScenarioDistribution& distribution) {
+  const double range_s = distribution.most_time_to_impact_s - distribution.least_time_to_impact_s;
+  // The range is whole steps, but for rounding.
+  return 1 + static_cast<int>(std::floor(range_s / distribution.time_to_impact_step_s + 1e-6));
+}
+
+float time_to_impact_s(const ScenarioDistribution& distribution, int time) {
+  return static_cast<float>(distribution.least_time_to_impact_s +
+                            time * distribution.time_to_impact_step_s);
+}
+
+features::CharacterState character_state_at(const ScenarioDistribution& distribution,
+                                            const motion::Motion& idle, GridPlace place) {
+  const double period_s = idle_period_s(idle);
+  const double at_impact_s = place.character_state * period_s / distribution.character_states;
+  const double time_s = double{time_to_impact_s(distribution, place.time)};
+  features::CharacterState state;
+  state.idle_time_s = static_cast<float>(in_first_period(at_impact_s - time_s, period_s));
+  return state;
+}
+
+GridPlace place_of(const ScenarioDistribution& distribution, const motion::Motion& idle,
+                   const features::Scenario& scenario) {
+  const double time_s = double{scenario.time_to_impact_s};
+  const double period_s = idle_period_s(idle);
+  GridPlace place;
+  place.time = static_cast<int>(std::lround((time_s - distribution.least_time_to_impact_s) /
+                                            distribution.time_to_impact_step_s));
+  if (period_s > 0) {
+    const double at_impact_s = double{scenario.state.idle_time_s} + time_s;
+    place.character_state =
+        static_cast<int>(std::lround(at_impact_s / period_s * distribution.character_states)) %
+        distribution.character_states;
+  }
+  return place;
+}
 
 // Backwards from the impact the ball's height is z + v sin(e) t - g t^2 / 2, which is concave in t:
 // lowest at one of its ends, so only the start can be under the ground. It is not where
@@ -76,7 +118,9 @@ features::Scenario sample_scenario(const database::Library& library,
 
   features::Scenario scenario;
   scenario.target = static_cast<motion::Target>(random.index(motion::kTargetCount));
-  scenario.state.idle_time_s = static_cast<float>(random.uniform(0, idle_period_s(idle)));
+  GridPlace place;
+  place.character_state =
+      static_cast<int>(random.index(static_cast<std::uint64_t>(distribution.character_states)));
   features::Approach approach;
   approach.azimuth = static_cast<float>(random.uniform(-std::numbers::pi, std::numbers::pi));
   approach.radius = static_cast<float>(distribution.radius_m);
@@ -85,9 +129,11 @@ features::Scenario sample_scenario(const database::Library& library,
 
   for (int draw = 0; draw < kMostDraws; ++draw) {
     const double speed = random.uniform(distribution.least_speed_mps, distribution.most_speed_mps);
-    const double time =
-        random.uniform(distribution.least_time_to_impact_s, distribution.most_time_to_impact_s);
-    scenario.time_to_impact_s = static_cast<float>(time);
+    place.time =
+        static_cast<int>(random.index(static_cast<std::uint64_t>(time_count(distribution))));
+    scenario.time_to_impact_s = time_to_impact_s(distribution, place.time);
+    scenario.state = character_state_at(distribution, idle, place);
+    const double time = double{scenario.time_to_impact_s};
     const motion::Pose ahead = features::idle_pose(idle, scenario.state, scenario.time_to_impact_s);
     const Eigen::Vector3f aim = target_centres(library.character.skeleton, body_model,
                                                ahead)[static_cast<std::size_t>(scenario.target)] +

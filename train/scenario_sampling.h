@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <compare>
 #include <cstdint>
 #include <numbers>
 
@@ -23,14 +24,39 @@ struct ScenarioDistribution {
   double most_elevation = 45 * std::numbers::pi / 180;
   double least_time_to_impact_s = 0.25;
   double most_time_to_impact_s = 1.2;
+  /// Times to impact are the least and whole steps more, so that responses can be shared. Three
+  /// frames at 60 Hz: a response that begins a step later has its frames where they were, seen from
+  /// the impact.
+  double time_to_impact_step_s = 0.05;
+  /// In how many places of its way to and fro the idle clip can be at the predicted impact.
+  int character_states = 4;
   /// Threats aim at a point drawn uniformly from a ball of this radius about the target's centre:
   /// about the half-width of a head or a thigh, so that some threats graze and some miss.
   double aim_radius_m = 0.1;
 };
 
-/// A scenario drawn by number: target, place in the idle clip, azimuth, speed, time to impact,
-/// elevation and aim point, each uniform over its range. The threat's centre comes to the aim point
-/// at `time_to_impact_s`, so the surfaces touch a few centimetres of flight earlier.
+/// A place on the grid of what a response depends on beside its clip.
+struct GridPlace {
+  int character_state = 0;  ///< where the idle clip is at the predicted impact
+  int time = 0;             ///< steps of the time to impact above the least
+  auto operator<=>(const GridPlace&) const = default;
+};
+
+/// How many times to impact there are.
+int time_count(const ScenarioDistribution& distribution);
+float time_to_impact_s(const ScenarioDistribution& distribution, int time);
+
+/// The character at perception, standing at the origin, from where the idle clip is at the impact.
+features::CharacterState character_state_at(const ScenarioDistribution& distribution,
+                                            const motion::Motion& idle, GridPlace place);
+
+/// The place of a scenario that was drawn from this distribution.
+GridPlace place_of(const ScenarioDistribution& distribution, const motion::Motion& idle,
+                   const features::Scenario& scenario);
+
+/// A scenario drawn by number: target, place on the grid, azimuth, speed, elevation and aim point,
+/// each uniform over its range. The threat's centre comes to the aim point at `time_to_impact_s`,
+/// so the surfaces touch a few centimetres of flight earlier.
 ///
 /// A ball in free fall that arrives slowly, late and level would have come from below the ground:
 /// the elevation is drawn from the part of its range in which the ball starts above it, and speed

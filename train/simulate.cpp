@@ -2,68 +2,28 @@
 #include "train/simulate.h"
 
 #include <algorithm>
-#include <cmath>
-#include <exception>
 #include <filesystem>
-#include <mutex>
 #include <nlohmann/json.hpp>
 #include <numbers>
+#include <optional>
 #include <span>
-#include <utility>
 
+#include "database/content_hash.h"
 #include "database/library_writer.h"
 #include "database/sealed_file.h"
 #include "motion/error.h"
-#include "runtime/response.h"
-#include "sim/work.h"
+#include "train/crew.h"
+#include "train/scenario_ranges.h"
+#include "train/store_trials.h"
 
 namespace flinch::train {
 
 namespace {
 
-/// Scenarios that are simulated and committed together: enough trials to keep many threads busy,
-/// and seconds of work to lose to a Ctrl-C.
-constexpr std::uint64_t kBatch = 16;
-
-double sum(const motion::PerBody<double>& values) {
-  double total = 0;
-  for (const double value : values) total += value;
-  return total;
-}
-
-/// Poses of a response at the library's rate, from perception to at least `duration_s`.
-motion::Motion sampled(const runtime::Response& response, float rate_hz, double duration_s) {
-  const auto intervals = static_cast<std::size_t>(std::ceil(duration_s * double{rate_hz}));
-  motion::Motion motion;
-  motion.rate_hz = rate_hz;
-  motion.poses.reserve(intervals + 1);
-  for (std::size_t k = 0; k <= intervals; ++k)
-    motion.poses.push_back(runtime::pose_at(response, static_cast<float>(k) / rate_hz));
-  return motion;
-}
-
-/// Work from the first movement to the end of the way back. Idling costs nothing: it is what the
-/// character would do anyway.
-double response_work_j(const SimulationSubject& subject, const runtime::Response& response,
-                       const motion::Motion& motion) {
-  if (response.clip == subject.library.idle) return 0;
-  const auto pose_number = [&motion](float time_s) {
-    return std::min(static_cast<std::size_t>(std::max(time_s, 0.0F) * motion.rate_hz),
-                    motion.poses.size() - 1);
-  };
-  motion::Motion moving;
-  moving.rate_hz = motion.rate_hz;
-  moving.poses.assign(
-      motion.poses.begin() + static_cast<std::ptrdiff_t>(pose_number(response.start_s)),
-      motion.poses.begin() +
-          static_cast<std::ptrdiff_t>(pose_number(runtime::duration_s(response)) + 1));
-  return sum(sim::mechanical_work(subject.library.character, moving));
-}
-
-sim::Ball ball_of(const features::Threat& threat) {
-  return {threat.position.cast<double>(), threat.velocity.cast<double>(), double{threat.radius},
-          double{threat.mass_kg}};
-}
+/// Scenarios that a thread simulates before they are committed: a second of work.
+constexpr std::uint64_t kBatch = 128;
+/// The same where responses must be rehearsed anew for every batch, which should pay.
+constexpr std::uint64_t kBatchWithoutMemory = 1024;
 
 constexpr double degrees(double radians) {
   return radians * 180 / std::numbers::pi;
@@ -78,6 +38,8 @@ std::string describe(const ScenarioDistribution& distribution) {
        {degrees(distribution.least_elevation), degrees(distribution.most_elevation)}},
       {"time_to_impact_s",
        {distribution.least_time_to_impact_s, distribution.most_time_to_impact_s}},
+      {"time_to_impact_step_s", distribution.time_to_impact_step_s},
+      {"character_states", distribution.character_states},
       {"aim_radius_m", distribution.aim_radius_m}}
       .dump();
 }
@@ -87,94 +49,84 @@ std::string describe(const SimulationPlan& plan) {
                                 {"contact_step_s", plan.options.contact_step_s},
                                 {"restitution", plan.options.restitution},
                                 {"gravity_mps2", plan.options.gravity_mps2},
-                                {"tail_s", plan.tail_s}}
+                                {"tail_s", plan.tail_s},
+                                {"unabridged", plan.unabridged}}
       .dump();
 }
 
-/// The first thing thrown by any of several threads.
-class FirstException {
- public:
-  void keep_current() {
-    const std::lock_guard lock(mutex_);
-    if (!exception_) exception_ = std::current_exception();
-    thrown_ = true;
+/// About what all responses take, rehearsed: each as much in each second as idling does.
+std::uint64_t bytes_of_all_responses(const SimulationSubject& subject) {
+  const RehearsedResponse idle =
+      rehearse(subject, subject.responses.key_of(subject.library.idle, {}));
+  double seconds = 0;
+  for (int time = 0; time < time_count(subject.plan.distribution); ++time) {
+    const double performed_s =
+        double{time_to_impact_s(subject.plan.distribution, time)} + subject.plan.tail_s;
+    seconds += static_cast<double>(subject.responses.count_at(time)) * performed_s;
   }
-  bool thrown() const { return thrown_; }
-  void rethrow() const {
-    if (exception_) std::rethrow_exception(exception_);
+  return static_cast<std::uint64_t>(seconds / idle.rehearsal.duration_s() *
+                                    static_cast<double>(idle.byte_count()));
+}
+
+/// What must be the same in all processes of a run.
+std::uint64_t hash_of_run(const StoreHeader& header) {
+  const std::string text = database::hash_text(header.library_hash) + " " +
+                           std::to_string(header.seed) + " " + header.distribution + " " +
+                           header.simulation;
+  return database::content_hash(std::as_bytes(std::span(text)));
+}
+
+/// Writes what was simulated, and tells how far it is.
+class Collector {
+ public:
+  /// Without a writer all is there, and nothing may be taken.
+  Collector(const SimulationSubject& subject, StoreWriter* writer, const SimulationRun& run)
+      : subject_(subject), writer_(writer), run_(run) {
+    progress_.of = run.wanted.count;
+    report();
+  }
+
+  void take(const Batch& batch) { write(batch.observations, batch.counts, batch.cpu); }
+
+  void take(const Done& done) {
+    std::vector<Observation> observations;
+    for (std::uint64_t i = 0; i < done.range.count; ++i) {
+      observations.push_back(pose_scenario(subject_, done.range.first + i));
+      observations.back().trials = decode_trials(done.trials[i]);
+    }
+    write(observations, done.counts, done.cpu);
   }
 
  private:
-  std::mutex mutex_;
-  std::exception_ptr exception_;
-  std::atomic<bool> thrown_ = false;
+  void write(const std::vector<Observation>& observations, const SimulationCounts& counts,
+             const PhaseTimes& cpu) {
+    const double begin_s = run_.batch.cpu_s();
+    writer_->append(observations);
+    progress_.counts.add(counts);
+    progress_.cpu.add(cpu);
+    progress_.cpu.writing_s += run_.batch.cpu_s() - begin_s;
+    report();
+  }
+
+  void report() {
+    progress_.scenarios = writer_ ? writer_->count() : run_.wanted.count;
+    run_.report(progress_);
+  }
+
+  const SimulationSubject& subject_;
+  StoreWriter* writer_;
+  const SimulationRun& run_;
+  SimulationProgress progress_;
 };
 
+bool is_finished(const std::string& path, const StoreHeader& header, ScenarioRange wanted) {
+  if (!std::filesystem::is_regular_file(path)) return false;
+  const StoreSummary finished = summarise_store(path);
+  require_same_run(finished.header, header, path);
+  return finished.holds(wanted);
+}
+
 }  // namespace
-
-SimulationSubject::SimulationSubject(const database::Library& simulated,
-                                     const SimulationPlan& planned)
-    : library(simulated),
-      prepared(runtime::prepare(simulated)),
-      plan(planned),
-      body_model(motion::make_body_model(simulated.character)),
-      simulator(simulated.character, planned.options) {}
-
-Observation pose_scenario(const SimulationSubject& subject, std::uint64_t number) {
-  const database::Library& library = subject.library;
-  Observation observation;
-  observation.number = number;
-  observation.scenario = sample_scenario(library, subject.body_model, subject.plan.distribution,
-                                         subject.plan.seed, number);
-  observation.features = features::to_vector(features::features_of(
-      observation.scenario, library.clips[static_cast<std::size_t>(library.idle)].motion));
-  for (const int clip : clips_to_try(library, observation.scenario.target)) {
-    Trial trial;
-    trial.clip = clip;
-    observation.trials.push_back(trial);
-  }
-  return observation;
-}
-
-std::vector<int> clips_to_try(const database::Library& library, motion::Target threatened) {
-  std::vector<int> clips;
-  for (int clip = 0; clip < static_cast<int>(library.clips.size()); ++clip) {
-    const motion::Clip& candidate = library.clips[static_cast<std::size_t>(clip)];
-    const bool allowed = candidate.purpose == motion::Purpose::anticipation &&
-                         features::is_allowed(threatened, candidate.annotation);
-    if (clip == library.idle || allowed) clips.push_back(clip);
-  }
-  return clips;
-}
-
-Trial try_clip(const SimulationSubject& subject, const features::Scenario& scenario, int clip) {
-  const runtime::Response response =
-      runtime::make_response(subject.prepared, scenario.state, clip, scenario.time_to_impact_s);
-  const double simulated_s = double{scenario.time_to_impact_s} + subject.plan.tail_s;
-  const motion::Motion reference =
-      sampled(response, subject.library.rate_hz,
-              std::max(simulated_s, double{runtime::duration_s(response)}));
-  const sim::Ball ball = ball_of(scenario.threat);
-  const sim::SimulationResult result = subject.simulator.simulate(reference, &ball, simulated_s);
-  Trial trial;
-  trial.clip = clip;
-  trial.work_j = static_cast<float>(response_work_j(subject, response, reference));
-  for (const motion::Body body : motion::kBodies)
-    trial.impulse[body] = static_cast<float>(result.impulse[body]);
-  return trial;
-}
-
-double reference_work_j(const SimulationSubject& subject, int clip) {
-  const auto& annotation = subject.library.clips[static_cast<std::size_t>(clip)].annotation;
-  if (clip == subject.library.idle || !annotation) return 0;
-  // With time enough to shift the weight, the clip plays unhurried.
-  constexpr float kTimeToShift = 0.5F;  // s
-  const runtime::Response response =
-      runtime::make_response(subject.prepared, {}, clip, annotation->peak_s + kTimeToShift);
-  const motion::Motion reference =
-      sampled(response, subject.library.rate_hz, double{runtime::duration_s(response)});
-  return response_work_j(subject, response, reference);
-}
 
 StoreHeader make_store_header(const SimulationSubject& subject) {
   const database::Library& library = subject.library;
@@ -208,64 +160,74 @@ StoreHeader make_store_header(const SimulationSubject& subject) {
   return header;
 }
 
-bool simulate_batch(const SimulationSubject& subject, int threads, std::uint64_t first,
-                    std::vector<Observation>& observations, const std::atomic<bool>& stop) {
-  // Single trials, not scenarios, are shared out, so that no thread waits long for the last one.
-  std::vector<std::pair<std::size_t, std::size_t>> trials;
-  for (std::size_t i = 0; i < observations.size(); ++i) {
-    observations[i] = pose_scenario(subject, first + i);
-    for (std::size_t j = 0; j < observations[i].trials.size(); ++j) trials.emplace_back(i, j);
-  }
-  FirstException failure;
-#pragma omp parallel for num_threads(threads) schedule(dynamic)
-  for (std::size_t k = 0; k < trials.size(); ++k) {
-    if (stop || failure.thrown()) continue;
-    try {
-      Observation& observation = observations[trials[k].first];
-      Trial& trial = observation.trials[trials[k].second];
-      trial = try_clip(subject, observation.scenario, trial.clip);
-    } catch (...) {
-      failure.keep_current();
-    }
-  }
-  failure.rethrow();
-  return !stop;
+MemoryPlan plan_memory(const SimulationSubject& subject, std::uint64_t most, int threads) {
+  // The program with a library of a few hundred clips; and a batch, a response that is being
+  // rehearsed and a world, a thread. tests/bench measures them.
+  constexpr std::uint64_t kProgram = 64;
+  constexpr std::uint64_t kThread = 16;
+  constexpr int kMebi = 20;
+  MemoryPlan plan;
+  plan.most = most;
+  plan.reserved = (kProgram + kThread * static_cast<std::uint64_t>(threads)) << kMebi;
+  if (most < plan.reserved)
+    throw Error("", std::to_string(most >> kMebi) + " MiB are too little memory for " +
+                        std::to_string(threads) + " threads; give at least --memory " +
+                        std::to_string(plan.reserved >> kMebi) + "M");
+  plan.response_count = subject.responses.count();
+  plan.all_responses = bytes_of_all_responses(subject);
+  return plan;
 }
 
 bool simulate_store(const SimulationSubject& subject, const std::string& path,
-                    std::uint64_t scenarios, int threads, const std::atomic<bool>& stop,
-                    const std::function<void(const SimulationProgress&)>& report) {
+                    const SimulationRun& run) {
   const StoreHeader header = make_store_header(subject);
-  const ScenarioRange wanted{0, scenarios};
-  SimulationProgress progress;
-  progress.of = scenarios;
-  if (std::filesystem::is_regular_file(path)) {
-    const StoreSummary finished = summarise_store(path);
-    require_same_run(finished.header, header, path);
-    progress.scenarios = finished.observation_count;
-    if (finished.holds(wanted)) {
-      report(progress);
-      return true;
+  NoMessenger nobody;
+  Messenger& messenger = run.messenger ? *run.messenger : nobody;
+  std::optional<StoreWriter> writer;
+  std::vector<ScenarioRange> missing;
+  if (!is_finished(path, header, run.wanted)) {
+    writer.emplace(path, header, run.wanted);
+    missing = writer->missing();
+  }
+  ScenarioRanges ranges(missing, messenger.size(),
+                        run.memory.keeps_all() ? kBatch : kBatchWithoutMemory);
+  Collector collector(subject, writer ? &*writer : nullptr, run);
+  Crew crew(messenger,
+            {[&](int threads) { return ranges.next(threads); },
+             [&](const Done& done) { collector.take(done); },
+             [&](ScenarioRange range) { ranges.put_back(range); }},
+            hash_of_run(header));
+  Rehearsals rehearsals(run.memory.for_responses());
+  BatchContext context = run.batch;
+  context.attend = [&crew] { crew.attend(); };
+  for (;;) {
+    if (context.stop != nullptr && *context.stop) return false;
+    crew.attend();
+    if (const auto range = ranges.next(context.threads)) {
+      Batch batch;
+      if (!simulate_batch(subject, rehearsals, *range, context, batch)) return false;
+      collector.take(batch);
+    } else if (crew.is_at_work()) {
+      crew.wait();
+    } else {
+      break;
     }
   }
-  StoreWriter writer(path, header, wanted);
-  progress.scenarios = writer.count();
-  report(progress);
-  while (!writer.missing().empty()) {
-    const ScenarioRange missing = writer.missing().front();
-    const std::uint64_t first = missing.first;
-    // Batches begin at multiples of their size, wherever an earlier run was stopped.
-    const std::uint64_t end = std::min(missing.end(), (first / kBatch + 1) * kBatch);
-    std::vector<Observation> observations(end - first);
-    if (!simulate_batch(subject, threads, first, observations, stop)) return false;
-    writer.append(observations);
-    progress.scenarios = writer.count();
-    for (const Observation& observation : observations)
-      progress.simulations += observation.trials.size();
-    report(progress);
-  }
-  writer.finish();
+  if (writer) writer->finish();
   return true;
+}
+
+void help_simulate(const SimulationSubject& subject, const SimulationRun& run) {
+  Rehearsals rehearsals(run.memory.for_responses());
+  const auto simulate = [&](ScenarioRange range) -> std::optional<Done> {
+    Batch batch;
+    if (!simulate_batch(subject, rehearsals, range, run.batch, batch)) return std::nullopt;
+    Done done{range, batch.counts, batch.cpu, {}};
+    for (const Observation& observation : batch.observations)
+      done.trials.push_back(encode_trials(observation.trials));
+    return done;
+  };
+  help(*run.messenger, hash_of_run(make_store_header(subject)), run.batch.threads, simulate);
 }
 
 }  // namespace flinch::train

@@ -21,7 +21,7 @@ ROOMS = {
     "features": ["motion"],
     "models": ["motion", "features"],
     "runtime": ["motion", "features", "models", "database"],
-    "sim": ["motion", "features"],
+    "sim": ["motion", "features", "models", "database", "runtime"],
     "train": ["motion", "database", "features", "models", "runtime", "sim"],
 }
 OFFLINE_ROOMS = {"sim", "train"}

@@ -3,12 +3,15 @@
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
+#include <flann/flann.hpp>
 #include <functional>
 #include <random>
 #include <vector>
 
 #include "models/cross_validation.h"
+#include "models/network_fit.h"
 #include "models/selector.h"
 #include "tests/models/libsvm_oracle.h"
 #include "tests/models/training_sets.h"
@@ -113,6 +116,64 @@ void select_by_knn(benchmark::State& state) {
   });
 }
 BENCHMARK(select_by_knn)->Unit(benchmark::kMicrosecond);
+
+/// As large as a study: 8200 scenarios of 120 clips, and what each clip costs.
+const TrainingSet& large_set() {
+  static const TrainingSet kSet =
+      with_costs(random_clouds(3, 8200, kClasses, features::kFeatureCount), 4);
+  return kSet;
+}
+
+void select_by_knn_cost(benchmark::State& state) {
+  const Selector selector = selector_with(fit_knn(large_set(), {10, KnnVote::cost}));
+  time_each_call(state, [&](const features::FeatureVector& x) {
+    return select(selector, x, motion::Target::trunk);
+  });
+}
+BENCHMARK(select_by_knn_cost)->Unit(benchmark::kMicrosecond);
+
+void select_by_network(benchmark::State& state) {
+  const Selector selector = selector_with(fit_network(large_set(), {.epoch_count = 1}));
+  time_each_call(state, [&](const features::FeatureVector& x) {
+    return select(selector, x, motion::Target::trunk);
+  });
+}
+BENCHMARK(select_by_network)->Unit(benchmark::kMicrosecond);
+
+/// The nearest ten of large_set(), without a mask; the checksum adds up who is nearest.
+void find_neighbours(benchmark::State& state) {
+  const KnnModel model = fit_knn(large_set(), {10, KnnVote::majority});
+  time_each_call(state, [&](const features::FeatureVector& x) {
+    return nearest(model, to_doubles(x), 10, {}).front().observation;
+  });
+}
+BENCHMARK(find_neighbours)->Unit(benchmark::kMicrosecond);
+
+/// The same by FLANN's exact tree, as its manual has it: the checksums agree.
+void find_neighbours_by_flann(benchmark::State& state) {
+  std::vector<double> points = large_set().points;
+  const flann::Matrix<double> rows(points.data(), 8200, features::kFeatureCount);
+  flann::KDTreeSingleIndex<flann::L2<double>> tree(rows, flann::KDTreeSingleIndexParams());
+  tree.buildIndex();
+  std::array<int, 10> found{};
+  std::array<double, 10> distance{};
+  flann::Matrix<int> indices(found.data(), 1, found.size());
+  flann::Matrix<double> distances(distance.data(), 1, distance.size());
+  time_each_call(state, [&](const features::FeatureVector& x) {
+    std::vector<double> query = to_doubles(x);
+    tree.knnSearch(flann::Matrix<double>(query.data(), 1, query.size()), indices, distances,
+                   found.size(), flann::SearchParams(flann::FLANN_CHECKS_UNLIMITED));
+    return found.front();
+  });
+}
+BENCHMARK(find_neighbours_by_flann)->Unit(benchmark::kMicrosecond);
+
+void fit_one_network_for_an_epoch(benchmark::State& state) {
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(fit_network(large_set(), {.member_count = 1, .epoch_count = 1}));
+  }
+}
+BENCHMARK(fit_one_network_for_an_epoch)->Unit(benchmark::kMillisecond);
 
 void fit_one_svm(benchmark::State& state) {
   for (auto _ : state) {

@@ -37,7 +37,7 @@ int study(const database::Library& library, int threats) {
   const runtime::PreparedLibrary prepared = runtime::prepare(library);
   std::mt19937 random(1);
   std::uniform_real_distribution<float> part(0, 1);
-  std::vector<Row> slip, added, below, seam, lift, peak;
+  std::vector<Row> slip, added, below, seam, lift, extrapolated, peak;
   for (int clip = 0; clip < static_cast<int>(library.clips.size()); ++clip) {
     const motion::Clip& played = library.clips[static_cast<std::size_t>(clip)];
     if (!played.annotation || clip == library.idle) continue;
@@ -54,6 +54,7 @@ int study(const database::Library& library, int threats) {
       seam.push_back({q.seam_share, what + ": " + q.seam});
       if (q.lift_margin_m < 1) {
         lift.push_back({-q.lift_margin_m, what + ", lifts at " + std::to_string(q.lift_s)});
+        extrapolated.push_back({-q.extrapolated_margin_m, what});
       }
       if (q.peak_error_s) peak.push_back({*q.peak_error_s, what});
     }
@@ -66,6 +67,7 @@ int study(const database::Library& library, int threats) {
   print_rows("foot below ground", "mm", 1e3F, below);
   print_rows("velocity step at a seam", "of the clip's 99th percentile", 1, seam);
   print_rows("centre of mass beyond the standing sole when the other foot lifts", "mm", 1e3F, lift);
+  print_rows("extrapolated centre of mass beyond it, then", "mm", 1e3F, extrapolated);
   print_rows("peak from impact, where there is time", "frames of 1/60 s", 60, peak);
   return 0;
 }

@@ -3,6 +3,9 @@
 // them, the same mix each time.
 #include <benchmark/benchmark.h>
 
+#include <type_traits>
+
+#include "sim/encounter.h"
 #include "tests/sim/random_hits.h"
 
 namespace flinch {
@@ -42,6 +45,67 @@ void simulate_without_a_ball(benchmark::State& state) {
   }
 }
 BENCHMARK(simulate_without_a_ball)->Unit(benchmark::kMillisecond);
+
+void rehearse_a_second(benchmark::State& state) {
+  const motion::Character character = motion::default_character();
+  const auto motions = scenes::motions_by_rule(character.skeleton);
+  const sim::Simulator simulator(character, {});
+  std::size_t next = 0;
+  for (auto _ : state) {
+    const motion::Motion& motion = motions[next++ % motions.size()].motion;
+    benchmark::DoNotOptimize(simulator.rehearse(motion, 0, 1));
+  }
+}
+BENCHMARK(rehearse_a_second)->Unit(benchmark::kMillisecond);
+
+void simulate_rehearsed(benchmark::State& state) {
+  const motion::Character character = motion::default_character();
+  const auto motions = scenes::motions_by_rule(character.skeleton);
+  const auto hits = scenes::random_hits(character, motions, 96, 1);
+  const sim::Simulator simulator(character, {});
+  std::vector<sim::Rehearsal> rehearsals;
+  for (const auto& [name, motion] : motions) {
+    rehearsals.push_back(simulator.rehearse(motion, 0, 1));
+  }
+  std::size_t next = 0;
+  double steps = 0;
+  double impulse = 0;
+  for (auto _ : state) {
+    const scenes::Hit& hit = hits[next++ % hits.size()];
+    const auto result = simulator.simulate(rehearsals[hit.motion], hit.ball);
+    steps += result.steps;
+    for (double of_body : result.impulse) impulse += of_body;
+  }
+  const auto runs = static_cast<double>(state.iterations());
+  state.counters["simulations_per_second"] = benchmark::Counter(runs, benchmark::Counter::kIsRate);
+  state.counters["steps"] = steps / runs;
+  state.counters["mean_impulse_Ns"] = impulse / runs;
+}
+BENCHMARK(simulate_rehearsed)->Unit(benchmark::kMicrosecond)->MinTime(1);
+
+/// A standing figure's free step, by ODE and along the tree.
+template <class Scene, class Start>
+void step_standing(benchmark::State& state, Start start) {
+  const sim::FigurePlan plan(motion::default_character());
+  const sim::ReferenceState stand =
+      sim::state_at_rest(plan.skeleton, plan.model, scenes::standing(plan.skeleton));
+  constexpr double kStep_s = 1.0 / 60;
+  Scene scene(plan, start(stand), nullptr, 9.81);
+  for (auto _ : state) {
+    scene.clear_contacts();
+    scene.add_supports(stand, kStep_s);
+    if constexpr (std::is_same_v<Scene, sim::OdeScene>) scene.figure().drive(stand, kStep_s);
+    scene.step(stand, kStep_s);
+  }
+}
+void step_by_ode(benchmark::State& state) {
+  step_standing<sim::OdeScene>(state, [](const auto& stand) { return stand; });
+}
+void step_along_the_tree(benchmark::State& state) {
+  step_standing<sim::TreeScene>(state, [](const auto& stand) { return stand.body; });
+}
+BENCHMARK(step_by_ode)->Unit(benchmark::kMicrosecond);
+BENCHMARK(step_along_the_tree)->Unit(benchmark::kMicrosecond);
 
 }  // namespace
 }  // namespace flinch

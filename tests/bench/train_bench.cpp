@@ -24,7 +24,7 @@ void try_clips(benchmark::State& state) {
   state.SetItemsProcessed(trials);
   state.counters["impulse_of_first_64_ns"] = impulse;
 }
-BENCHMARK(try_clips)->Name("simulations")->Unit(benchmark::kMillisecond)->MinTime(3);
+BENCHMARK(try_clips)->Name("unabridged_simulations")->Unit(benchmark::kMillisecond)->MinTime(3);
 
 void sample_scenarios(benchmark::State& state) {
   const database::Library library = scenes::synthetic_library();

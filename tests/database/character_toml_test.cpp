@@ -51,8 +51,11 @@ TEST(CharacterToml, HeightMassSexAndProportionsAreAsAsked) {
   EXPECT_EQ(read.mass_kg, 58);
   EXPECT_EQ(read.sex, motion::Sex::female);
   const motion::Skeleton& mean = motion::default_character().skeleton;
-  EXPECT_NEAR(leg_length(read.skeleton) / arm_length(read.skeleton),
-              1.2F * leg_length(mean) / arm_length(mean), 1e-4F);
+  const auto legs_to_arms = [](const motion::Skeleton& skeleton) {
+    return limb_length(skeleton, motion::Limb::left_leg) /
+           limb_length(skeleton, motion::Limb::left_arm);
+  };
+  EXPECT_NEAR(legs_to_arms(read.skeleton), 1.2F * legs_to_arms(mean), 1e-4F);
   const motion::JointFrames rest =
       motion::forward_kinematics(read.skeleton, motion::rest_pose(read.skeleton));
   EXPECT_GT(rest.position[Role::left_toes].z(), 0);

@@ -145,7 +145,7 @@ TEST(Block, PutsBothPalmsBesideTheLineAtTheirReach) {
   block(scene.figure, scene.frames, aim, controls, pose);
   const JointFrames frames = motion::forward_kinematics(scene.figure.skeleton(), pose);
 
-  const float arm = 0.98F * arm_length(scene.figure.skeleton());
+  const float arm = 0.98F * limb_length(scene.figure.skeleton(), motion::Limb::left_arm);
   const float hand = scene.figure.skeleton().tip[Role::left_hand].norm();
   const float farthest = std::min(0.9F, arm + 0.25F * hand);
   const float reach = farthest + 0.7F * (0.3F - farthest);

@@ -41,6 +41,12 @@ class ProgramTest(unittest.TestCase):
         self.assertEqual(done.stderr, "")
         return json.loads(done.stdout)
 
+    def lines(self, *arguments):
+        """What `simulate --json` prints: a document a line, the last one its summary."""
+        done = self.succeed(*arguments, "--json")
+        self.assertEqual(done.stderr, "")
+        return [json.loads(line) for line in done.stdout.splitlines()]
+
     def fail_with(self, code, *arguments, **options):
         """The one line on stderr of a command that fails."""
         done = run(*arguments, **options)

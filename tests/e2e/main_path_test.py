@@ -29,7 +29,7 @@ class MainPath(ProgramTest):
     def test_from_library_to_clip(self):
         library = self.document("info", self.library)
         clips = [c["name"] for c in library["clips"]]
-        done = self.document("simulate", self.library, "--out", self.store, "-n", SCENARIOS)
+        done = self.lines("simulate", self.library, "--out", self.store, "-n", SCENARIOS)[-1]
         self.assertEqual(done["scenarios"], SCENARIOS)
         for model in ("knn", "svm", "knn_cost", "network"):
             self.document("train", self.store, "--out", self.selector, "--model", model)

@@ -16,7 +16,7 @@ class Mocap(ProgramTest):
         made = self.document("import", MOCAP, "--manifest", MOCAP / "manifest.toml", "--out", library)
         self.assertGreaterEqual(made["mirrored_count"], 60)
         self.assertEqual(self.document("info", library)["hash"], made["hash"])
-        self.document("simulate", library, "--out", store, "-n", 16, "--seed", 1)
+        self.succeed("simulate", library, "--out", store, "-n", 16, "--seed", 1)
         self.document("train", store, "--out", selector)
         rows = self.document("compare", store)["rows"]
         self.assertLessEqual({"idle", "knn", "svm", "oracle"}, {row["name"] for row in rows})

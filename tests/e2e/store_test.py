@@ -22,7 +22,8 @@ class Store(ProgramTest):
         make_library(self.library)
 
     def command(self, store, *options, scenarios=SCENARIOS):
-        return ["simulate", self.library, "--out", store, "-n", scenarios, *options]
+        """The slow simulation, which can be stopped in its midst."""
+        return ["simulate", self.library, "--out", store, "-n", scenarios, "--reference", *options]
 
     def make_whole(self):
         self.succeed(*self.command(self.whole, "--threads", 1))
@@ -32,12 +33,18 @@ class Store(ProgramTest):
         """Starts a run and signals it when something of it is committed; its exit code and line."""
         process = subprocess.Popen([FLINCH, *map(str, self.command(store, "--threads", 1))],
                                    stderr=subprocess.PIPE, text=True)
-        first = process.stderr.readline()  # the first line of progress follows the first commit
-        self.assertIn(f"/{SCENARIOS} scenarios", first)
+        self.wait_for_commit(process)
         process.send_signal(how)
         rest = process.stderr.read()
         process.stderr.close()
         return process.wait(), rest.splitlines()[-1] if rest else ""
+
+    def wait_for_commit(self, process):
+        """The first line of progress follows the first commit."""
+        for line in process.stderr:
+            if f"/{SCENARIOS} scenarios" in line:
+                return
+        self.fail("it ended without any progress")
 
     def test_the_number_of_threads_does_not_show(self):
         whole = self.make_whole()
@@ -71,10 +78,10 @@ class Store(ProgramTest):
     def test_more_scenarios_continue_a_finished_store(self):
         whole = self.make_whole()
         store = self.folder / "grown"
-        self.succeed("simulate", self.library, "--out", store, "-n", 21)
+        self.succeed(*self.command(store, scenarios=21))
         self.succeed(*self.command(store))
         self.assertEqual(store.read_bytes(), whole)
-        done = self.document("simulate", self.library, "--out", store, "-n", 5)
+        done = self.lines(*self.command(store, scenarios=5))[-1]
         self.assertEqual(done["scenarios"], SCENARIOS)
         self.assertEqual(store.read_bytes(), whole)
 
@@ -82,17 +89,17 @@ class Store(ProgramTest):
         whole = self.make_whole()
         other = self.folder / "other.flinchlib"
         make_library(other, "other")
-        line = self.fail_with(1, "simulate", other, "--out", self.whole, "-n", 50)
+        line = self.fail_with(1, "simulate", other, "--out", self.whole, "-n", 50, "--reference")
         self.assertIn("another library (synthetic", line)
-        line = self.fail_with(1, "simulate", self.library, "--out", self.whole, "-n", 50, "--seed", 2)
+        line = self.fail_with(1, *self.command(self.whole, "--seed", 2, scenarios=50))
         self.assertIn("--seed 1", line)
         self.assertEqual(self.whole.read_bytes(), whole)
 
     def test_two_writers_do_not_mix(self):
         store = self.folder / "shared"
         first = subprocess.Popen([FLINCH, *map(str, self.command(store, "--threads", 1))],
-                                 stderr=subprocess.PIPE, text=True)
-        first.stderr.readline()
+                                 stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+        self.wait_for_commit(first)
         line = self.fail_with(1, *self.command(store))
         self.assertIn("another process", line)
         first.stderr.read()

@@ -188,7 +188,7 @@ std::vector<int> clips_of(std::span<const Candidate> candidates) {
 
 TEST(KnnVotes, MajorityCountsHeads) {
   const std::vector<int> label{4, 9, 9, 2};
-  const std::vector<Neighbour> neighbours{{0, 0.01}, {1, 4}, {2, 9}, {3, 16}};
+  const std::vector<Neighbour> neighbours{{0, 0.01F}, {1, 4}, {2, 9}, {3, 16}};
   const auto ranked = count_votes(neighbours, label, KnnVote::majority);
   EXPECT_THAT(clips_of(ranked), testing::ElementsAre(9, 4, 2));  // 4 is nearer than 2
   EXPECT_FLOAT_EQ(ranked[0].vote, 0.5F);
@@ -208,7 +208,7 @@ TEST(KnnVotes, InverseDistanceWeighsTheNear) {
 
 TEST(KnnVotes, TheSamePointWinsOverAllOthers) {
   const std::vector<int> label{1, 2, 2, 2};
-  const std::vector<Neighbour> neighbours{{0, 0}, {1, 1e-4}, {2, 1e-4}, {3, 1e-4}};
+  const std::vector<Neighbour> neighbours{{0, 0}, {1, 1e-4F}, {2, 1e-4F}, {3, 1e-4F}};
   EXPECT_EQ(count_votes(neighbours, label, KnnVote::inverse_distance).front().clip, 1);
 }
 

@@ -29,6 +29,14 @@ inline Eigen::Quaternionf random_rotation(std::mt19937& random, float most_angle
   return Eigen::Quaternionf(Eigen::AngleAxisf(uniform(random, 0, most_angle), axis));
 }
 
+/// Any rotation, each as likely as another.
+inline Eigen::Quaterniond uniform_rotation(std::mt19937& random) {
+  std::normal_distribution<double> normal;
+  Eigen::Vector4d coefficients;
+  for (double& coefficient : coefficients) coefficient = normal(random);
+  return Eigen::Quaterniond(coefficients).normalized();
+}
+
 inline motion::Pose random_pose(std::mt19937& random, float most_angle = 3.1F) {
   motion::Pose pose;
   pose.root_position = random_vector(random, 2);

@@ -5,20 +5,15 @@
 
 #include <random>
 
+#include "tests/motion/random_motion.h"
+
 namespace flinch::motion {
 namespace {
-
-Eigen::Quaterniond random_rotation(std::mt19937& generator) {
-  std::normal_distribution<double> normal;
-  return Eigen::Quaterniond(normal(generator), normal(generator), normal(generator),
-                            normal(generator))
-      .normalized();
-}
 
 TEST(RotationVector, TakesTheShorterWayAndComesBack) {
   std::mt19937 generator(4);
   for (int i = 0; i < 200; ++i) {
-    const Eigen::Quaterniond rotation = random_rotation(generator);
+    const Eigen::Quaterniond rotation = tests::uniform_rotation(generator);
     const Eigen::Vector3d vector = rotation_vector(rotation);
     EXPECT_LE(vector.norm(), std::numbers::pi + 1e-12);
     EXPECT_LT(rotation_by<double>(vector).angularDistance(rotation), 1e-9);
@@ -35,7 +30,7 @@ TEST(SwingAndTwist, GiveTheRotationBackAboutAnyAxis) {
   std::mt19937 generator(5);
   std::normal_distribution<double> normal;
   for (int i = 0; i < 200; ++i) {
-    const Eigen::Quaterniond rotation = random_rotation(generator);
+    const Eigen::Quaterniond rotation = tests::uniform_rotation(generator);
     const Eigen::Vector3d axis =
         Eigen::Vector3d(normal(generator), normal(generator), normal(generator)).normalized();
     const Eigen::Vector3d angles = swing_and_twist<double>(rotation, axis);

@@ -41,15 +41,35 @@ float lowest(const std::vector<Eigen::Vector3f>& points) {
   return z;
 }
 
-float margin_in_sole(const PreparedLibrary& library, const JointFrames& frames, Side side) {
+// How far a point is inside the sole of a foot, seen from above, m.
+float margin_in_sole(const PreparedLibrary& library, const JointFrames& frames, Side side,
+                     const Eigen::Vector3f& point) {
   const motion::FootPlace foot = motion::foot_place(frames, side);
-  const Eigen::Vector3f forward = foot.orientation * Eigen::Vector3f::UnitX();
   const Eigen::Quaternionf heading =
-      motion::turn_about(Eigen::Vector3f::UnitZ(), std::atan2(forward.y(), forward.x()));
-  const Eigen::Vector3f centre = motion::centre_of_mass(library.bodies, frames);
-  const Eigen::Vector3f local = heading.conjugate() * (centre - foot.ankle);
+      motion::turn_about(Eigen::Vector3f::UnitZ(), motion::yaw_of(foot.orientation));
+  const Eigen::Vector3f local = heading.conjugate() * (point - foot.ankle);
   return motion::signed_distance_inside(library.soles[motion::index_of(side)].hull,
                                         local.head<2>());
+}
+
+// Where the centre of mass is, and where it would come to rest if the body fell as a pendulum over
+// the point below: x + v / w0, w0 = sqrt(g / height), the extrapolated centre of mass of Hof et al.
+// (2005).
+struct Centre {
+  Eigen::Vector3f place;
+  Eigen::Vector3f extrapolated;
+};
+
+Centre centre_at(const Response& r, float time_s) {
+  constexpr float kGravity = 9.81F;
+  const auto place_at = [&](float t) {
+    return motion::centre_of_mass(
+        r.library->bodies,
+        motion::forward_kinematics(r.library->skeleton(), runtime::pose_at(r, t)));
+  };
+  const Eigen::Vector3f place = place_at(time_s);
+  const Eigen::Vector3f velocity = (place - place_at(time_s - kFrame)) / kFrame;
+  return {place, place + std::sqrt(place.z() / kGravity) * velocity};
 }
 
 // Follows the points of a sole on the ground while their foot carries more weight.
@@ -125,11 +145,16 @@ void measure_feet(const Response& r, ResponseQuality& quality) {
       const bool first = side != r.support && time_s < r.peak_s && quality.lift_margin_m == 1;
       const bool home = r.feet[i].home_lift_m > 0 && time_s > r.feet[i].home.begin_s;
       if (leaves && (first || home)) {
-        const float margin = margin_in_sole(library, frames, motion::other(side));
+        const Centre centre = centre_at(r, time_s);
+        const Side standing_foot = motion::other(side);
+        const float margin = margin_in_sole(library, frames, standing_foot, centre.place);
         if (margin < quality.lift_margin_m) {
           quality.lift_margin_m = margin;
           quality.lift_s = time_s;
         }
+        quality.extrapolated_margin_m =
+            std::min(quality.extrapolated_margin_m,
+                     margin_in_sole(library, frames, standing_foot, centre.extrapolated));
       }
       stood[i] = standing.stands[i];
     }
@@ -151,17 +176,8 @@ void measure_seam(const Response& r, float time_s, const char* name, float own,
   const Pose before = runtime::pose_at(r, time_s - kFrame);
   const Pose at = runtime::pose_at(r, time_s);
   const Pose after = runtime::pose_at(r, time_s + kFrame);
-  const motion::Clip& clip = r.library->clip(r.clip);
-  const auto clip_pose = [&](float t) {
-    return motion::sample(clip.motion,
-                          clip.annotation->onset_s + r.playback_rate * (t - r.begin_s));
-  };
-  const bool plays = time_s > r.begin_s && time_s < r.end_s;
   for (Role role : motion::kRoles) {
-    const float of_clip = plays ? velocity_step(clip_pose(time_s - kFrame), clip_pose(time_s),
-                                                clip_pose(time_s + kFrame), role, kFrame)
-                                : 0;
-    const float share = velocity_step(before, at, after, role, kFrame) / std::max(own, of_clip);
+    const float share = velocity_step(before, at, after, role, kFrame) / own;
     if (share > quality.seam_share) {
       quality.seam_share = share;
       quality.seam = std::string(name) + ", " + std::string(motion::name_of(role)) + ", at " +
@@ -211,7 +227,8 @@ ResponseQuality measure_response(const Response& r, float time_to_impact_s) {
   }
   for (const runtime::WeightShift& shift : r.shifts) {
     measure_seam(r, shift.window.begin_s, "weight shift", own, quality);
-    measure_seam(r, shift.peak_s, "weight shifted", own, quality);
+    measure_seam(r, shift.held.begin_s, "weight shifted", own, quality);
+    measure_seam(r, shift.held.end_s, "weight leaves", own, quality);
     measure_seam(r, shift.window.end_s, "weight back", own, quality);
   }
   if (r.playback_rate < runtime::kMostPlaybackRate) {

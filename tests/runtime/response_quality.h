@@ -16,13 +16,16 @@ struct ResponseQuality {
   float clip_slip_m = 0;     ///< the same of the clip itself, from its onset to its end
   float below_ground_m = 0;  ///< deepest point of a sole
   /// Largest step of a joint's velocity at a seam of the response, over the 99th percentile of such
-  /// steps in the clip itself, or over the clip's own step of that joint just then if it is larger.
+  /// steps in the clip itself.
   float seam_share = 0;
   std::string seam;  ///< which, and whose
   /// Least distance of the centre of mass inside the sole of the standing foot when the other one
   /// leaves the ground because the response has it step: before the clip's peak or on the way home.
   float lift_margin_m = 1;
   float lift_s = 0;
+  /// The same of the extrapolated centre of mass (Hof et al. 2005), which must be over the sole for
+  /// a body in motion to be in balance.
+  float extrapolated_margin_m = 1;
   /// How far the clip's peak is from the predicted impact, s; none where the clip is too long for
   /// the time that there is.
   std::optional<float> peak_error_s;

@@ -326,7 +326,7 @@ TEST(Response, AllocatesNothing) {
 }
 
 // The measures of docs/response.md over all clips, each with a few threats of the study's.
-TEST(ResponseQuality, FeetStandWeightIsShiftedAndPeaksAreInTimeOverAllClips) {
+TEST(ResponseQuality, FeetStandWeightIsShiftedNothingSnapsAndPeaksAreInTimeOverAllClips) {
   std::mt19937 random(3);
   int lifts = 0;
   for (int clip = 1; clip < static_cast<int>(authored().clips.size()); ++clip) {
@@ -342,7 +342,7 @@ TEST(ResponseQuality, FeetStandWeightIsShiftedAndPeaksAreInTimeOverAllClips) {
       EXPECT_LT(quality.support_slip_m, 1e-3F) << what;
       EXPECT_LT(quality.below_ground_m, 2e-3F) << what;
       EXPECT_GE(quality.lift_margin_m, 0) << what << " lifts at " << quality.lift_s;
-      EXPECT_LT(quality.seam_share, 1.25F) << what << ": " << quality.seam;
+      EXPECT_LE(quality.seam_share, 1) << what << ": " << quality.seam;
       EXPECT_LT(quality.peak_error_s.value_or(0), 1.0F / 60) << what;
       lifts += quality.lift_margin_m < 1 ? 1 : 0;
     }

@@ -8,6 +8,7 @@
 #include <random>
 
 #include "motion/rotation.h"
+#include "tests/motion/random_motion.h"
 
 namespace flinch::sim {
 namespace {
@@ -20,19 +21,12 @@ Eigen::Quaterniond about(const Eigen::Vector3d& axis, double degrees) {
   return Eigen::Quaterniond(Eigen::AngleAxisd(degrees * kDegree, axis));
 }
 
-Eigen::Quaterniond random_rotation(std::mt19937& generator) {
-  std::normal_distribution<double> normal;
-  return Eigen::Quaterniond(normal(generator), normal(generator), normal(generator),
-                            normal(generator))
-      .normalized();
-}
-
 TEST(JointAngles, GiveTheRotationBack) {
   std::mt19937 generator(3);
   for (Body body : motion::kBodies) {
     const JointLimits limits = limits_of(body);
     for (int i = 0; i < 50; ++i) {
-      const Eigen::Quaterniond rotation = random_rotation(generator);
+      const Eigen::Quaterniond rotation = tests::uniform_rotation(generator);
       const Eigen::Quaterniond back = joint_rotation(limits, joint_angles(limits, rotation));
       EXPECT_LT(back.angularDistance(rotation), 1e-9);
     }
@@ -107,7 +101,7 @@ TEST(JointLimits, NeverAskForMoreThanTheWayToTheReference) {
   for (Body body : motion::kBodies) {
     if (!parent_of(body)) continue;
     for (int i = 0; i < 200; ++i) {
-      const Eigen::Quaterniond reference = random_rotation(generator);
+      const Eigen::Quaterniond reference = tests::uniform_rotation(generator);
       const Eigen::Vector3d turn(normal(generator), normal(generator), normal(generator));
       const Eigen::Quaterniond rotation = motion::rotation_by<double>(0.05 * turn) * reference;
       EXPECT_LE(beyond_limits(limits_of(body), rotation, reference).norm(),

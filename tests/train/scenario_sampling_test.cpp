@@ -76,13 +76,39 @@ TEST_F(ScenarioSampling, ThreatsKeepToTheDistributionAndAboveTheGround) {
   for (const int count : per_sector) EXPECT_NEAR(count, kScenarios / 8, 65);
 }
 
+TEST_F(ScenarioSampling, TimesAndCharactersAreOnTheirGrid) {
+  std::array<int, 20> per_time{};
+  std::array<int, 4> per_state{};
+  ASSERT_EQ(time_count(distribution_), 20);
+  const float period_s = 2 * idle().duration_s();
+  for (int number = 0; number < kScenarios; ++number) {
+    const features::Scenario scenario = sample(static_cast<std::uint64_t>(number));
+    const float steps = (scenario.time_to_impact_s - 0.25F) / 0.05F;
+    EXPECT_NEAR(steps, std::round(steps), 1e-4F);
+    // Where the idle clip is at the impact, in quarters of its way to and fro.
+    const float quarters = 4 * (scenario.state.idle_time_s + scenario.time_to_impact_s) / period_s;
+    EXPECT_NEAR(quarters, std::round(quarters), 1e-4F);
+    EXPECT_GE(scenario.state.idle_time_s, 0);
+    EXPECT_LE(scenario.state.idle_time_s, period_s);
+    const GridPlace place = place_of(distribution_, idle(), scenario);
+    EXPECT_EQ(place.time, std::lround(steps));
+    EXPECT_EQ(place.character_state, std::lround(quarters) % 4);
+    EXPECT_EQ(character_state_at(distribution_, idle(), place).idle_time_s,
+              scenario.state.idle_time_s);
+    ++per_time[static_cast<std::size_t>(place.time)];
+    ++per_state[static_cast<std::size_t>(place.character_state)];
+  }
+  for (const int count : per_time) EXPECT_NEAR(count, kScenarios / 20, 45);
+  for (const int count : per_state) EXPECT_NEAR(count, kScenarios / 4, 80);
+}
+
 TEST_F(ScenarioSampling, TheSameNumberGivesTheSameBits) {
   const features::Scenario once = sample(17);
   const features::Scenario again = sample(17);
   EXPECT_EQ(std::memcmp(&once.threat, &again.threat, sizeof once.threat), 0);
   EXPECT_EQ(once.time_to_impact_s, again.time_to_impact_s);
-  EXPECT_NE(once.time_to_impact_s, sample(18).time_to_impact_s);
-  EXPECT_NE(once.time_to_impact_s, sample(17, 2).time_to_impact_s);
+  EXPECT_NE(once.threat.velocity, sample(18).threat.velocity);
+  EXPECT_NE(once.threat.velocity, sample(17, 2).threat.velocity);
 }
 
 TEST_F(ScenarioSampling, ADistributionWithoutFeasibleThreatsIsRefused) {

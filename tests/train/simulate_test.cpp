@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: MIT
 #include "train/simulate.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include <thread>
 
 #include "motion/error.h"
 #include "runtime/response.h"
+#include "tests/train/local_messenger.h"
 #include "tests/train/made_up_store.h"
 #include "train/store_trials.h"
 
 namespace flinch::train {
 namespace {
-
-constexpr auto kNoReport = [](const SimulationProgress&) {};
 
 TEST(ClipsToTry, AreTheAllowedOnesAndIdle) {
   database::Library library = scenes::synthetic_library();
@@ -75,43 +77,185 @@ TEST(Trials, ABallAtAnIdlerLeavesAPlausibleImpulse) {
   EXPECT_GE(hits, 14) << "most aimed balls hit one who stands still";
 }
 
-std::vector<std::vector<std::byte>> simulated(const SimulationSubject& subject, int threads) {
-  std::vector<Observation> observations(3);
-  const std::atomic<bool> stop = false;
-  EXPECT_TRUE(simulate_batch(subject, threads, 5, observations, stop));
+Batch simulated(const SimulationSubject& subject, ScenarioRange range, int threads,
+                Rehearsals& rehearsals) {
+  Batch batch;
+  BatchContext context;
+  context.threads = threads;
+  EXPECT_TRUE(simulate_batch(subject, rehearsals, range, context, batch));
+  EXPECT_EQ(batch.observations.size(), range.count);
+  return batch;
+}
+
+std::vector<std::vector<std::byte>> trials_of(const Batch& batch) {
   std::vector<std::vector<std::byte>> bytes;
-  for (const Observation& observation : observations) {
+  for (const Observation& observation : batch.observations) {
     EXPECT_FALSE(observation.trials.empty());
     bytes.push_back(encode_trials(observation.trials));
   }
   return bytes;
 }
 
-TEST(SimulateBatch, GivesTheSameBitsForAnyNumberOfThreads) {
-  const database::Library library = scenes::synthetic_library();
-  const SimulationSubject subject(library, {});
-  const auto alone = simulated(subject, 1);
-  EXPECT_TRUE(alone == simulated(subject, 2));
-  EXPECT_TRUE(alone == simulated(subject, 3));
-}
-
-TEST(SimulateStore, StoppedAndRunAgainGivesTheBytesOfAnUninterruptedRun) {
-  const TemporaryFolder folder;
+TEST(SimulateBatch, GivesTheSameBitsForAnyThreadsMemoryAndCompany) {
   const database::Library library = scenes::synthetic_library();
   SimulationPlan plan;
   plan.tail_s = 0.05;
   const SimulationSubject subject(library, plan);
+  Rehearsals all(std::uint64_t{1} << 30);
+  Rehearsals none(0);
+  const Batch batch = simulated(subject, {5, 4}, 1, all);
+  const auto alone = trials_of(batch);
+  EXPECT_TRUE(alone == trials_of(simulated(subject, {5, 4}, 2, all))) << "as kept";
+  EXPECT_TRUE(alone == trials_of(simulated(subject, {5, 4}, 3, none))) << "rehearsed anew";
+  const auto apart = trials_of(simulated(subject, {7, 1}, 1, none));
+  EXPECT_TRUE(alone[2] == apart[0]) << "by itself";
+  EXPECT_GT(all.byte_count(), 0U);
+  EXPECT_EQ(none.byte_count(), 0U);
+  std::uint64_t trials = 0;
+  for (const Observation& observation : batch.observations) trials += observation.trials.size();
+  EXPECT_EQ(batch.counts.simulations, trials);
+  EXPECT_LE(batch.counts.hits + batch.counts.skipped, trials);
+  EXPECT_GT(batch.counts.hits, 0U);
+}
+
+TEST(Rehearsals, KeepNoMoreThanTheyMay) {
+  const database::Library library = scenes::synthetic_library();
+  const SimulationSubject subject(library, {});
+  const auto first = std::make_shared<const RehearsedResponse>(rehearse(subject, {0, {0, 0}}));
+  const auto second = std::make_shared<const RehearsedResponse>(rehearse(subject, {0, {1, 0}}));
+  Rehearsals rehearsals(first->byte_count() + second->byte_count() - 1);
+  rehearsals.offer(first);
+  rehearsals.offer(first);
+  rehearsals.offer(second);
+  EXPECT_EQ(rehearsals.byte_count(), first->byte_count());
+  EXPECT_EQ(rehearsals.find(first->key), first);
+  EXPECT_EQ(rehearsals.find(second->key), nullptr);
+}
+
+TEST(MemoryPlan, TooLittleIsRefusedWithTheLeastThatDoes) {
+  const database::Library library = scenes::synthetic_library();
+  const SimulationSubject subject(library, {});
+  const MemoryPlan plan = plan_memory(subject, std::uint64_t{1} << 30, 2);
+  EXPECT_TRUE(plan.keeps_all());
+  EXPECT_EQ(plan.response_count, subject.responses.count());
+  try {
+    plan_memory(subject, 1 << 20, 2);
+    FAIL() << "a mebibyte was enough";
+  } catch (const Error& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr("--memory 96M"));
+  }
+  EXPECT_NO_THROW(plan_memory(subject, 96 << 20, 2));
+}
+
+/// Shares against the whole of both, of the bodies' differences.
+double difference(const Trial& a, const Trial& b) {
+  double whole = 0;
+  double change = 0;
+  for (const motion::Body body : motion::kBodies) {
+    whole += double{std::max(a.impulse[body], b.impulse[body])};
+    change += double{std::abs(a.impulse[body] - b.impulse[body])};
+  }
+  return whole > 0 ? change / whole : 0;
+}
+
+TEST(SharedTrials, FindWhatTheUnabridgedOnesDo) {
+  const database::Library library = scenes::synthetic_library();
+  SimulationPlan plan;
+  plan.distribution.least_time_to_impact_s = 0.5;  // so that many responses are begun later
+  const SimulationSubject subject(library, plan);
+  int compared = 0;
+  int close = 0;
+  for (std::uint64_t number = 0; number < 12; ++number) {
+    const Observation posed = pose_scenario(subject, number);
+    const GridPlace place = place_of(plan.distribution, subject.idle(), posed.scenario);
+    for (const int clip : {posed.trials.front().clip, posed.trials.back().clip}) {
+      const RehearsedResponse shared = rehearse(subject, subject.responses.key_of(clip, place));
+      const Trial slow = try_clip(subject, posed.scenario, clip);
+      const Trial fast = try_rehearsed(subject, posed.scenario, shared).trial;
+      EXPECT_NEAR(slow.work_j, fast.work_j, 1e-3F * slow.work_j);
+      close += difference(slow, fast) < 0.005 ? 1 : 0;
+      ++compared;
+    }
+  }
+  EXPECT_GE(close, compared - 1);
+}
+
+/// A run of the whole, as the program asks for it.
+SimulationRun run_of(const SimulationSubject& subject, ScenarioRange wanted, int threads) {
+  SimulationRun run;
+  run.wanted = wanted;
+  run.batch.threads = threads;
+  run.memory = plan_memory(subject, std::uint64_t{1} << 30, threads);
+  return run;
+}
+
+class SimulateStore : public testing::Test {
+ protected:
+  static SimulationPlan plan() {
+    SimulationPlan plan;
+    plan.tail_s = 0.05;
+    return plan;
+  }
+
+  std::string whole() {
+    EXPECT_TRUE(simulate_store(subject_, folder_ / "whole", run_of(subject_, kWanted, 2)));
+    return bytes_of(folder_ / "whole");
+  }
+
+  static constexpr ScenarioRange kWanted{3, 18};
+  TemporaryFolder folder_;
+  database::Library library_ = scenes::synthetic_library();
+  SimulationSubject subject_{library_, plan()};
+};
+
+TEST_F(SimulateStore, StoppedAndRunAgainGivesTheBytesOfAnUninterruptedRun) {
   std::atomic<bool> stop = false;
-  ASSERT_TRUE(simulate_store(subject, folder / "whole", 18, 2, stop, kNoReport));
-  const auto stop_after_a_batch = [&stop](const SimulationProgress& progress) {
-    stop = progress.scenarios >= 16;
-  };
-  EXPECT_FALSE(simulate_store(subject, folder / "stopped", 18, 1, stop, stop_after_a_batch));
-  EXPECT_FALSE(std::filesystem::exists(folder / "stopped"));
-  EXPECT_EQ(summarise_store(folder / "stopped.partial").observation_count, 16U);
+  SimulationRun run = run_of(subject_, kWanted, 1);
+  run.batch.stop = &stop;
+  run.report = [&stop](const SimulationProgress& progress) { stop = progress.scenarios >= 16; };
+  EXPECT_FALSE(simulate_store(subject_, folder_ / "stopped", run));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "stopped"));
+  EXPECT_EQ(summarise_store(folder_ / "stopped.partial").observation_count, 16U);
   stop = false;
-  ASSERT_TRUE(simulate_store(subject, folder / "stopped", 18, 2, stop, kNoReport));
-  EXPECT_TRUE(bytes_of(folder / "stopped") == bytes_of(folder / "whole"));
+  run.report = [](const SimulationProgress&) {};
+  ASSERT_TRUE(simulate_store(subject_, folder_ / "stopped", run));
+  EXPECT_TRUE(bytes_of(folder_ / "stopped") == whole());
+}
+
+TEST_F(SimulateStore, TheNumberOfProcessesDoesNotShow) {
+  LocalExchange exchange(3);
+  std::vector<std::jthread> helpers;
+  for (int rank = 1; rank < 3; ++rank) {
+    helpers.emplace_back([&, rank] {
+      LocalMessenger messenger(exchange, rank);
+      SimulationRun run = run_of(subject_, kWanted, 1);
+      run.messenger = &messenger;
+      help_simulate(subject_, run);
+    });
+  }
+  LocalMessenger messenger(exchange, 0);
+  SimulationRun run = run_of(subject_, kWanted, 1);
+  run.messenger = &messenger;
+  SimulationProgress last;
+  run.report = [&last](const SimulationProgress& progress) { last = progress; };
+  ASSERT_TRUE(simulate_store(subject_, folder_ / "crew", run));
+  EXPECT_EQ(last.scenarios, kWanted.count);
+  EXPECT_TRUE(bytes_of(folder_ / "crew") == whole());
+}
+
+TEST_F(SimulateStore, AFinishedStoreSendsTheHelpersHome) {
+  whole();
+  LocalExchange exchange(2);
+  std::jthread helper([&] {
+    LocalMessenger messenger(exchange, 1);
+    SimulationRun run = run_of(subject_, kWanted, 1);
+    run.messenger = &messenger;
+    help_simulate(subject_, run);
+  });
+  LocalMessenger messenger(exchange, 0);
+  SimulationRun run = run_of(subject_, kWanted, 1);
+  run.messenger = &messenger;
+  EXPECT_TRUE(simulate_store(subject_, folder_ / "whole", run));
 }
 
 }  // namespace

@@ -54,6 +54,10 @@ void print(const Json& document) {
   std::cout << document.dump(2) << '\n';
 }
 
+void print_line(const Json& document) {
+  std::cout << document.dump() << std::endl;
+}
+
 void add_cost_options(CLI::App& command, CostOptions& options) {
   command.add_option("--brawn", options.brawn, "how much work weighs against damage, from 0 to 1")
       ->check(number_in(0, 1))

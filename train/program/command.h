@@ -41,6 +41,8 @@ std::vector<std::string> method_names();
 
 /// Writes the one document that --json prints.
 void print(const Json& document);
+/// Writes a document as one line of several, at once.
+void print_line(const Json& document);
 
 /// How scenarios are labelled, as options say it.
 struct CostOptions {

@@ -8,6 +8,7 @@
 #include <iostream>
 #include <string>
 
+#include "train/program/command.h"
 #include "train/program/table.h"
 
 namespace flinch::train::program {
@@ -29,41 +30,82 @@ std::string bar(double share) {
   return text;
 }
 
+double hit_rate(const SimulationProgress& progress) {
+  const auto simulations = static_cast<double>(progress.counts.simulations);
+  return simulations > 0 ? static_cast<double>(progress.counts.hits) / simulations : 0;
+}
+
+/// To three digits after the point, as much as a rate is worth.
+double rounded(double value) {
+  return std::round(1000 * value) / 1000;
+}
+
 }  // namespace
 
-ProgressDisplay::ProgressDisplay(bool quiet)
-    : quiet_(quiet), terminal_(isatty(STDERR_FILENO) == 1) {}
+ProgressDisplay::ProgressDisplay(bool json)
+    : json_(json), terminal_(!json && isatty(STDERR_FILENO) == 1) {}
 
 ProgressDisplay::~ProgressDisplay() {
   if (bar_shown_) std::cerr << std::endl;
 }
 
 void ProgressDisplay::show(const SimulationProgress& progress) {
-  if (quiet_) return;
   if (!started_) {
-    started_ = true;
-    start_ = std::chrono::steady_clock::now();
-    scenarios_at_start_ = progress.scenarios;
-    tenth_shown_ = progress.of == 0 ? 0 : 10 * progress.scenarios / progress.of;
-    if (progress.scenarios > 0 && progress.scenarios < progress.of)
-      std::cerr << "going on after " << progress.scenarios << " scenarios" << std::endl;
-    return;
+    begin(progress);
+  } else if (is_due(progress)) {
+    json_ ? show_json(progress) : show_text(progress);
   }
-  const std::uint64_t tenth = 10 * progress.scenarios / progress.of;
-  if (!terminal_ && tenth <= tenth_shown_) return;
-  tenth_shown_ = tenth;
-  show_line(progress);
 }
 
-void ProgressDisplay::show_line(const SimulationProgress& progress) {
+void ProgressDisplay::begin(const SimulationProgress& progress) {
+  started_ = true;
+  start_ = shown_ = std::chrono::steady_clock::now();
+  scenarios_at_start_ = progress.scenarios;
+  tenth_shown_ = 10 * progress.scenarios / progress.of;
+  if (!json_ && progress.scenarios > 0 && progress.scenarios < progress.of)
+    std::cerr << "going on after " << progress.scenarios << " scenarios" << std::endl;
+}
+
+/// A bar always; lines at every tenth of the way, and of longer ways every ten seconds.
+bool ProgressDisplay::is_due(const SimulationProgress& progress) {
+  const auto now = std::chrono::steady_clock::now();
+  const std::uint64_t tenth = 10 * progress.scenarios / progress.of;
+  if (!terminal_ && tenth <= tenth_shown_ && now - shown_ < std::chrono::seconds(10)) return false;
+  tenth_shown_ = tenth;
+  shown_ = now;
+  return true;
+}
+
+ProgressDisplay::Rates ProgressDisplay::rates(const SimulationProgress& progress) const {
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start_;
   const double seconds = std::max(elapsed.count(), 1e-3);
-  const double rate = static_cast<double>(progress.scenarios - scenarios_at_start_) / seconds;
-  const double left = rate > 0 ? static_cast<double>(progress.of - progress.scenarios) / rate : 0;
+  Rates rates;
+  rates.scenarios_per_s = static_cast<double>(progress.scenarios - scenarios_at_start_) / seconds;
+  rates.simulations_per_s = static_cast<double>(progress.counts.simulations) / seconds;
+  if (rates.scenarios_per_s > 0)
+    rates.left_s = static_cast<double>(progress.of - progress.scenarios) / rates.scenarios_per_s;
+  return rates;
+}
+
+void ProgressDisplay::show_json(const SimulationProgress& progress) const {
+  const Rates now = rates(progress);
+  print_line({{"kind", "progress"},
+              {"scenarios", progress.scenarios},
+              {"of", progress.of},
+              {"simulations", progress.counts.simulations},
+              {"hit_rate", rounded(hit_rate(progress))},
+              {"scenarios_per_s", rounded(now.scenarios_per_s)},
+              {"simulations_per_s", rounded(now.simulations_per_s)},
+              {"left_s", rounded(now.left_s)}});
+}
+
+void ProgressDisplay::show_text(const SimulationProgress& progress) {
+  const Rates now = rates(progress);
   const std::string text = std::to_string(progress.scenarios) + "/" + std::to_string(progress.of) +
-                           " scenarios, " + fixed(rate, 1) + " a second (" +
-                           fixed(static_cast<double>(progress.simulations) / seconds, 0) +
-                           " simulations), " + duration_text(left) + " left";
+                           " scenarios, " + fixed(now.scenarios_per_s, 1) + " a second (" +
+                           fixed(now.simulations_per_s, 0) + " simulations), " +
+                           fixed(100 * hit_rate(progress), 0) + " % hit, " +
+                           duration_text(now.left_s) + " left";
   if (!terminal_) {
     std::cerr << text << std::endl;
     return;

@@ -66,6 +66,10 @@ void write(const runtime::Library& library, const Film& film, const Options& opt
   }
 }
 
+const std::string& clip_name(const runtime::Library& library, int clip) {
+  return library.clips().clips[static_cast<std::size_t>(clip)].name;
+}
+
 void run(const Options& options) {
   kind_of(options.out);  // before any work
   const runtime::Library library = load_runtime_library(options.selector);
@@ -78,7 +82,7 @@ void run(const Options& options) {
                     threat.target, threat.approach.time_to_impact_s);
   write(library, film, options);
 
-  const std::string& clip = library.clips().clips[static_cast<std::size_t>(film.clip)].name;
+  const std::string& clip = clip_name(library, film.clip);
   const bool hits = std::isfinite(film.contact_s);
   if (options.json) {
     Json document{{"file", options.out},
@@ -88,6 +92,7 @@ void run(const Options& options) {
                   {"duration_s", shortest(film.motion.duration_s())},
                   {"hits", hits},
                   {"knocked_over", film.knocked_over}};
+    if (film.reaction_clip) document["reaction_clip"] = clip_name(library, *film.reaction_clip);
     if (hits) {
       document["contact_s"] = shortest(film.contact_s);
       document["impulse_ns"] = shortest(film.impulse_ns);
@@ -103,6 +108,7 @@ void run(const Options& options) {
   } else {
     std::cout << "the ball hits nothing";
   }
+  if (film.reaction_clip) std::cout << ", then " << clip_name(library, *film.reaction_clip);
   std::cout << (film.knocked_over ? ", which knocks the character over\n" : "\n");
 }
 

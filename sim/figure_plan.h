@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "motion/body.h"
+#include "sim/joint_limits.h"
+#include "sim/springs.h"
+#include "sim/sweep.h"
+
+namespace flinch::sim {
+
+/// What a figure is made of: all that does not change from one simulation to the next.
+struct FigurePlan {
+  explicit FigurePlan(const motion::Character& character);
+
+  motion::Skeleton skeleton;
+  motion::BodyModel model;
+  motion::PerBody<MovingShape> outline;      ///< in the frame of the centre of mass, at rest
+  motion::PerBody<Eigen::Matrix3d> inertia;  ///< about the centre of mass, kg·m²
+  motion::PerBody<Gains> gains;              ///< of the joint to the parent; pelvis: its turning
+  Gains pelvis_gains;                        ///< of the pelvis' place
+  double mass_kg = 0;                        ///< of the whole figure
+  motion::PerBody<JointKind> kinds;
+  motion::PerBody<JointLimits> limits;
+  /// Pairs that can push each other: neither jointed nor overlapping in the rest pose.
+  motion::PerBody<motion::PerBody<bool>> may_touch;
+};
+
+}  // namespace flinch::sim

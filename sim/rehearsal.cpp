@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#include "sim/rehearsal.h"
+
+#include <algorithm>
+
+#include "sim/encounter.h"
+#include "sim/rehearsal_track.h"
+
+namespace flinch::sim {
+namespace {
+
+Rehearsal::Track::Sphere reach_of(const motion::PerBody<MovingShape>& shapes, double step_s) {
+  Rehearsal::Track::Sphere sphere;
+  sphere.centre.setZero();
+  for (const MovingShape& shape : shapes) sphere.centre += shape.centre / motion::kBodyCount;
+  for (const MovingShape& shape : shapes) {
+    const double speed = shape.velocity.norm() + shape.angular_velocity.norm() * shape.reach();
+    sphere.radius = std::max(sphere.radius, (shape.centre - sphere.centre).norm() +
+                                                shape.bounding_radius() + speed * step_s);
+  }
+  sphere.radius += kNear_m + kMostAcceleration_mps2 * step_s * step_s / 2;
+  return sphere;
+}
+
+}  // namespace
+
+Rehearsal::Track::Track(const FigurePlan& plan, const SimulationOptions& options,
+                        const motion::Motion& performed, double kept_from_s, double performed_s)
+    : motion(performed),
+      reference(plan.skeleton, plan.model, motion),
+      from_s(kept_from_s),
+      duration_s(performed_s) {
+  ReferenceState now = reference.at(0);
+  EncounterIn<TreeScene> encounter(plan, options, 0, plan, now.body, nullptr, options.gravity_mps2);
+  while (encounter.time_s() < duration_s) {
+    if (encounter.time_s() <= from_s) {
+      figures.clear();
+      first_kept = begins_s.size();
+    }
+    begins_s.push_back(encounter.time_s());
+    figures.push_back(encounter.scene().bodies());
+    reach.push_back(reach_of(encounter.scene().shapes(), options.free_step_s));
+    const double step_s = encounter.begin_step(now, duration_s - encounter.time_s());
+    const ReferenceState target = reference.at(encounter.time_s() + step_s);
+    encounter.end_step(now, target, step_s);
+    now = target;
+  }
+  begins_s.shrink_to_fit();
+  reach.shrink_to_fit();
+  figures.shrink_to_fit();
+}
+
+std::size_t Rehearsal::Track::byte_count() const {
+  return sizeof(Track) + motion.poses.capacity() * sizeof(motion::Pose) + reference.byte_count() +
+         begins_s.capacity() * sizeof(double) + reach.capacity() * sizeof(Sphere) +
+         figures.capacity() * sizeof(motion::PerBody<BodyState>);
+}
+
+Rehearsal::Rehearsal(std::unique_ptr<const Track> track) : track_(std::move(track)) {}
+Rehearsal::~Rehearsal() = default;
+Rehearsal::Rehearsal(Rehearsal&&) noexcept = default;
+Rehearsal& Rehearsal::operator=(Rehearsal&&) noexcept = default;
+
+double Rehearsal::from_s() const {
+  return track_->from_s;
+}
+
+double Rehearsal::duration_s() const {
+  return track_->duration_s;
+}
+
+std::size_t Rehearsal::byte_count() const {
+  return sizeof(Rehearsal) + track_->byte_count();
+}
+
+}  // namespace flinch::sim

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+// Measures what the first load of a selector file costs a process: page faults and all.
+//
+//     first_load SELECTOR [PROCESSES]
+//
+// Each process loads the file once; the median and the extremes of their CPU times are printed.
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <vector>
+
+#include "runtime/library.h"
+
+namespace flinch {
+namespace {
+
+struct Cost {
+  double cpu_s = -1;  // negative: it was refused
+  long page_faults = 0;
+};
+
+double seconds(const timeval& time) {
+  return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+}
+
+Cost cost_so_far() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return {seconds(usage.ru_utime) + seconds(usage.ru_stime), usage.ru_minflt};
+}
+
+Cost cost_of_loading(const char* path) {
+  const Cost before = cost_so_far();
+  runtime::Library library;
+  if (library.load(path) != database::LoadStatus::ok) return {};
+  const Cost after = cost_so_far();
+  return {after.cpu_s - before.cpu_s, after.page_faults - before.page_faults};
+}
+
+/// In a process of its own, which has loaded nothing before.
+Cost cost_in_new_process(const char* path) {
+  Cost cost;
+  int ends[2];
+  if (pipe(ends) != 0) return cost;
+  const pid_t child = fork();
+  if (child == 0) {
+    const Cost found = cost_of_loading(path);
+    const bool written = write(ends[1], &found, sizeof found) == sizeof found;
+    _exit(written ? 0 : 1);
+  }
+  close(ends[1]);
+  if (child < 0 || read(ends[0], &cost, sizeof cost) != sizeof cost) cost = {};
+  close(ends[0]);
+  if (child > 0) waitpid(child, nullptr, 0);
+  return cost;
+}
+
+int study(const char* path, int processes) {
+  std::vector<Cost> costs;
+  for (int i = 0; i < processes; ++i) {
+    costs.push_back(cost_in_new_process(path));
+    if (costs.back().cpu_s < 0) {
+      std::fprintf(stderr, "first_load: %s: the file was refused\n", path);
+      return 1;
+    }
+  }
+  std::sort(costs.begin(), costs.end(),
+            [](const Cost& a, const Cost& b) { return a.cpu_s < b.cpu_s; });
+  const Cost& median = costs[costs.size() / 2];
+  std::printf("first load: %.2f ms of CPU (%.2f to %.2f in %d processes), %ld page faults\n",
+              1e3 * median.cpu_s, 1e3 * costs.front().cpu_s, 1e3 * costs.back().cpu_s, processes,
+              median.page_faults);
+  return 0;
+}
+
+}  // namespace
+}  // namespace flinch
+
+int main(int argument_count, char** arguments) {
+  const int processes = argument_count > 2 ? std::atoi(arguments[2]) : 21;
+  if (argument_count < 2 || processes < 1) {
+    std::fprintf(stderr, "usage: first_load SELECTOR [PROCESSES]\n");
+    return 2;
+  }
+  return flinch::study(arguments[1], processes);
+}

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+#include <benchmark/benchmark.h>
+#include <sys/resource.h>
+
+#include <ctime>
+
+#include "database/authored_library.h"
+#include "motion/default_character.h"
+#include "tests/scenes/temporary_folder.h"
+#include "train/crew_messages.h"
+#include "train/simulate.h"
+#include "train/store_trials.h"
+
+namespace flinch::train {
+namespace {
+
+double thread_cpu_s() {
+  timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+double peak_megabytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) / 1024;
+}
+
+/// The default library and all that is made ready once.
+struct Scene {
+  database::Library library = database::authored_library(motion::default_character());
+  SimulationSubject subject{library, {}};
+};
+Scene& scene() {
+  static Scene scene;
+  return scene;
+}
+
+/// All of `flinch simulate` but reading the library: scenarios, rehearsals, simulations, the store.
+void simulate_scenarios(benchmark::State& state) {
+  const SimulationSubject& subject = scene().subject;
+  SimulationRun run;
+  run.wanted = {0, static_cast<std::uint64_t>(state.range(0))};
+  run.batch.threads = static_cast<int>(state.range(1));
+  run.batch.cpu_s = thread_cpu_s;
+  run.memory = plan_memory(subject, std::uint64_t{1} << 30, run.batch.threads);
+  SimulationProgress last;
+  run.report = [&last](const SimulationProgress& progress) { last = progress; };
+  for (auto _ : state) {
+    const tests::TemporaryFolder folder;
+    simulate_store(subject, folder / "store", run);
+  }
+  const double cpu_s = last.cpu.total_s();
+  const auto simulations = static_cast<double>(last.counts.simulations);
+  state.counters["cpu_s"] = cpu_s;
+  state.counters["cpu_ms_per_scenario"] = 1e3 * cpu_s / static_cast<double>(state.range(0));
+  state.counters["rehearsing_share"] = last.cpu.rehearsing_s / cpu_s;
+  state.counters["simulations_per_cpu_s"] = simulations / cpu_s;
+  state.counters["hit_rate"] = static_cast<double>(last.counts.hits) / simulations;
+  state.counters["peak_megabytes"] = peak_megabytes();
+}
+BENCHMARK(simulate_scenarios)
+    ->ArgNames({"scenarios", "threads"})
+    ->Args({1000, 1})
+    ->Args({1000, 2})
+    ->Args({8200, 1})
+    ->Iterations(1)
+    ->UseRealTime()
+    ->Unit(benchmark::kSecond);
+
+void rehearse_responses(benchmark::State& state) {
+  const SimulationSubject& subject = scene().subject;
+  const int last = time_count(subject.plan.distribution) - 1;
+  int clip = 0;
+  std::size_t bytes = 0;
+  for (auto _ : state) {
+    clip = (clip + 1) % static_cast<int>(subject.library.clips.size());
+    if (!subject.library.clips[static_cast<std::size_t>(clip)].annotation) continue;
+    bytes = rehearse(subject, subject.responses.key_of(clip, {0, last})).byte_count();
+  }
+  state.counters["kilobytes"] = static_cast<double>(bytes) / 1e3;
+  state.counters["responses_of_library"] = static_cast<double>(subject.responses.count());
+}
+BENCHMARK(rehearse_responses)->Unit(benchmark::kMillisecond);
+
+/// Observations as they come, without the time that simulating them takes.
+std::vector<Observation> posed(const SimulationSubject& subject, ScenarioRange range) {
+  std::vector<Observation> observations;
+  for (std::uint64_t number = range.first; number < range.end(); ++number) {
+    observations.push_back(pose_scenario(subject, number));
+    for (Trial& trial : observations.back().trials) {
+      trial.work_j = 100;
+      trial.impulse[motion::Body::chest] = 3;
+    }
+  }
+  return observations;
+}
+
+/// What the writer does with a helper's range: takes the message apart, and commits it.
+void write_ranges(benchmark::State& state) {
+  const SimulationSubject& subject = scene().subject;
+  const auto size = static_cast<std::uint64_t>(state.range(0));
+  Done done{{0, size}, {}, {}, {}};
+  for (const Observation& observation : posed(subject, done.range))
+    done.trials.push_back(encode_trials(observation.trials));
+  const std::vector<std::byte> message = encode(done);
+  const tests::TemporaryFolder folder;
+  StoreWriter writer(folder / "store", make_store_header(subject), {0, std::uint64_t{1} << 40});
+  std::uint64_t first = 0;
+  for (auto _ : state) {
+    const Done arrived = std::get<Done>(decode(message));
+    std::vector<Observation> observations;
+    for (std::uint64_t i = 0; i < size; ++i) {
+      observations.push_back(pose_scenario(subject, first + i));
+      observations.back().trials = decode_trials(arrived.trials[i]);
+    }
+    writer.append(observations);
+    first += size;
+  }
+  state.SetItemsProcessed(static_cast<std::int64_t>(first));
+  state.counters["message_bytes_per_scenario"] =
+      static_cast<double>(message.size()) / static_cast<double>(size);
+}
+BENCHMARK(write_ranges)
+    ->ArgName("scenarios")
+    ->Arg(1)
+    ->Arg(128)
+    ->Arg(4096)
+    ->Unit(benchmark::kMicrosecond);
+
+}  // namespace
+}  // namespace flinch::train

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+// Simulates, event by event, how busy the writer of a run on many machines is, and prints the table
+// of docs/scale.md:
+//
+//     writer_load SIMULATE_MS WRITE_US MESSAGE_US [SCENARIOS]
+//
+// with the CPU time that simulating a scenario takes (ms, of one core), that taking one takes the
+// writer (us), and that answering a message takes it beside (us): what bench_scale measures.
+// SCENARIOS are 10 million unless given. The ranges are those that the program would hand out.
+#include <cstdio>
+#include <cstdlib>
+#include <queue>
+
+#include "features/random.h"
+#include "train/scenario_ranges.h"
+
+namespace flinch::train {
+namespace {
+
+struct Costs {
+  double simulate_s = 0;  ///< a scenario, on one core
+  double write_s = 0;     ///< a scenario, of the writer's
+  double message_s = 0;   ///< of the writer's, to answer one
+};
+
+struct Cluster {
+  int processes = 1;  ///< that only help
+  int threads = 1;    ///< of each
+};
+
+/// When a helper asks, with what it has done.
+struct Request {
+  double at_s = 0;
+  std::uint64_t scenarios = 0;
+  bool operator<(const Request& other) const { return at_s > other.at_s; }  // the soonest on top
+};
+
+struct Load {
+  double took_s = 0;
+  double busy_s = 0;    ///< of the writer
+  double waited_s = 0;  ///< of all helpers, for the writer
+  std::uint64_t messages = 0;
+};
+
+/// The writer answers in the order of the requests, one at a time; machines differ in speed, and
+/// scenarios in what they cost, by a tenth each way.
+Load load_of(const Cluster& cluster, const Costs& costs, std::uint64_t scenarios) {
+  constexpr std::uint64_t kMost = 128;
+  ScenarioRanges ranges({{0, scenarios}}, cluster.processes, kMost);
+  features::Random random(1, features::Purpose::baseline, 0);
+  std::priority_queue<Request> requests;
+  for (int i = 0; i < cluster.processes; ++i) requests.push({0.001 * random.uniform(), 0});
+  Load load;
+  double free_s = 0;  // when the writer is done with all before
+  while (!requests.empty()) {
+    const Request request = requests.top();
+    requests.pop();
+    const double begin_s = std::max(free_s, request.at_s);
+    const double cost_s = costs.message_s + static_cast<double>(request.scenarios) * costs.write_s;
+    free_s = begin_s + cost_s;
+    load.busy_s += cost_s;
+    load.waited_s += free_s - request.at_s;
+    ++load.messages;
+    if (const auto range = ranges.next(cluster.threads)) {
+      const double work_s = static_cast<double>(range->count) * costs.simulate_s / cluster.threads;
+      requests.push({free_s + work_s * random.uniform(0.9, 1.1), range->count});
+    }
+  }
+  load.took_s = free_s;
+  return load;
+}
+
+int run(int count, char** arguments) {
+  if (count < 4) {
+    std::fprintf(stderr, "writer_load SIMULATE_MS WRITE_US MESSAGE_US [SCENARIOS]\n");
+    return 2;
+  }
+  const Costs costs{1e-3 * std::atof(arguments[1]), 1e-6 * std::atof(arguments[2]),
+                    1e-6 * std::atof(arguments[3])};
+  const std::uint64_t scenarios = count > 4 ? std::strtoull(arguments[4], nullptr, 10) : 10'000'000;
+  std::printf(
+      "| cores | processes | threads of each | hours | writer busy | helpers wait | of the ideal "
+      "|\n| --: | --: | --: | --: | --: | --: | --: |\n");
+  for (const int cores : {16, 64, 256, 512, 1024, 4096}) {
+    for (const int threads : {1, 32}) {
+      if (threads > cores) continue;
+      const Cluster cluster{cores / threads, threads};
+      const Load load = load_of(cluster, costs, scenarios);
+      const double ideal_s = static_cast<double>(scenarios) * costs.simulate_s / cores;
+      std::printf("| %d | %d | %d | %.2f | %.0f %% | %.1f %% | %.0f %% |\n", cores,
+                  cluster.processes, threads, load.took_s / 3600, 100 * load.busy_s / load.took_s,
+                  100 * load.waited_s / (load.took_s * cluster.processes),
+                  100 * ideal_s / load.took_s);
+    }
+  }
+  return 0;
+}
+
+}  // namespace
+}  // namespace flinch::train
+
+int main(int count, char** arguments) {
+  return flinch::train::run(count, arguments);
+}

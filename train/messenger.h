@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace flinch::train {
+
+struct Message {
+  int from = 0;
+  std::vector<std::byte> bytes;
+};
+
+/// Carries messages between the processes of one run, which are numbered from 0. Process 0 writes
+/// the store. Messages from one process to another arrive in the order in which they were sent.
+class Messenger {
+ public:
+  virtual ~Messenger() = default;
+
+  virtual int rank() const = 0;        ///< this process' number
+  virtual int size() const = 0;        ///< how many processes there are
+  virtual int local_size() const = 0;  ///< how many of them are on this machine
+
+  /// Returns at once; the message arrives when the other asks for it.
+  virtual void send(int to, std::vector<std::byte> bytes) = 0;
+  /// What has arrived, if anything; returns at once.
+  virtual std::optional<Message> receive() = 0;
+};
+
+/// A run of one process.
+class NoMessenger : public Messenger {
+ public:
+  int rank() const override { return 0; }
+  int size() const override { return 1; }
+  int local_size() const override { return 1; }
+  void send(int, std::vector<std::byte>) override {}
+  std::optional<Message> receive() override { return std::nullopt; }
+};
+
+}  // namespace flinch::train
