@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 
 #include "motion/error.h"
 
@@ -58,17 +57,18 @@ void Scaling::apply(std::span<const float> raw, std::span<double> scaled) const 
   }
 }
 
-Scaling make_scaling(std::span<const FeatureVector> rows) {
+Scaling make_scaling(std::span<const FeatureVector> rows, std::span<const std::string> names) {
   if (rows.empty()) throw Error("", "no observations to make a feature scaling from");
   Scaling scaling;
-  scaling.least.assign(rows.front().begin(), rows.front().end());
+  const std::span<const float> first = std::span(rows.front()).first(names.size());
+  scaling.least.assign(first.begin(), first.end());
   scaling.most = scaling.least;
   for (std::size_t row = 0; row < rows.size(); ++row) {
-    for (std::size_t i = 0; i < kFeatureCount; ++i) {
+    for (std::size_t i = 0; i < names.size(); ++i) {
       const double value = rows[row][i];
       if (!std::isfinite(value)) {
-        throw Error("", "feature " + std::string(kFeatureNames[i]) + " of observation " +
-                            std::to_string(row) + " is not a finite number");
+        throw Error("", "feature " + names[i] + " of observation " + std::to_string(row) +
+                            " is not a finite number");
       }
       scaling.least[i] = std::min(scaling.least[i], value);
       scaling.most[i] = std::max(scaling.most[i], value);

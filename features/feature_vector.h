@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -37,7 +38,13 @@ inline constexpr std::array<std::string_view, kFeatureCount> kFeatureNames{
 /// The features of a scenario of a character that idles with `idle`.
 Features features_of(const Scenario& scenario, const motion::Motion& idle);
 
-using FeatureVector = std::array<float, kFeatureCount>;
+/// The most components that a selector's features have.
+inline constexpr int kMostFeatures = kFeatureCount + 17;
+
+/// Components in the order of some layout (features/feature_layout.h), 0 beyond its size.
+using FeatureVector = std::array<float, kMostFeatures>;
+
+/// In the order of kFeatureNames.
 FeatureVector to_vector(const Features& features);
 
 /// Brings each component into [-1, 1] over the observations that it was made from, as libsvm's
@@ -46,13 +53,14 @@ struct Scaling {
   std::vector<double> least;  ///< one a component
   std::vector<double> most;
 
-  /// scaled_i = -1 + 2 (x_i - least_i) / (most_i - least_i), in double. `raw`, `scaled`, `least`
-  /// and `most` have one size. Values outside of the observed range go beyond [-1, 1].
+  /// scaled_i = -1 + 2 (x_i - least_i) / (most_i - least_i), in double, of the first
+  /// scaled.size() components, as many as `least` and `most` have. Values outside of the observed
+  /// range go beyond [-1, 1].
   void apply(std::span<const float> raw, std::span<double> scaled) const;
 };
 
-/// The scaling of these rows. Throws Error for no rows or a value that is not finite, which it
-/// names.
-Scaling make_scaling(std::span<const FeatureVector> rows);
+/// The scaling of these rows' first names.size() components. Throws Error for no rows or a value
+/// that is not finite, which it names.
+Scaling make_scaling(std::span<const FeatureVector> rows, std::span<const std::string> names);
 
 }  // namespace flinch::features

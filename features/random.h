@@ -19,7 +19,8 @@ enum class Purpose : std::uint32_t {
   bootstrap,
   cross_validation,
   perception,
-  fitting
+  fitting,
+  noise
 };
 
 /// The numbers of one (seed, purpose, stream), in order. For scenarios the stream is the scenario's

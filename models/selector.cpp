@@ -70,7 +70,8 @@ std::pmr::vector<Candidate> candidates(const NetworkModel& model, std::span<cons
 
 std::pmr::vector<Candidate> candidates(const Selector& selector, const features::FeatureVector& x,
                                        motion::Target threatened, Memory memory) {
-  std::array<double, features::kFeatureCount> scaled{};
+  std::array<double, features::kMostFeatures> room{};
+  const auto scaled = std::span(room).first(static_cast<std::size_t>(selector.layout.size()));
   selector.scaling.apply(x, scaled);
   const ClipMask allowed = allowed_clips(selector.clips, selector.idle, threatened, memory);
   return std::visit(

@@ -9,7 +9,7 @@
 #include <variant>
 #include <vector>
 
-#include "features/feature_vector.h"
+#include "features/feature_layout.h"
 #include "models/candidate.h"
 #include "models/knn.h"
 #include "models/network.h"
@@ -31,7 +31,7 @@ struct Selector {
   std::uint64_t library_hash = 0;
   std::vector<ClipSummary> clips;  ///< by the library's index
   int idle = 0;                    ///< the library's idle clip: always allowed
-  std::vector<std::string> feature_names;
+  features::Layout layout;         ///< of the features that it is asked with
   features::Scaling scaling;
   std::variant<SvmModel, KnnModel, NetworkModel> model;
   double brawn = 0.1;  ///< that its labels were made with
@@ -58,7 +58,7 @@ std::pmr::vector<Candidate> candidates(const NetworkModel& model, std::span<cons
                                        const ClipMask& allowed_clips, int idle,
                                        Memory memory = std::pmr::get_default_resource());
 
-/// The candidates of the selector's model. `x` is not scaled.
+/// The candidates of the selector's model. `x` is in the selector's layout and not scaled.
 std::pmr::vector<Candidate> candidates(const Selector& selector, const features::FeatureVector& x,
                                        motion::Target threatened,
                                        Memory memory = std::pmr::get_default_resource());

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "features/feature_vector.h"
+#include "features/feature_layout.h"
 #include "features/impact_prediction.h"
 #include "motion/interpolation.h"
 #include "runtime/pose_check.h"
@@ -158,8 +158,8 @@ Status Character::perceive(const features::Threat& threat, motion::Target target
 
 Status Character::answer(const features::Scenario& scenario, float delay_s,
                          Workspace& workspace) noexcept {
-  const features::FeatureVector x =
-      features::to_vector(features::features_of(scenario, library_->prepared().idle()));
+  const features::FeatureVector x = features::feature_vector(library_->selector().layout, scenario,
+                                                             library_->prepared().idling());
   const Selection selection =
       workspace.select(library_->selector(), x, scenario.target, candidates_);
   if (selection.status != SelectStatus::ok) return Status::other_workspace;

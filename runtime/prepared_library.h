@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "database/library.h"
+#include "features/geometry.h"
 #include "features/impact_prediction.h"
 #include "runtime/footwork.h"
 
@@ -25,6 +26,7 @@ struct PreparedLibrary {
   }
   const motion::Motion& idle() const { return clip(library->idle).motion; }
   features::SweptFigure figure() const { return {&skeleton(), &bodies, reach_m}; }
+  features::IdlingFigure idling() const { return {&skeleton(), &bodies, &idle()}; }
 };
 
 /// Prepares a library. Allocates; not for every frame.

@@ -13,8 +13,6 @@
 namespace flinch::runtime {
 namespace {
 
-constexpr auto kFeatures = static_cast<std::size_t>(features::kFeatureCount);
-
 bool all_finite(std::span<const double> numbers) {
   return std::all_of(numbers.begin(), numbers.end(), [](double x) { return std::isfinite(x); });
 }
@@ -34,14 +32,14 @@ bool is_sound(const models::ClipSummary& clip) {
          std::isfinite(annotation.end_s);
 }
 
-bool is_sound(const features::Scaling& scaling) {
-  return scaling.least.size() == kFeatures && scaling.most.size() == kFeatures &&
+bool is_sound(const features::Scaling& scaling, std::size_t feature_count) {
+  return scaling.least.size() == feature_count && scaling.most.size() == feature_count &&
          all_finite(scaling.least) && all_finite(scaling.most) &&
          std::equal(scaling.least.begin(), scaling.least.end(), scaling.most.begin(),
                     [](double least, double most) { return least <= most; });
 }
 
-bool is_sound(const models::SvmModel& model, std::size_t clip_count) {
+bool is_sound(const models::SvmModel& model, std::size_t clip_count, std::size_t feature_count) {
   const std::size_t classes = model.label.size();
   const std::set<int> different(model.label.begin(), model.label.end());
   const std::vector<int>& counts = model.vectors_of_class;
@@ -53,21 +51,21 @@ bool is_sound(const models::SvmModel& model, std::size_t clip_count) {
   const auto vectors = std::accumulate(
       counts.begin(), counts.end(), std::size_t{0},
       [](std::size_t sum, int count) { return sum + static_cast<std::size_t>(count); });
-  return model.feature_count == features::kFeatureCount && model.degree >= 0 &&
+  return static_cast<std::size_t>(model.feature_count) == feature_count && model.degree >= 0 &&
          all_finite(std::array{model.gamma, model.coef0, model.cost}) &&
-         model.support_vectors.size() == vectors * kFeatures &&
+         model.support_vectors.size() == vectors * feature_count &&
          model.coefficients.size() == vectors * (classes - 1) &&
          model.rho.size() == classes * (classes - 1) / 2 && all_finite(model.support_vectors) &&
          all_finite(model.coefficients) && all_finite(model.rho);
 }
 
 // Sums of costs have room for 65535 neighbours.
-bool is_sound(const models::KnnModel& model, std::size_t clip_count) {
+bool is_sound(const models::KnnModel& model, std::size_t clip_count, std::size_t feature_count) {
   const bool has_costs = model.vote == models::KnnVote::cost;
   return model.k >= 1 && model.k <= 0xFFFF && model.vote <= models::KnnVote::cost &&
-         model.feature_count == features::kFeatureCount && !model.label.empty() &&
+         static_cast<std::size_t>(model.feature_count) == feature_count && !model.label.empty() &&
          are_clips(model.label, clip_count) &&
-         model.points.size() == model.label.size() * kFeatures &&
+         model.points.size() == model.label.size() * feature_count &&
          std::all_of(model.points.begin(), model.points.end(),
                      [](float x) { return std::isfinite(x); }) &&
          model.cost.size() == (has_costs ? model.label.size() * clip_count : 0) &&
@@ -76,12 +74,12 @@ bool is_sound(const models::KnnModel& model, std::size_t clip_count) {
 
 // A unit too many, or a member, would be read beyond the weights; sizes beyond a few thousand would
 // overflow their product.
-bool is_sound(const models::NetworkModel& model, std::size_t clip_count) {
+bool is_sound(const models::NetworkModel& model, std::size_t clip_count, std::size_t feature_count) {
   constexpr int kMost = 1 << 12;
   const auto is_weight = [](float weight) {
     return std::abs(weight) <= models::kMostNetworkWeight;  // not so where it is not a number
   };
-  return model.feature_count == features::kFeatureCount && model.hidden_count >= 1 &&
+  return static_cast<std::size_t>(model.feature_count) == feature_count && model.hidden_count >= 1 &&
          model.hidden_count <= kMost && model.hidden_count % models::kNetworkBlock == 0 &&
          model.member_count >= 1 && model.member_count <= kMost && !model.clip.empty() &&
          are_clips(model.clip, clip_count) &&
@@ -98,13 +96,15 @@ bool is_sound(const models::NetworkModel& model, std::size_t clip_count) {
 
 bool is_sound(const models::Selector& selector) {
   const std::size_t clip_count = selector.clips.size();
+  const auto feature_count = static_cast<std::size_t>(selector.layout.size());
   const auto is_clip_sound = [](const models::ClipSummary& clip) { return is_sound(clip); };
   const auto is_finite = [](const Eigen::Vector3f& vector) { return vector.allFinite(); };
   return selector.idle >= 0 && static_cast<std::size_t>(selector.idle) < clip_count &&
          std::all_of(selector.clips.begin(), selector.clips.end(), is_clip_sound) &&
-         is_sound(selector.scaling) && selector.brawn >= 0 && selector.brawn <= 1 &&
+         feature_count > 0 && is_sound(selector.scaling, feature_count) && selector.brawn >= 0 &&
+         selector.brawn <= 1 &&
          std::all_of(selector.target_centres.begin(), selector.target_centres.end(), is_finite) &&
-         std::visit([clip_count](const auto& model) { return is_sound(model, clip_count); },
+         std::visit([&](const auto& model) { return is_sound(model, clip_count, feature_count); },
                     selector.model);
 }
 

@@ -32,12 +32,12 @@ models::ClipSummary read_clip(const schema::Clip& stored) {
   return clip;
 }
 
-models::SvmModel read_model(const schema::Svm& stored) {
+models::SvmModel read_model(const schema::Svm& stored, int feature_count) {
   return {.degree = stored.degree(),
           .gamma = stored.gamma(),
           .coef0 = stored.coef0(),
           .cost = stored.cost(),
-          .feature_count = features::kFeatureCount,
+          .feature_count = feature_count,
           .label = to_vector(*stored.label()),
           .vectors_of_class = to_vector(*stored.vectors_of_class()),
           .support_vectors = to_vector(*stored.support_vectors()),
@@ -45,11 +45,11 @@ models::SvmModel read_model(const schema::Svm& stored) {
           .rho = to_vector(*stored.rho())};
 }
 
-models::KnnModel read_model(const schema::Knn& stored, int clip_count) {
+models::KnnModel read_model(const schema::Knn& stored, int feature_count, int clip_count) {
   return {
       .k = stored.k(),
       .vote = static_cast<models::KnnVote>(stored.vote()),
-      .feature_count = features::kFeatureCount,
+      .feature_count = feature_count,
       .points = to_vector(*stored.points()),
       .label = to_vector(*stored.label()),
       .cost = stored.cost() == nullptr ? std::vector<std::uint16_t>() : to_vector(*stored.cost()),
@@ -58,8 +58,8 @@ models::KnnModel read_model(const schema::Knn& stored, int clip_count) {
       .leaves = {}};
 }
 
-models::NetworkModel read_model(const schema::Network& stored) {
-  return {.feature_count = features::kFeatureCount,
+models::NetworkModel read_model(const schema::Network& stored, int feature_count) {
+  return {.feature_count = feature_count,
           .hidden_count = stored.hidden_count(),
           .member_count = stored.member_count(),
           .clip = to_vector(*stored.clip()),
@@ -69,14 +69,11 @@ models::NetworkModel read_model(const schema::Network& stored) {
           .weights = to_vector(*stored.weights())};
 }
 
-/// Whether the features are those of this build, in its order.
-bool has_our_layout(const schema::Selector& stored) {
-  const auto& names = *stored.feature_names();
-  return std::equal(names.begin(), names.end(), features::kFeatureNames.begin(),
-                    features::kFeatureNames.end(),
-                    [](const flatbuffers::String* name, std::string_view ours) {
-                      return name->string_view() == ours;
-                    });
+/// None unless this build computes every feature.
+std::optional<features::Layout> read_layout(const schema::Selector& stored) {
+  std::vector<std::string> names;
+  for (const flatbuffers::String* name : *stored.feature_names()) names.push_back(name->str());
+  return features::Layout::of(names);
 }
 
 /// False for what the schema's own verification leaves open.
@@ -84,7 +81,6 @@ bool read_stored(const schema::Selector& stored, models::Selector& selector) {
   selector.library_hash = stored.library_hash();
   for (const schema::Clip* clip : *stored.clips()) selector.clips.push_back(read_clip(*clip));
   selector.idle = stored.idle();
-  for (const auto* name : *stored.feature_names()) selector.feature_names.push_back(name->str());
   selector.scaling = {to_vector(*stored.least()), to_vector(*stored.most())};
   selector.brawn = stored.brawn();
   const auto& centres = *stored.target_centres();
@@ -93,11 +89,11 @@ bool read_stored(const schema::Selector& stored, models::Selector& selector) {
     selector.target_centres[i / 3][i % 3] = centres.Get(i);
   }
   if (const schema::Svm* svm = stored.model_as_Svm()) {
-    selector.model = read_model(*svm);
+    selector.model = read_model(*svm, selector.layout.size());
   } else if (const schema::Knn* knn = stored.model_as_Knn()) {
-    selector.model = read_model(*knn, static_cast<int>(selector.clips.size()));
+    selector.model = read_model(*knn, selector.layout.size(), static_cast<int>(selector.clips.size()));
   } else if (const schema::Network* network = stored.model_as_Network()) {
-    selector.model = read_model(*network);
+    selector.model = read_model(*network, selector.layout.size());
   } else {
     return false;
   }
@@ -130,8 +126,10 @@ LoadStatus read_selector_file(std::span<const std::byte> bytes, SelectorFile& fi
                                  unsealed.content.size());
   if (!schema::VerifySelectorBuffer(verifier)) return LoadStatus::damaged;
   const schema::Selector& stored = *schema::GetSelector(unsealed.content.data());
-  if (!has_our_layout(stored)) return LoadStatus::other_layout;
+  const std::optional<features::Layout> layout = read_layout(stored);
+  if (!layout) return LoadStatus::other_layout;
   SelectorFile read;
+  read.selector.layout = *layout;
   if (!read_stored(stored, read.selector)) return LoadStatus::damaged;
   const LoadStatus status = read_clips(stored, read);
   if (status == LoadStatus::ok) file = std::move(read);

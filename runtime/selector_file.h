@@ -18,8 +18,8 @@ struct SelectorFile {
   std::optional<database::Library> library;
 };
 
-/// Reads a selector file's bytes: verified against the content hash, the schemas, the feature
-/// layout that this build computes, is_sound() and, where it has clips, the library's invariants
+/// Reads a selector file's bytes: verified against the content hash, the schemas, the features
+/// that this build computes, is_sound() and, where it has clips, the library's invariants
 /// and are_of_one_kind() before anything is used. On failure `file` is left as it was. Throws
 /// nothing.
 database::LoadStatus read_selector_file(std::span<const std::byte> bytes,
@@ -31,8 +31,8 @@ database::LoadStatus read_selector(std::span<const std::byte> bytes,
 database::LoadStatus read_selector(const std::string& path, models::Selector& selector) noexcept;
 
 /// Whether classification can rely on it: clips, with the idle one among them, and known targets
-/// and degrees; scaling and model of kFeatureCount features; vectors of the sizes that go together;
-/// labels that are clips; finite numbers throughout.
+/// and degrees; scaling and model of as many features as the layout has; vectors of the sizes that
+/// go together; labels that are clips; finite numbers throughout.
 bool is_sound(const models::Selector& selector);
 
 /// Whether what the selector chooses can be played from the library: the hash that the selector

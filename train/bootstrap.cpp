@@ -20,9 +20,8 @@ double percentile(const std::vector<double>& sorted, double share) {
 
 }  // namespace
 
-std::vector<std::vector<std::uint32_t>> draw_resamples(std::size_t count, std::size_t resamples,
-                                                       std::uint64_t seed) {
-  std::vector<std::vector<std::uint32_t>> drawn(resamples, std::vector<std::uint32_t>(count));
+Resamples draw_resamples(std::size_t count, std::size_t resamples, std::uint64_t seed) {
+  Resamples drawn(resamples, std::vector<std::uint32_t>(count));
   for (std::size_t i = 0; i < resamples; ++i) {
     features::Random random(seed, features::Purpose::bootstrap, i);
     for (std::uint32_t& index : drawn[i]) index = static_cast<std::uint32_t>(random.index(count));
@@ -30,12 +29,20 @@ std::vector<std::vector<std::uint32_t>> draw_resamples(std::size_t count, std::s
   return drawn;
 }
 
-Interval percentile_interval(
-    const std::vector<std::vector<std::uint32_t>>& resamples,
-    const std::function<double(std::span<const std::uint32_t>)>& statistic) {
-  std::vector<double> values;
-  values.reserve(resamples.size());
-  for (const auto& resample : resamples) values.push_back(statistic(resample));
+ResampledMean resampled_mean(std::span<const double> values, const Resamples& resamples) {
+  ResampledMean result;
+  for (const double value : values) result.mean += value;
+  result.mean /= static_cast<double>(values.size());
+  result.resampled.reserve(resamples.size());
+  for (const auto& indices : resamples) {
+    double sum = 0;
+    for (const std::uint32_t index : indices) sum += values[index];
+    result.resampled.push_back(sum / static_cast<double>(indices.size()));
+  }
+  return result;
+}
+
+Interval percentile_interval(std::vector<double> values) {
   std::erase_if(values, [](double value) { return std::isnan(value); });
   if (values.empty()) {
     constexpr double kNone = std::numeric_limits<double>::quiet_NaN();

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <span>
 #include <vector>
 
@@ -14,15 +13,38 @@ struct Interval {
   double high = 0;
 };
 
+/// A statistic of a sample with its interval.
+struct Estimate {
+  double value = 0;
+  Interval interval;
+};
+
+/// Samples of a sample: indices, drawn with replacement.
+using Resamples = std::vector<std::vector<std::uint32_t>>;
+
 /// `resamples` samples of `count` indices below `count`, drawn with replacement from `seed`: used
 /// for every statistic, so that differences are paired.
-std::vector<std::vector<std::uint32_t>> draw_resamples(std::size_t count, std::size_t resamples,
-                                                       std::uint64_t seed);
+Resamples draw_resamples(std::size_t count, std::size_t resamples, std::uint64_t seed);
+
+/// The mean of all values, and of each resample: statistics are made of these, value by value.
+struct ResampledMean {
+  double mean = 0;
+  std::vector<double> resampled;
+};
+ResampledMean resampled_mean(std::span<const double> values, const Resamples& resamples);
 
 /// The percentile bootstrap (Efron and Tibshirani 1993, chapter 13): the 2.5th and 97.5th
-/// percentiles of the statistic over the resamples, linear between order statistics.
-Interval percentile_interval(
-    const std::vector<std::vector<std::uint32_t>>& resamples,
-    const std::function<double(std::span<const std::uint32_t>)>& statistic);
+/// percentiles of a statistic's values over the resamples, linear between order statistics. Values
+/// that are not numbers are left out.
+Interval percentile_interval(std::vector<double> values);
+
+/// The statistic of some means, and its interval over the resamples.
+template <class Statistic, class... Means>
+Estimate estimate(const Statistic& statistic, const ResampledMean& first, const Means&... others) {
+  std::vector<double> values(first.resampled.size());
+  for (std::size_t i = 0; i < values.size(); ++i)
+    values[i] = statistic(first.resampled[i], others.resampled[i]...);
+  return {statistic(first.mean, others.mean...), percentile_interval(std::move(values))};
+}
 
 }  // namespace flinch::train

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <span>
 #include <string>
 
 #include "train/labels.h"
@@ -10,18 +9,13 @@
 namespace flinch::train {
 
 /// The observations as libsvm's programs read them: the label (index of the clip) and the scaled
-/// features from 1 on, every digit that a double has. Scaled as a selector trained on the same
-/// observations scales.
-std::string libsvm_text(std::span<const Observation> observations, const Labels& labels);
+/// features from 1 on, every digit that a double has. `scaling` is that of the observations that
+/// are fitted to: a selector's own where these are its observations.
+std::string libsvm_text(const Store& store, const Labels& labels, const features::Scaling& scaling);
 
 /// The observations as comma-separated values under a line of names: number, target, features
-/// (unscaled), the label's index and name, and what it and standing idle cost.
+/// (unscaled), the label's index and name, what it and standing idle cost, and then what each clip
+/// of the library costs, empty where it was not tried.
 std::string csv_text(const Store& store, const Labels& labels);
-
-/// A double with every digit, as "%.17g" writes it, whatever the locale.
-std::string exact(double value);
-
-/// A cell of comma-separated values, quoted where it needs to be (RFC 4180).
-std::string csv_cell(const std::string& text);
 
 }  // namespace flinch::train

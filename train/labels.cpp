@@ -27,24 +27,24 @@ double cost_of_choice(std::span<const Observation> observations, const Labels& l
   return labels.cost[observation][trial_of(observations[observation], clip)];
 }
 
-features::Scaling scaling_of(std::span<const Observation> observations) {
+features::Scaling scaling_of(const StoreHeader& header, std::span<const Observation> observations) {
   std::vector<features::FeatureVector> rows;
   rows.reserve(observations.size());
   for (const Observation& observation : observations) rows.push_back(observation.features);
-  return features::make_scaling(rows);
+  return features::make_scaling(rows, header.layout.names());
 }
 
 models::TrainingSet make_training_set(const StoreHeader& header,
                                       std::span<const Observation> observations,
                                       const Labels& labels, const features::Scaling& scaling) {
   models::TrainingSet set;
-  set.feature_count = features::kFeatureCount;
+  set.feature_count = header.layout.size();
   set.idle = header.idle;
   for (int target = 0; target < motion::kTargetCount; ++target) {
     set.masks.push_back(
         models::allowed_clips(header.clips, header.idle, static_cast<motion::Target>(target)));
   }
-  std::vector<double> scaled(features::kFeatureCount);
+  std::vector<double> scaled(static_cast<std::size_t>(set.feature_count));
   for (const Observation& observation : observations) {
     scaling.apply(observation.features, scaled);
     set.points.insert(set.points.end(), scaled.begin(), scaled.end());

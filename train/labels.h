@@ -27,7 +27,7 @@ double cost_of_choice(std::span<const Observation> observations, const Labels& l
                       std::size_t observation, int clip);
 
 /// The scaling of these observations' features.
-features::Scaling scaling_of(std::span<const Observation> observations);
+features::Scaling scaling_of(const StoreHeader& header, std::span<const Observation> observations);
 
 /// The observations as the models are fitted to them, with the costs of their trials.
 models::TrainingSet make_training_set(const StoreHeader& header,

@@ -3,24 +3,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "motion/error.h"
 
 namespace flinch::train {
 
-namespace {
-
-std::size_t component(std::string_view name) {
-  return static_cast<std::size_t>(std::ranges::find(features::kFeatureNames, name) -
-                                  features::kFeatureNames.begin());
-}
-
-}  // namespace
-
-float azimuth_of(const features::FeatureVector& features) {
-  static const std::size_t kHeadingX = component("heading_x");
-  static const std::size_t kHeadingY = component("heading_y");
-  return std::atan2(-features[kHeadingY], -features[kHeadingX]);
+float azimuth_of(const features::Scenario& scenario) {
+  const Eigen::Vector3f from = -scenario.threat.velocity;
+  return std::remainder(std::atan2(from.y(), from.x()) - scenario.state.facing,
+                        2 * std::numbers::pi_v<float>);
 }
 
 std::size_t trial_of(const Observation& observation, int clip) {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "features/feature_vector.h"
+#include "features/feature_layout.h"
 #include "features/scenario.h"
 #include "motion/body.h"
 
@@ -23,13 +23,13 @@ struct Trial {
 struct Observation {
   std::uint64_t number = 0;  ///< of the scenario
   features::Scenario scenario;
-  features::FeatureVector features{};
+  features::FeatureVector features{};  ///< see StoreHeader::layout
   std::vector<Trial> trials;
 };
 
-/// Where the threat comes from, radians counter-clockwise from the character's facing, from the
-/// features' heading.
-float azimuth_of(const features::FeatureVector& features);
+/// Where the threat comes from at perception, radians counter-clockwise from the character's
+/// facing.
+float azimuth_of(const features::Scenario& scenario);
 
 /// Index of a clip's trial. Throws Error when the clip was not tried.
 std::size_t trial_of(const Observation& observation, int clip);

@@ -14,7 +14,7 @@ using Choose = std::function<bool(const Observation&)>;
 
 /// Directions are the annotation's: eight sectors about the facing, in (-180, 180] degrees.
 int sector_of(const Observation& observation) {
-  const double turns = double{azimuth_of(observation.features)} / (2 * std::numbers::pi);
+  const double turns = double{azimuth_of(observation.scenario)} / (2 * std::numbers::pi);
   const int sector = static_cast<int>(std::lround(8 * turns));
   return sector == -4 ? 4 : sector;
 }

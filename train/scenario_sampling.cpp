@@ -79,16 +79,15 @@ double least_feasible_elevation(double speed_mps, double time_to_impact_s, doubl
   return std::asin(std::clamp(sine, -1.0, 1.0));
 }
 
-features::FeatureVector described_features(const DescribedThreat& threat,
+features::FeatureVector described_features(const features::Layout& layout,
+                                           const DescribedThreat& threat,
                                            const TargetCentres& centres) {
   features::Scenario scenario;
   scenario.target = threat.target;
   scenario.time_to_impact_s = threat.approach.time_to_impact_s;
   scenario.threat = features::threat_from_approach(
       threat.approach, centres[static_cast<std::size_t>(threat.target)], 0);
-  motion::Motion still;
-  still.poses.emplace_back();
-  return features::to_vector(features::features_of(scenario, still));
+  return features::feature_vector(layout, scenario, centres);
 }
 
 TargetCentres target_centres(const motion::Skeleton& skeleton, const motion::BodyModel& body_model,

@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "database/library.h"
-#include "features/feature_vector.h"
+#include "features/feature_layout.h"
 #include "features/scenario.h"
 #include "motion/body.h"
 
@@ -73,8 +73,7 @@ features::Scenario sample_scenario(const database::Library& library,
 double least_feasible_elevation(double speed_mps, double time_to_impact_s, double radius_m,
                                 double impact_height_m);
 
-/// One point a target, m.
-using TargetCentres = std::array<Eigen::Vector3f, motion::kTargetCount>;
+using features::TargetCentres;
 
 /// A threat to one target of a character that stands still, as a person describes it.
 struct DescribedThreat {
@@ -85,7 +84,8 @@ struct DescribedThreat {
 /// The features of a described threat: it comes to the target's centre (`centres`, in the frame of
 /// the features), and the character neither moves nor turns until then. The same frames, flight
 /// and features as of a sampled scenario.
-features::FeatureVector described_features(const DescribedThreat& threat,
+features::FeatureVector described_features(const features::Layout& layout,
+                                           const DescribedThreat& threat,
                                            const TargetCentres& centres);
 
 /// Centres of the targets of an idling character, world, m.

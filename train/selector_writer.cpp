@@ -84,7 +84,7 @@ void store(FlatBufferBuilder& builder, const models::Selector& selector,
   std::vector<Offset<schema::Clip>> stored;
   for (const models::ClipSummary& clip : selector.clips) stored.push_back(store(builder, clip));
   const auto clips = builder.CreateVector(stored);
-  const auto names = builder.CreateVectorOfStrings(selector.feature_names);
+  const auto names = builder.CreateVectorOfStrings(selector.layout.names());
   const auto least = builder.CreateVector(selector.scaling.least);
   const auto most = builder.CreateVector(selector.scaling.most);
   std::vector<float> floats;

@@ -32,6 +32,9 @@ struct StoreHeader {
   std::vector<models::ClipSummary> clips;
   std::vector<double> clip_work_j;  ///< of each clip's reference response
   int idle = 0;
+  /// Of the observations' features: the paper's, unless derive_features() has put in others. Not in
+  /// the file.
+  features::Layout layout = features::feature_set_named("paper")->layout;
   TargetCentres idle_target_centres{};  ///< of the idle clip's first pose, in the character's frame
 };
 

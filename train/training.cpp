@@ -137,8 +137,8 @@ Training train_selector(const StoreHeader& header, std::span<const Observation> 
   selector.library_hash = header.library_hash;
   selector.clips = header.clips;
   selector.idle = header.idle;
-  selector.feature_names.assign(features::kFeatureNames.begin(), features::kFeatureNames.end());
-  selector.scaling = scaling_of(observations);
+  selector.layout = header.layout;
+  selector.scaling = scaling_of(header, observations);
   selector.brawn = cost_model.brawn;
   selector.target_centres = header.idle_target_centres;
 

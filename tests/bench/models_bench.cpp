@@ -34,6 +34,7 @@ Selector selector_with(Model model) {
     const auto target = static_cast<motion::Target>(clip / 2 % motion::kTargetCount);
     selector.clips.push_back({"clip", motion::Annotation{.target = target}});
   }
+  selector.layout = features::feature_set_named("paper")->layout;
   selector.scaling.least.assign(features::kFeatureCount, -1);
   selector.scaling.most.assign(features::kFeatureCount, 1);
   selector.model = std::move(model);

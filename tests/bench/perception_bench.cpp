@@ -2,6 +2,7 @@
 // What it costs to predict the impact of a threat on an idling figure, the same mix each time.
 #include <benchmark/benchmark.h>
 
+#include "features/feature_layout.h"
 #include "runtime/perception.h"
 #include "tests/features/swaying_figure.h"
 #include "tests/motion/random_motion.h"
@@ -70,6 +71,26 @@ void predict_misses(benchmark::State& state) {
   predict_all(state, threats_passing(2, 10), of_idle);
 }
 BENCHMARK(predict_misses);
+
+/// What a selector is told, of one layout.
+void feature_vectors(benchmark::State& state, const char* set) {
+  const features::Layout& layout = features::feature_set_named(set)->layout;
+  const features::IdlingFigure idling{&figure().character.skeleton, &figure().model,
+                                      &figure().idle};
+  const std::vector<features::Threat> threats = threats_passing(-0.05F, 0.05F);
+  features::Scenario scenario;
+  std::size_t next = 0;
+  float sum = 0;
+  for (auto _ : state) {
+    scenario.threat = threats[next++ % threats.size()];
+    scenario.state.idle_time_s = 0.01F * static_cast<float>(next % 100);
+    sum += features::feature_vector(layout, scenario, idling)[0];
+  }
+  state.counters["mean_first"] =
+      static_cast<double>(sum) / static_cast<double>(state.iterations());
+}
+BENCHMARK_CAPTURE(feature_vectors, paper, "paper");
+BENCHMARK_CAPTURE(feature_vectors, geometry, "geometry");
 
 void sway_of_the_idle(benchmark::State& state) {
   for (auto _ : state) {

@@ -19,7 +19,7 @@ class Mocap(ProgramTest):
         self.succeed("simulate", library, "--out", store, "-n", 16, "--seed", 1)
         self.document("train", store, "--out", selector)
         rows = self.document("compare", store)["rows"]
-        self.assertEqual(len(rows), 6)
+        self.assertLessEqual({"idle", "knn", "svm", "oracle"}, {row["name"] for row in rows})
         answer = self.document("select", selector, "--azimuth", 40, "--speed", 24, "--target",
                                "head", "--time-to-impact", 0.5)
         names = [clip["name"] for clip in self.document("info", library)["clips"]]

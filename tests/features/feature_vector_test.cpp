@@ -15,6 +15,8 @@
 namespace flinch::features {
 namespace {
 
+const std::vector<std::string> kNames(kFeatureNames.begin(), kFeatureNames.end());
+
 // An idle that sways 0.1 m to the left and turns its pelvis by 0.2 rad to the left within 1 s.
 motion::Motion swaying_idle() {
   motion::Motion idle;
@@ -111,7 +113,7 @@ TEST(Scaling, BringsTheExtremesToOneAndConstantsToZero) {
   rows[0][2] = -4;
   rows[1][2] = 0;
   rows[2][2] = 12;
-  const Scaling scaling = make_scaling(rows);
+  const Scaling scaling = make_scaling(rows, kNames);
   std::array<double, kFeatureCount> scaled{};
   const auto scaled_third = [&](const FeatureVector& row) {
     scaling.apply(row, scaled);
@@ -124,12 +126,12 @@ TEST(Scaling, BringsTheExtremesToOneAndConstantsToZero) {
 }
 
 TEST(Scaling, RefusesNoRowsAndNumbersThatAreNotFinite) {
-  EXPECT_THROW(make_scaling({}), Error);
+  EXPECT_THROW(make_scaling({}, kNames), Error);
   std::vector<FeatureVector> rows(2);
   for (FeatureVector& row : rows) row.fill(0);
   rows[1][6] = std::numeric_limits<float>::quiet_NaN();
   try {
-    make_scaling(rows);
+    make_scaling(rows, kNames);
     FAIL() << "took a NaN";
   } catch (const Error& error) {
     EXPECT_THAT(error.what(), testing::HasSubstr("speed_mps of observation 1"));

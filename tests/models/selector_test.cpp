@@ -150,6 +150,7 @@ TEST(Selector, ScalesAndMasksBeforeItAsksItsModel) {
   Selector selector;
   selector.clips = {
       {"idle", {}}, clip_for(Target::head), clip_for(Target::head), clip_for(Target::legs)};
+  selector.layout = features::feature_set_named("paper")->layout;
   selector.scaling.least.assign(features::kFeatureCount, 0);
   selector.scaling.most.assign(features::kFeatureCount, 10);
   std::vector<float> points;

@@ -53,7 +53,7 @@ inline MadeUpSelector made_up_selector(const database::Library& library, int obs
   for (const motion::Clip& clip : library.clips)
     selector.clips.push_back({clip.name, clip.annotation});
   selector.idle = library.idle;
-  selector.feature_names.assign(features::kFeatureNames.begin(), features::kFeatureNames.end());
+  selector.layout = features::feature_set_named("paper")->layout;
   selector.scaling.least.assign(features::kFeatureCount, -1);
   selector.scaling.most.assign(features::kFeatureCount, 1);
   const int class_count = static_cast<int>(library.clips.size()) - 1;

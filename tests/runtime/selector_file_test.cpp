@@ -49,7 +49,7 @@ Selector selector_without_model() {
   }
   selector.clips.push_back({"idle", std::nullopt});
   selector.idle = 7;
-  selector.feature_names.assign(features::kFeatureNames.begin(), features::kFeatureNames.end());
+  selector.layout = features::feature_set_named("paper")->layout;
   for (int i = 0; i < features::kFeatureCount; ++i) {
     selector.scaling.least.push_back(-1.0 / (i + 3));
     selector.scaling.most.push_back(1.0 / (i + 7));
@@ -159,7 +159,7 @@ void expect_same(const Selector& a, const Selector& b) {
   EXPECT_EQ(a.idle, b.idle);
   ASSERT_EQ(a.clips.size(), b.clips.size());
   for (std::size_t i = 0; i < a.clips.size(); ++i) expect_same(a.clips[i], b.clips[i]);
-  EXPECT_EQ(a.feature_names, b.feature_names);
+  EXPECT_EQ(a.layout, b.layout);
   EXPECT_EQ(bits_of(a.scaling.least), bits_of(b.scaling.least));
   EXPECT_EQ(bits_of(a.scaling.most), bits_of(b.scaling.most));
   EXPECT_EQ(bits_of({a.brawn}), bits_of({b.brawn}));
@@ -302,8 +302,8 @@ TEST(SelectorFile, WhatCannotBeReadIsNotWritten) {
       [](Selector& s) { s.idle = 8; },
       [](Selector& s) { s.idle = -1; },
       [](Selector& s) { s.clips.clear(); },
-      [](Selector& s) { s.feature_names.pop_back(); },
-      [](Selector& s) { std::swap(s.feature_names[0], s.feature_names[1]); },
+      [](Selector& s) { s.layout = {}; },
+      [](Selector& s) { s.layout = features::feature_set_named("geometry")->layout; },
       [](Selector& s) { s.scaling.least.pop_back(); },
       [nan](Selector& s) { s.scaling.most[3] = nan; },
       [](Selector& s) { s.scaling.least[3] = s.scaling.most[3] + 1; },

@@ -5,7 +5,8 @@
 #include <fstream>
 #include <sstream>
 
-#include "tests/train/made_up_store.h"
+#include "tests/train/comparison.h"
+#include "train/csv.h"
 #include "train/export.h"
 #include "train/training.h"
 
@@ -16,38 +17,48 @@ bool succeeds(const std::string& command) {
   return std::system(command.c_str()) == 0;
 }
 
-TEST(LibsvmExport, SvmTrainAndSvmPredictAgreeWithTheSelectorsSvm) {
+std::string svm_train_options(const models::SvmModel& svm) {
+  std::ostringstream options;
+  options << " -q -t 1 -d " << svm.degree << " -g " << exact(svm.gamma) << " -r "
+          << exact(svm.coef0) << " -c " << exact(svm.cost) << ' ';
+  return options.str();
+}
+
+// Fitted to one store and asked about another, from the exported files alone.
+TEST(LibsvmExport, SvmTrainAndSvmPredictChooseAsTheSelectorsSvmDoes) {
   if (!succeeds("command -v svm-train svm-predict > /dev/null")) {
     GTEST_SKIP() << "libsvm's programs are not installed (libsvm-tools)";
   }
   const TemporaryFolder folder;
-  const StoreHeader header = made_up_header();
-  const std::vector<Observation> observations = made_up_observations(header, 0, 150);
-  const CostModel cost_model =
-      make_cost_model(header, vulnerability_profiles()[0].vulnerability, 0.1);
-  const Training training = train_selector(header, observations, cost_model, Method::svm, 1);
-  const auto& svm = std::get<models::SvmModel>(training.selector.model);
-
-  std::ofstream(folder / "data") << libsvm_text(observations, label(observations, cost_model));
-  std::ostringstream train;
-  train << "svm-train -q -t 1 -d " << svm.degree << " -g " << exact(svm.gamma) << " -r "
-        << exact(svm.coef0) << " -c " << exact(svm.cost) << ' ' << (folder / "data") << ' '
-        << (folder / "model");
-  ASSERT_TRUE(succeeds(train.str()));
-  ASSERT_TRUE(succeeds("svm-predict " + (folder / "data") + " " + (folder / "model") + " " +
-                       (folder / "predicted") + " > /dev/null"));
-
-  std::ifstream predicted(folder / "predicted");
-  std::vector<double> scaled(features::kFeatureCount);
-  int compared = 0;
-  for (int clip = -1; predicted >> clip; ++compared) {
-    training.selector.scaling.apply(observations[static_cast<std::size_t>(compared)].features,
-                                    scaled);
-    const int chosen = svm.label[static_cast<std::size_t>(models::predict(svm, scaled))];
-    EXPECT_EQ(chosen, clip) << "scenario " << compared;
+  for (const features::FeatureSet& set : features::feature_sets()) {
+    Store store = made_up_store(150);
+    Store test = made_up_store(100, 6);
+    derive_features(set.layout, store);
+    derive_features(set.layout, test);
+    const CostModel cost_model = default_cost(store.header);
+    const Training training =
+        train_selector(store.header, store.observations, cost_model, Method::svm, 1);
+    const auto& svm = std::get<models::SvmModel>(training.selector.model);
+    const features::Scaling scaling = scaling_of(store.header, store.observations);
+    std::ofstream(folder / "train")
+        << libsvm_text(store, label(store.observations, cost_model), scaling);
+    std::ofstream(folder / "test")
+        << libsvm_text(test, label(test.observations, cost_model), scaling);
+    ASSERT_TRUE(succeeds("svm-train" + svm_train_options(svm) + (folder / "train") + ' ' +
+                         (folder / "model")));
+    ASSERT_TRUE(succeeds("svm-predict " + (folder / "test") + " " + (folder / "model") + " " +
+                         (folder / "predicted") + " > /dev/null"));
+    std::ifstream predicted(folder / "predicted");
+    std::vector<double> scaled(static_cast<std::size_t>(set.layout.size()));
+    std::size_t compared = 0;
+    for (int clip = -1; predicted >> clip; ++compared) {
+      training.selector.scaling.apply(test.observations[compared].features, scaled);
+      const int chosen = svm.label[static_cast<std::size_t>(models::predict(svm, scaled))];
+      EXPECT_EQ(chosen, clip) << set.name << ", scenario " << compared;
+    }
+    EXPECT_EQ(compared, 100U);
+    EXPECT_GT(svm.class_count(), 3);
   }
-  EXPECT_EQ(compared, 150);
-  EXPECT_GT(svm.class_count(), 3);
 }
 
 }  // namespace

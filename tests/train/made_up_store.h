@@ -57,7 +57,7 @@ inline Observation made_up_observation(const StoreHeader& header, std::uint64_t 
   observation.scenario = sample_scenario(kLibrary, kModel, {}, header.seed, number);
   observation.features =
       features::to_vector(features::features_of(observation.scenario, kLibrary.clips[0].motion));
-  const float azimuth = azimuth_of(observation.features);
+  const float azimuth = azimuth_of(observation.scenario);
   for (int clip = 0; clip < static_cast<int>(header.clips.size()); ++clip) {
     const auto& annotation = header.clips[static_cast<std::size_t>(clip)].annotation;
     if (clip != header.idle && !features::is_allowed(observation.scenario.target, annotation))

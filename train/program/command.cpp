@@ -9,6 +9,9 @@
 #include <sstream>
 #include <vector>
 
+#include "features/feature_layout.h"
+#include "train/training.h"
+
 namespace flinch::train::program {
 
 void add_json_option(CLI::App& command, bool& json) {
@@ -25,6 +28,26 @@ CLI::Validator number_in(double least, double most) {
     return in_range ? std::string() : "Value " + input + " not in range " + text;
   };
   return {refusal, "NUMBER in " + range.str()};
+}
+
+void add_features_option(CLI::App& command, std::string& set) {
+  std::vector<std::string> names;
+  std::string summaries;
+  for (const features::FeatureSet& known : features::feature_sets()) {
+    names.emplace_back(known.name);
+    summaries += (summaries.empty() ? "" : "; ") + names.back() + ": " + std::string(known.summary);
+  }
+  set = names.front();
+  command
+      .add_option("--features", set, "what a selector is told of a scenario (" + summaries + ")")
+      ->check(CLI::IsMember(names))
+      ->capture_default_str();
+}
+
+std::vector<std::string> method_names() {
+  std::vector<std::string> names;
+  for (const Method method : methods()) names.emplace_back(name_of(method));
+  return names;
 }
 
 void print(const Json& document) {

@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "models/selector.h"
 #include "train/cost.h"
@@ -31,6 +32,12 @@ void add_json_option(CLI::App& command, bool& json);
 
 /// Accepts numbers from `least` to `most`; unlike CLI::Range, nan is not one.
 CLI::Validator number_in(double least, double most);
+
+/// The option that says with which features selectors are asked; `set` becomes the default.
+void add_features_option(CLI::App& command, std::string& set);
+
+/// The names of all methods.
+std::vector<std::string> method_names();
 
 /// Writes the one document that --json prints.
 void print(const Json& document);

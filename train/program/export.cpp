@@ -6,6 +6,7 @@
 
 #include "database/file_io.h"
 #include "motion/error.h"
+#include "train/feature_derivation.h"
 #include "train/labels.h"
 #include "train/program/command.h"
 #include "train/store.h"
@@ -17,20 +18,33 @@ namespace {
 struct Options {
   std::string store;
   std::string file;
+  std::string scaling;
+  std::string features;
   CostOptions cost;
   bool json = false;
 };
+
+/// That of the store itself, or of another that is fitted to.
+features::Scaling scaling_for(const Options& options, const Store& store) {
+  if (options.scaling.empty()) return scaling_of(store.header, store.observations);
+  Store fitted = read_store(options.scaling);
+  derive_features(store.header.layout, fitted);
+  return scaling_of(fitted.header, fitted.observations);
+}
 
 void run(const Options& options) {
   const bool libsvm = options.file.ends_with(".libsvm");
   if (!libsvm && !options.file.ends_with(".csv"))
     throw Error(options.file, "unknown kind of file; let it end in .libsvm or .csv");
-  const Store store = read_store(options.store);
+  const features::Layout& layout = features::feature_set_named(options.features)->layout;
+  Store store = read_store(options.store);
+  derive_features(layout, store);
   const CostModel cost_model =
       make_cost_model(store.header, vulnerability_of(options.cost), options.cost.brawn);
   const Labels labels = label(store.observations, cost_model);
   database::write_file_atomically(
-      options.file, libsvm ? libsvm_text(store.observations, labels) : csv_text(store, labels));
+      options.file,
+      libsvm ? libsvm_text(store, labels, scaling_for(options, store)) : csv_text(store, labels));
   if (options.json) {
     print({{"kind", libsvm ? "libsvm" : "csv"},
            {"file", options.file},
@@ -50,6 +64,10 @@ void add_export(CLI::App& program) {
       ->add_option("--out", options->file,
                    "FILE.libsvm (scaled features and labels) or FILE.csv (named columns)")
       ->required();
+  command->add_option("--scaled-as", options->scaling,
+                      "store whose features the scaling is made from, for test data (default: "
+                      "STORE)");
+  add_features_option(*command, options->features);
   add_cost_options(*command, options->cost);
   add_json_option(*command, options->json);
   command->footer("Example:\n  flinch export real.flinchobs --out real.libsvm");

@@ -188,7 +188,7 @@ Json selector_document(const runtime::SelectorFile& file) {
   Json document{{"kind", "selector"},
                 {"library_hash", database::hash_text(selector.library_hash)},
                 {"brawn", selector.brawn},
-                {"features", selector.feature_names}};
+                {"features", selector.layout.names()}};
   document.update(
       std::visit([](const auto& model) { return model_document(model); }, selector.model));
   document["idle"] = selector.clips[static_cast<std::size_t>(selector.idle)].name;

@@ -79,7 +79,8 @@ void run(const Options& options) {
   const models::Selector selector = load_selector_file(options.selector).selector;
   const DescribedThreat threat = described(options.threat, selector.target_centres);
   const std::pmr::vector<models::Candidate> candidates = models::candidates(
-      selector, described_features(threat, selector.target_centres), threat.target);
+      selector, described_features(selector.layout, threat, selector.target_centres),
+      threat.target);
   if (options.json) {
     print(document_of(selector, options.threat, candidates));
   } else {

@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "database/library.h"
+#include "train/feature_derivation.h"
 #include "train/labels.h"
 #include "train/program/command.h"
 #include "train/selector_writer.h"
@@ -17,6 +18,7 @@ struct Options {
   std::string store;
   std::string selector;
   std::string model{name_of(kDefaultMethod)};
+  std::string features;
   CostOptions cost;
   bool json = false;
 };
@@ -28,16 +30,11 @@ Json parameters_of(const Training& training) {
   return parameters;
 }
 
-std::vector<std::string> method_names() {
-  std::vector<std::string> names;
-  for (const Method method : methods()) names.emplace_back(name_of(method));
-  return names;
-}
-
 Json summary_of(const Options& options, const Store& store, const Training& training) {
   Json summary{{"kind", "selector"},
                {"file", options.selector},
                {"model", options.model},
+               {"features", options.features},
                {"library_hash", database::hash_text(store.header.library_hash)},
                {"scenarios", store.observations.size()},
                {"brawn", options.cost.brawn},
@@ -53,7 +50,8 @@ Json summary_of(const Options& options, const Store& store, const Training& trai
 }
 
 void run(const Options& options) {
-  const Store store = read_store(options.store);
+  Store store = read_store(options.store);
+  derive_features(features::feature_set_named(options.features)->layout, store);
   const CostModel cost_model =
       make_cost_model(store.header, vulnerability_of(options.cost), options.cost.brawn);
   const Training training = train_selector(store.header, store.observations, cost_model,
@@ -83,6 +81,7 @@ void add_train(CLI::App& program) {
   command->add_option("--model", options->model, "what to fit")
       ->check(CLI::IsMember(method_names()))
       ->capture_default_str();
+  add_features_option(*command, options->features);
   add_cost_options(*command, options->cost);
   add_json_option(*command, options->json);
   command->footer("Example:\n  flinch train real.flinchobs --out real.flinch");
