@@ -54,7 +54,7 @@ if(TARGET flinch_reaction)
   install(EXPORT flinch_reaction NAMESPACE flinch:: FILE flinchReactionTargets.cmake
     DESTINATION ${package_directory})
   install(FILES ${CMAKE_CURRENT_LIST_DIR}/FindODE.cmake DESTINATION ${package_directory})
-  foreach(header reacting_character reaction reaction_clips recovery simulator)
+  foreach(header reacting_character reaction reaction_clips recovery rehearsal simulator)
     install(FILES ${PROJECT_SOURCE_DIR}/sim/${header}.h
       DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/flinch/sim)
   endforeach()

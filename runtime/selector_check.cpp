@@ -74,15 +74,16 @@ bool is_sound(const models::KnnModel& model, std::size_t clip_count, std::size_t
 
 // A unit too many, or a member, would be read beyond the weights; sizes beyond a few thousand would
 // overflow their product.
-bool is_sound(const models::NetworkModel& model, std::size_t clip_count, std::size_t feature_count) {
+bool is_sound(const models::NetworkModel& model, std::size_t clip_count,
+              std::size_t feature_count) {
   constexpr int kMost = 1 << 12;
   const auto is_weight = [](float weight) {
     return std::abs(weight) <= models::kMostNetworkWeight;  // not so where it is not a number
   };
-  return static_cast<std::size_t>(model.feature_count) == feature_count && model.hidden_count >= 1 &&
-         model.hidden_count <= kMost && model.hidden_count % models::kNetworkBlock == 0 &&
-         model.member_count >= 1 && model.member_count <= kMost && !model.clip.empty() &&
-         are_clips(model.clip, clip_count) &&
+  return static_cast<std::size_t>(model.feature_count) == feature_count &&
+         model.hidden_count >= 1 && model.hidden_count <= kMost &&
+         model.hidden_count % models::kNetworkBlock == 0 && model.member_count >= 1 &&
+         model.member_count <= kMost && !model.clip.empty() && are_clips(model.clip, clip_count) &&
          std::adjacent_find(model.clip.begin(), model.clip.end(), std::greater_equal<>()) ==
              model.clip.end() &&
          is_weight(model.mean_root) && is_weight(model.scale_root) && model.scale_root > 0 &&

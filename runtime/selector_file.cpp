@@ -53,7 +53,7 @@ models::KnnModel read_model(const schema::Knn& stored, int feature_count, int cl
       .points = to_vector(*stored.points()),
       .label = to_vector(*stored.label()),
       .cost = stored.cost() == nullptr ? std::vector<std::uint16_t>() : to_vector(*stored.cost()),
-      .clip_count = clip_count,
+      .clip_count = stored.cost() == nullptr ? 0 : clip_count,
       .cost_step_ns = stored.cost_step_ns(),
       .leaves = {}};
 }
@@ -91,7 +91,8 @@ bool read_stored(const schema::Selector& stored, models::Selector& selector) {
   if (const schema::Svm* svm = stored.model_as_Svm()) {
     selector.model = read_model(*svm, selector.layout.size());
   } else if (const schema::Knn* knn = stored.model_as_Knn()) {
-    selector.model = read_model(*knn, selector.layout.size(), static_cast<int>(selector.clips.size()));
+    selector.model =
+        read_model(*knn, selector.layout.size(), static_cast<int>(selector.clips.size()));
   } else if (const schema::Network* network = stored.model_as_Network()) {
     selector.model = read_model(*network, selector.layout.size());
   } else {

@@ -86,8 +86,7 @@ void feature_vectors(benchmark::State& state, const char* set) {
     scenario.state.idle_time_s = 0.01F * static_cast<float>(next % 100);
     sum += features::feature_vector(layout, scenario, idling)[0];
   }
-  state.counters["mean_first"] =
-      static_cast<double>(sum) / static_cast<double>(state.iterations());
+  state.counters["mean_first"] = static_cast<double>(sum) / static_cast<double>(state.iterations());
 }
 BENCHMARK_CAPTURE(feature_vectors, paper, "paper");
 BENCHMARK_CAPTURE(feature_vectors, geometry, "geometry");

@@ -121,7 +121,7 @@ class MainPath(ProgramTest):
         if shutil.which("svm-train") is None:
             return
         # The selector's SVM and svm-train's on the exported text have the same support vectors.
-        parameters = self.document("train", self.store, "--out", self.selector)
+        parameters = self.document("train", self.store, "--model", "svm", "--out", self.selector)
         svm = parameters["parameters"]
         model = self.folder / "libsvm.model"
         subprocess.run(["svm-train", "-q", "-t", "1", "-d", str(svm["degree"]), "-g",

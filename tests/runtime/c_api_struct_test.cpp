@@ -81,7 +81,7 @@ TEST(CApiLayout, IsThatOfThePublishedVersion) {
   EXPECT_EQ(sizeof(flinch_character_state), 32U);
   EXPECT_EQ(sizeof(flinch_library_info), 20U);
   EXPECT_EQ(sizeof(flinch_clip), 24U + 32);
-  EXPECT_EQ(sizeof(flinch_candidate), 8U);
+  EXPECT_EQ(sizeof(flinch_candidate), 12U);
 }
 
 }  // namespace
