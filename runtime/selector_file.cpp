@@ -32,17 +32,33 @@ models::ClipSummary read_clip(const schema::Clip& stored) {
   return clip;
 }
 
+/// No machines where their numbers disagree.
+std::vector<models::SvmMachine> read_machines(const schema::Svm& stored) {
+  const auto& rho = *stored.rho();
+  const auto& counts = *stored.counts();
+  if (counts.size() != 4 * std::size_t{rho.size()}) return {};
+  std::vector<models::SvmMachine> machines(rho.size());
+  for (flatbuffers::uoffset_t i = 0; i < rho.size(); ++i) {
+    machines[i].rho = rho.Get(i);
+    for (flatbuffers::uoffset_t k = 0; k < 4; ++k) machines[i].count[k] = counts.Get(4 * i + k);
+  }
+  return machines;
+}
+
 models::SvmModel read_model(const schema::Svm& stored) {
-  return {.degree = stored.degree(),
+  return {.kernel = static_cast<models::SvmKernel>(stored.kernel()),
+          .degree = stored.degree(),
           .gamma = stored.gamma(),
           .coef0 = stored.coef0(),
           .cost = stored.cost(),
           .feature_count = features::kFeatureCount,
           .label = to_vector(*stored.label()),
           .vectors_of_class = to_vector(*stored.vectors_of_class()),
+          .bound = to_vector(*stored.bound()),
           .support_vectors = to_vector(*stored.support_vectors()),
-          .coefficients = to_vector(*stored.coefficients()),
-          .rho = to_vector(*stored.rho())};
+          .machines = read_machines(stored),
+          .vectors = to_vector(*stored.vectors()),
+          .coefficients = to_vector(*stored.coefficients())};
 }
 
 models::KnnModel read_model(const schema::Knn& stored) {
@@ -83,7 +99,9 @@ bool read_stored(const schema::Selector& stored, models::Selector& selector) {
   } else {
     return false;
   }
-  return is_sound(selector);
+  if (!is_sound(selector)) return false;
+  if (auto* svm = std::get_if<models::SvmModel>(&selector.model)) models::complete(*svm);
+  return true;
 }
 
 /// The library that the file has in it, where it has one.

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <cstddef>
+#include <iterator>
 
 #include "models/cross_validation.h"
 #include "models/knn_fit.h"
@@ -37,18 +39,31 @@ Fitted fit_knn(const models::TrainingSet& set, std::span<const int> folds,
           chosen.mean_score};
 }
 
+Fitted fit_svm_with(models::SvmKernel kernel, const models::TrainingSet& set,
+                    std::span<const int> folds, const models::Score& regret) {
+  const auto chosen =
+      models::choose_parameters(set, models::svm_grid(set.feature_count, kernel), folds, regret);
+  const models::SvmParameters& parameters = chosen.parameters;
+  std::vector<NamedValue> named;
+  if (kernel == models::SvmKernel::polynomial) {
+    named = {{"kernel", "polynomial"}, {"degree", parameters.degree}, {"coef0", parameters.coef0}};
+  } else {
+    named = {{"kernel", "rbf"}};
+  }
+  named.push_back({"gamma", parameters.gamma});
+  named.push_back({"c", parameters.cost});
+  named.push_back({"balance", parameters.balance});
+  return {models::fit_svm(set, parameters), named, chosen.mean_score};
+}
+
 Fitted fit_svm(const models::TrainingSet& set, std::span<const int> folds,
                const models::Score& regret) {
-  const auto chosen =
-      models::choose_parameters(set, models::svm_grid(set.feature_count), folds, regret);
-  const models::SvmParameters& parameters = chosen.parameters;
-  return {models::fit_svm(set, parameters),
-          {{"kernel", "polynomial"},
-           {"degree", parameters.degree},
-           {"gamma", parameters.gamma},
-           {"coef0", parameters.coef0},
-           {"c", parameters.cost}},
-          chosen.mean_score};
+  return fit_svm_with(models::SvmKernel::polynomial, set, folds, regret);
+}
+
+Fitted fit_svm_rbf(const models::TrainingSet& set, std::span<const int> folds,
+                   const models::Score& regret) {
+  return fit_svm_with(models::SvmKernel::rbf, set, folds, regret);
 }
 
 struct MethodEntry {
@@ -60,6 +75,7 @@ struct MethodEntry {
 constexpr std::array kEntries{
     MethodEntry{Method::knn, "knn", fit_knn},
     MethodEntry{Method::svm, "svm", fit_svm},
+    MethodEntry{Method::svm_rbf, "svm_rbf", fit_svm_rbf},
 };
 constexpr auto kMethods = [] {
   std::array<Method, kEntries.size()> methods{};
@@ -87,6 +103,23 @@ std::string text_of(std::span<const NamedValue> parameters) {
   return text;
 }
 
+/// Throws for observations that nothing can be learnt from.
+void check(std::span<const Observation> observations, const Labels& labels) {
+  for (std::size_t i = 0; i < observations.size(); ++i) {
+    const std::vector<double>& costs = labels.cost[i];
+    const bool has_nan = std::ranges::any_of(costs, [](double c) { return std::isnan(c); });
+    const bool has_finite = std::ranges::any_of(costs, [](double c) { return std::isfinite(c); });
+    if (has_nan || !has_finite)
+      throw Error("", "scenario " + std::to_string(observations[i].number) +
+                          (has_nan ? " has a cost that is not a number" : " has no finite cost") +
+                          "; simulate it again");
+  }
+  if (std::ranges::count(labels.clip, labels.clip.front()) == std::ssize(labels.clip))
+    throw Error("", "one clip is the best of all " + std::to_string(observations.size()) +
+                        " scenarios, so that there is nothing to learn; simulate more, or use a "
+                        "library with more clips");
+}
+
 }  // namespace
 
 std::string_view name_of(Method method) {
@@ -108,7 +141,13 @@ Training train_selector(const StoreHeader& header, std::span<const Observation> 
   if (observations.size() < 2)
     throw Error("", "training needs at least 2 scenarios and there are " +
                         std::to_string(observations.size()) + "; simulate more");
+  if (!std::ranges::is_sorted(observations, {}, &Observation::number)) {
+    std::vector<Observation> sorted(observations.begin(), observations.end());
+    std::ranges::stable_sort(sorted, {}, &Observation::number);
+    return train_selector(header, sorted, cost_model, method, seed);
+  }
   const Labels labels = label(observations, cost_model);
+  check(observations, labels);
   Training training;
   models::Selector& selector = training.selector;
   selector.library_hash = header.library_hash;

@@ -140,7 +140,7 @@ Json selector_document(const runtime::SelectorFile& file) {
                 {"brawn", selector.brawn},
                 {"features", selector.feature_names}};
   if (const auto* svm = std::get_if<models::SvmModel>(&selector.model)) {
-    document["model"] = "svm";
+    document["model"] = svm->kernel == models::SvmKernel::rbf ? "svm_rbf" : "svm";
     document["classes"] = svm->class_count();
     document["support_vectors"] = svm->vector_count();
   } else {
