@@ -159,12 +159,6 @@ std::vector<SvmParameters> svm_grid(int feature_count, SvmKernel kernel) {
       }
     }
   }
-  const std::size_t unbalanced = grid.size();
-  for (std::size_t i = 0; i < unbalanced; ++i) {
-    if (grid[i].cost > 10) continue;
-    grid.push_back(grid[i]);
-    grid.back().balance = 0.5;
-  }
   return grid;
 }
 

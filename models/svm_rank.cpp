@@ -29,9 +29,9 @@ double norm(std::span<const double> values) {
 // (n + 5) u B and one rounding a multiplication make ((1 + (n + 6) u)^degree - 1) B^degree.
 //
 // RBF, with t = gamma |x - v|^2: the sum of squares is off by (n + 4) u of itself, by gamma's
-// rounding and product 2 u more, and by 2 u |x| |x - v| for the rounding of x. The exponential turns
-// the first into (n + 6) u t e^-t <= (n + 6) u / e, the second into
-// 2 u sqrt(gamma) |x| sqrt(t) e^-t <= 0.86 u sqrt(gamma) |x|; its own error is a few u.
+// rounding and product 2 u more, and by 2 u |x| |x - v| for the rounding of x. The exponential
+// turns the first into (n + 6) u t e^-t <= (n + 6) u / e, the second into 2 u sqrt(gamma) |x|
+// sqrt(t) e^-t <= 0.86 u sqrt(gamma) |x|; its own error is a few u.
 //
 // A tenth is added for what is of second order in u, and what underflow may lose; sums of such
 // values in double add less than the tenth. Infinite where float might overflow.
@@ -133,8 +133,10 @@ class Tournament {
     return {best, second};
   }
 
-  /// Plays what a class has not played yet, until it comes after `rival`; whether it never does.
+  /// Plays what a class has not played yet, until it comes after where `rival` stands now (who may
+  /// fall behind others meanwhile); whether it never does.
   bool play_rest_of(std::size_t one, std::size_t rival) {
+    const int limit = rival == count() ? kTaken : losses_[rival];
     for (std::size_t other = 0; other < count(); ++other) {
       if (other == one || played_[one * count() + other]) continue;
       if (one < other) {
@@ -142,7 +144,7 @@ class Tournament {
       } else {
         play(other, one);
       }
-      if (!is_before(one, rival)) return false;
+      if (losses_[one] > limit || (losses_[one] == limit && rival < one)) return false;
     }
     return true;
   }

@@ -82,9 +82,9 @@ class LibsvmOracle {
     std::map<int, int> count_of;
     for (const int label : set.label) ++count_of[label];
     for (const auto& [label, count] : count_of) {
-      const double share = static_cast<double>(count_of.size()) * count / set.size();
+      const double even = set.size() / static_cast<double>(count_of.size());
       weighted_.push_back(label);
-      weights_.push_back(balance == 0 ? 1 : std::pow(1 / share, balance));
+      weights_.push_back(std::pow(even / count, balance));
     }
   }
 
