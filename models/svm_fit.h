@@ -28,8 +28,8 @@ SvmParameters default_svm_parameters(int feature_count);
 
 /// The parameters to choose from by cross-validation. Polynomial, libsvm's defaults first: degree 2
 /// and 3, gamma once and four times 1 / feature_count, coef0 0 and 1, C 1, 10 and 100. RBF: gamma a
-/// quarter of, once, four and sixteen times 1 / feature_count, C 1, 10 and 100. Each without
-/// balance and, at C 1 and 10, with half.
+/// quarter of, once, four and sixteen times 1 / feature_count, C 1, 10 and 100. None with
+/// balance: on the default library it did not have the least regret.
 std::vector<SvmParameters> svm_grid(int feature_count, SvmKernel kernel = SvmKernel::polynomial);
 
 /// A model of what libsvm's svm_train found: classes with their clips, C and number of vectors, the

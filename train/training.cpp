@@ -52,7 +52,6 @@ Fitted fit_svm_with(models::SvmKernel kernel, const models::TrainingSet& set,
   }
   named.push_back({"gamma", parameters.gamma});
   named.push_back({"c", parameters.cost});
-  named.push_back({"balance", parameters.balance});
   return {models::fit_svm(set, parameters), named, chosen.mean_score};
 }
 
