@@ -79,7 +79,7 @@ int run(int count, char** arguments) {
                     1e-6 * std::atof(arguments[3])};
   const std::uint64_t scenarios = count > 4 ? std::strtoull(arguments[4], nullptr, 10) : 10'000'000;
   std::printf(
-      "| cores | processes | threads of each | hours | writer busy | helpers wait | of the ideal "
+      "| cores | processes | threads of each | minutes | writer busy | helpers wait | of the ideal "
       "|\n| --: | --: | --: | --: | --: | --: | --: |\n");
   for (const int cores : {64, 256, 512, 1024, 2048, 4096}) {
     for (const int threads : {1, 32}) {
@@ -87,8 +87,8 @@ int run(int count, char** arguments) {
       const Cluster cluster{cores / threads, threads};
       const Load load = load_of(cluster, costs, scenarios);
       const double ideal_s = static_cast<double>(scenarios) * costs.simulate_s / cores;
-      std::printf("| %d | %d | %d | %.2f | %.0f %% | %.1f %% | %.0f %% |\n", cores,
-                  cluster.processes, threads, load.took_s / 3600, 100 * load.busy_s / load.took_s,
+      std::printf("| %d | %d | %d | %.1f | %.0f %% | %.1f %% | %.0f %% |\n", cores,
+                  cluster.processes, threads, load.took_s / 60, 100 * load.busy_s / load.took_s,
                   100 * load.waited_s / (load.took_s * cluster.processes),
                   100 * ideal_s / load.took_s);
     }
