@@ -2,6 +2,8 @@
 #include "runtime/selector_file.h"
 
 #include <algorithm>
+#include <bit>
+#include <cstring>
 #include <new>
 #include <utility>
 #include <vector>
@@ -13,9 +15,15 @@ namespace {
 
 using database::LoadStatus;
 
+static_assert(std::endian::native == std::endian::little, "files are read as they are kept");
+
+// FlatBuffers' verifier looks at where a vector lies, not at whether its numbers are aligned there,
+// which those of a file made up by somebody may not be.
 template <typename T>
 std::vector<T> to_vector(const flatbuffers::Vector<T>& stored) {
-  return std::vector<T>(stored.begin(), stored.end());
+  std::vector<T> numbers(stored.size());
+  if (!numbers.empty()) std::memcpy(numbers.data(), stored.Data(), numbers.size() * sizeof(T));
+  return numbers;
 }
 
 models::ClipSummary read_clip(const schema::Clip& stored) {
