@@ -80,8 +80,8 @@ struct Response {
 };
 
 inline constexpr float kMostPlaybackRate = 1.4F;
-inline constexpr float kBlend =
-    0.2F;  ///< s, into a clip at least, and back where no foot has to step
+/// The shortest blend into a clip, and the way back where no foot has to step, s.
+inline constexpr float kBlend = 0.2F;
 
 /// Plans the response of a character in `state` with clip number `clip`, which must be annotated or
 /// the library's idle clip, to an impact predicted in `time_to_impact_s` (positive, finite). Input
