@@ -27,15 +27,6 @@ features::Threat thrown_ball() {
   return ball;
 }
 
-sim::Ball ball_of(const features::Threat& threat, float flown_s) {
-  sim::Ball ball;
-  ball.position = features::position_at(threat, flown_s).cast<double>();
-  ball.velocity = features::velocity_at(threat, flown_s).cast<double>();
-  ball.radius = double{threat.radius};
-  ball.mass_kg = double{threat.mass_kg};
-  return ball;
-}
-
 /// Prints who moves the character whenever that changes.
 void tell(float time_s, const sim::ReactingCharacter& hero, sim::Mover& last) {
   if (hero.mover() == last) return;
@@ -59,7 +50,8 @@ bool play(const runtime::Library& library, runtime::Workspace& workspace) {
       if (status != runtime::Status::ok) return false;
     }
     if (!is_met && flown_s >= kFlight_s - kAhead_s) {
-      is_met = hero.meet(ball_of(threat, flown_s)) == sim::ReactionStatus::ok;
+      is_met =
+          hero.meet(sim::ball_of(features::advanced(threat, flown_s))) == sim::ReactionStatus::ok;
     }
     if (hero.update(kFrame_s) != sim::ReactionStatus::ok) return false;
     flown_s += kFrame_s;

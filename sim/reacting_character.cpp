@@ -5,6 +5,11 @@
 
 namespace flinch::sim {
 
+Ball ball_of(const features::Threat& threat) noexcept {
+  return {threat.position.cast<double>(), threat.velocity.cast<double>(), double{threat.radius},
+          double{threat.mass_kg}};
+}
+
 std::shared_ptr<const ReactionKit> make_reaction_kit(const runtime::Library& library) noexcept {
   if (!library.is_loaded()) return nullptr;
   try {

@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 
+#include "features/threat.h"
 #include "runtime/character.h"
 #include "sim/reaction.h"
 #include "sim/reaction_clips.h"
@@ -20,6 +21,9 @@ struct ReactionKit {
 /// Of a loaded library, which is not needed afterwards. Nothing if memory ran out or nothing is
 /// loaded.
 std::shared_ptr<const ReactionKit> make_reaction_kit(const runtime::Library& library) noexcept;
+
+/// The ball that a threat is, as it flies when `threat` holds: features::advanced tells of later.
+Ball ball_of(const features::Threat& threat) noexcept;
 
 /// Who moves a character's body.
 enum class Mover : std::uint8_t {

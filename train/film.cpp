@@ -26,15 +26,6 @@ void check(sim::ReactionStatus status) {
   if (status != sim::ReactionStatus::ok) throw Error("", sim::message_of(status));
 }
 
-sim::Ball ball_at(const features::Threat& threat, float time_s) {
-  sim::Ball ball;
-  ball.position = features::position_at(threat, time_s).cast<double>();
-  ball.velocity = features::velocity_at(threat, time_s).cast<double>();
-  ball.radius = double{threat.radius};
-  ball.mass_kg = double{threat.mass_kg};
-  return ball;
-}
-
 // What is seen at one moment.
 void shoot(const sim::ReactingCharacter& character, const features::Threat& threat, float time_s,
            Film& film) {
@@ -78,7 +69,7 @@ Film film_response(const runtime::Library& library, const features::Threat& thre
     check(character.update(dt_s));
     if (std::isinf(met_s) && time_s + dt_s >= time_to_impact_s - kAhead) {
       met_s = time_s + dt_s;
-      check(character.meet(ball_at(threat, met_s)));
+      check(character.meet(sim::ball_of(features::advanced(threat, met_s))));
     }
     if (character.reaction_clip()) film.reaction_clip = character.reaction_clip();
     if (character.reaction().phase() == sim::ReactionPhase::knocked_over && !film.knocked_over) {
