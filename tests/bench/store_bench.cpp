@@ -14,7 +14,8 @@ namespace {
 constexpr int kClips = 131;           // the default library's
 constexpr int kTrialsAScenario = 79;  // as many are tried in its mean scenario
 constexpr std::uint64_t kAppended = 1000;
-constexpr std::uint64_t kRead = 100'000;
+constexpr std::int64_t kMany = 100'000;
+constexpr std::int64_t kMillion = 1'000'000;
 
 StoreHeader header_of_many_clips() {
   StoreHeader header = made_up_header();
@@ -71,15 +72,19 @@ double make_store(const std::string& path, const StoreHeader& header,
 
 /// A store that is read again and again.
 struct Made {
+  explicit Made(std::uint64_t scenarios)
+      : size(make_store(path, header, observations, {0, scenarios})) {}
+
   TemporaryFolder folder;
   std::string path = folder / "made";
   StoreHeader header = header_of_many_clips();
   std::vector<Observation> observations = random_observations(header);
-  double size = make_store(path, header, observations, {0, kRead});
+  double size;
 };
-const Made& made() {
-  static const Made kMade;
-  return kMade;
+const Made& made(std::int64_t scenarios) {
+  static const Made kOfMany(kMany);
+  static const Made kOfAMillion(kMillion);
+  return scenarios == kMany ? kOfMany : kOfAMillion;
 }
 
 void count(benchmark::State& state, std::uint64_t scenarios, double size) {
@@ -94,18 +99,23 @@ void write_store(benchmark::State& state) {
   const StoreHeader header = header_of_many_clips();
   std::vector<Observation> observations = random_observations(header);
   const TemporaryFolder folder;
-  constexpr std::uint64_t kScenarios = 20'000;
+  const auto scenarios = static_cast<std::uint64_t>(state.range(0));
   double size = 0;
   for (auto _ : state) {
-    size = make_store(folder / "a", header, observations, {0, kScenarios});
+    size = make_store(folder / "a", header, observations, {0, scenarios});
     std::filesystem::remove(folder / "a");
   }
-  count(state, kScenarios, size);
+  count(state, scenarios, size);
 }
-BENCHMARK(write_store)->Unit(benchmark::kMillisecond);
+BENCHMARK(write_store)
+    ->ArgName("scenarios")
+    ->Arg(kMany)
+    ->Arg(kMillion)
+    ->Iterations(1)
+    ->Unit(benchmark::kMillisecond);
 
 void read_stored(benchmark::State& state) {
-  const Made& store = made();
+  const Made& store = made(state.range(0));
   for (auto _ : state) {
     StoreReader reader(store.path);
     Observation observation;
@@ -113,13 +123,18 @@ void read_stored(benchmark::State& state) {
     while (reader.next(observation)) work_j += double{observation.trials.back().work_j};
     benchmark::DoNotOptimize(work_j);
   }
-  count(state, kRead, store.size);
+  count(state, static_cast<std::uint64_t>(state.range(0)), store.size);
 }
-BENCHMARK(read_stored)->Name("read_store")->Unit(benchmark::kMillisecond);
+BENCHMARK(read_stored)
+    ->Name("read_store")
+    ->ArgName("scenarios")
+    ->Arg(kMany)
+    ->Arg(kMillion)
+    ->Unit(benchmark::kMillisecond);
 
 /// From the file to other labels, for another brawn and vulnerability.
 void relabel_store(benchmark::State& state) {
-  const Made& store = made();
+  const Made& store = made(state.range(0));
   const CostModel model =
       make_cost_model(store.header, vulnerability_profiles()[1].vulnerability, 0.3);
   double clips = 0;
@@ -132,10 +147,15 @@ void relabel_store(benchmark::State& state) {
       clips += observation.trials[best].clip;
     }
   }
-  count(state, kRead, store.size);
-  state.counters["mean_label"] = clips / static_cast<double>(kRead);
+  const auto scenarios = static_cast<std::uint64_t>(state.range(0));
+  count(state, scenarios, store.size);
+  state.counters["mean_label"] = clips / static_cast<double>(scenarios);
 }
-BENCHMARK(relabel_store)->Unit(benchmark::kMillisecond);
+BENCHMARK(relabel_store)
+    ->ArgName("scenarios")
+    ->Arg(kMany)
+    ->Arg(kMillion)
+    ->Unit(benchmark::kMillisecond);
 
 void merge_two_halves(benchmark::State& state) {
   const StoreHeader header = header_of_many_clips();

@@ -3,17 +3,15 @@
 
 #include <gtest/gtest.h>
 
-#include <array>
 #include <cmath>
-#include <cstring>
 #include <memory>
 #include <numeric>
-#include <thread>
 
 #include "motion/error.h"
 #include "sim/figure_rows.h"
 #include "sim/rehearsed_run.h"
 #include "tests/sim/random_hits.h"
+#include "tests/sim/same_bits.h"
 
 namespace flinch::sim {
 namespace {
@@ -30,12 +28,6 @@ double change(const SimulationResult& first, const SimulationResult& second) {
   for (Body body : motion::kBodies) sum += std::abs(first.impulse[body] - second.impulse[body]);
   const double whole = std::max(total(first), total(second));
   return whole > 0 ? sum / whole : 0;
-}
-
-void expect_same_bits(const SimulationResult& first, const SimulationResult& second) {
-  EXPECT_EQ(std::memcmp(&first.impulse, &second.impulse, sizeof first.impulse), 0);
-  EXPECT_EQ(first.first_contact_s, second.first_contact_s);
-  EXPECT_EQ(first.steps, second.steps);
 }
 
 class RehearsalTest : public testing::Test {
@@ -165,15 +157,7 @@ TEST_F(RehearsalTest, RepeatsBitForBitWhateverElseIsSimulatedOnThreadsAtOnce) {
       results.push_back(simulator_.simulate(rehearsed[hit.motion], hit.ball));
     }
   };
-  std::vector<SimulationResult> alone;
-  run(alone);
-  std::array<std::vector<SimulationResult>, 3> together;
-  std::vector<std::thread> threads;
-  for (auto& results : together) threads.emplace_back([&] { run(results); });
-  for (std::thread& thread : threads) thread.join();
-  for (const auto& results : together) {
-    for (std::size_t i = 0; i < hits.size(); ++i) expect_same_bits(alone[i], results[i]);
-  }
+  scenes::expect_same_bits_on_threads(run);
 }
 
 TEST_F(RehearsalTest, KeptFromLaterOnGivesTheSameBitsInLessMemory) {
@@ -188,7 +172,7 @@ TEST_F(RehearsalTest, KeptFromLaterOnGivesTheSameBitsInLessMemory) {
     const auto expected = simulator_.simulate(whole[hit.motion], hit.ball);
     if (expected.first_contact_s < 0.32) continue;
     try {
-      expect_same_bits(expected, simulator_.simulate(late[hit.motion], hit.ball));
+      scenes::expect_same_bits(expected, simulator_.simulate(late[hit.motion], hit.ball));
       ++hits;
     } catch (const Error&) {  // near the figure before 0.25 s, if only near
     }

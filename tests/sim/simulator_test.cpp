@@ -5,13 +5,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <numeric>
 #include <thread>
 
 #include "motion/error.h"
 #include "sim/ode_world.h"
 #include "tests/sim/random_hits.h"
+#include "tests/sim/same_bits.h"
 
 namespace flinch::sim {
 namespace {
@@ -44,13 +44,6 @@ double total(const SimulationResult& result) {
 
 SimulationResult simulate(const motion::Motion& motion, const Ball* ball, double duration_s = 1) {
   return Simulator(character(), {}).simulate(motion, ball, duration_s);
-}
-
-void expect_same_bits(const SimulationResult& first, const SimulationResult& second) {
-  EXPECT_EQ(std::memcmp(&first.impulse, &second.impulse, sizeof first.impulse), 0);
-  EXPECT_EQ(first.first_contact_s, second.first_contact_s);
-  EXPECT_EQ(first.tracking_error_m, second.tracking_error_m);
-  EXPECT_EQ(first.steps, second.steps);
 }
 
 /// Balls from all sides at all heights, most of which hit.
@@ -246,8 +239,8 @@ TEST(Simulator, RepeatsBitForBitWhateverItSimulatedBefore) {
     const auto first = used.simulate(motion, &ball, 0.6);
     const auto other = used.simulate(motions[1].motion, &balls.front(), 0.4);
     EXPECT_GT(other.steps, 0);
-    expect_same_bits(first, used.simulate(motion, &ball, 0.6));
-    expect_same_bits(first, Simulator(character(), {}).simulate(motion, &ball, 0.6));
+    scenes::expect_same_bits(first, used.simulate(motion, &ball, 0.6));
+    scenes::expect_same_bits(first, Simulator(character(), {}).simulate(motion, &ball, 0.6));
   }
 }
 
@@ -258,15 +251,7 @@ TEST(Simulator, RepeatsBitForBitOnThreadsAtOnce) {
     const Simulator simulator(character(), {});
     for (const Ball& ball : balls) results.push_back(simulator.simulate(motion, &ball, 0.6));
   };
-  std::vector<SimulationResult> alone;
-  run(alone);
-  std::array<std::vector<SimulationResult>, 3> together;
-  std::vector<std::thread> threads;
-  for (auto& results : together) threads.emplace_back([&] { run(results); });
-  for (std::thread& thread : threads) thread.join();
-  for (const auto& results : together) {
-    for (std::size_t i = 0; i < balls.size(); ++i) expect_same_bits(alone[i], results[i]);
-  }
+  scenes::expect_same_bits_on_threads(run);
 }
 
 TEST(OdeMessages, AreCountedOnTheirThreadAndNotPrinted) {

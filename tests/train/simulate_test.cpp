@@ -202,6 +202,14 @@ class SimulateStore : public testing::Test {
     return bytes_of(folder_ / "whole");
   }
 
+  /// Works as process `rank` until process 0 sends it home.
+  void help(LocalExchange& exchange, int rank) {
+    LocalMessenger messenger(exchange, rank);
+    SimulationRun run = run_of(subject_, kWanted, 1);
+    run.messenger = &messenger;
+    help_simulate(subject_, run);
+  }
+
   static constexpr ScenarioRange kWanted{3, 18};
   TemporaryFolder folder_;
   database::Library library_ = scenes::synthetic_library();
@@ -226,12 +234,7 @@ TEST_F(SimulateStore, TheNumberOfProcessesDoesNotShow) {
   LocalExchange exchange(3);
   std::vector<std::jthread> helpers;
   for (int rank = 1; rank < 3; ++rank) {
-    helpers.emplace_back([&, rank] {
-      LocalMessenger messenger(exchange, rank);
-      SimulationRun run = run_of(subject_, kWanted, 1);
-      run.messenger = &messenger;
-      help_simulate(subject_, run);
-    });
+    helpers.emplace_back([&, rank] { help(exchange, rank); });
   }
   LocalMessenger messenger(exchange, 0);
   SimulationRun run = run_of(subject_, kWanted, 1);
@@ -246,12 +249,7 @@ TEST_F(SimulateStore, TheNumberOfProcessesDoesNotShow) {
 TEST_F(SimulateStore, AFinishedStoreSendsTheHelpersHome) {
   whole();
   LocalExchange exchange(2);
-  std::jthread helper([&] {
-    LocalMessenger messenger(exchange, 1);
-    SimulationRun run = run_of(subject_, kWanted, 1);
-    run.messenger = &messenger;
-    help_simulate(subject_, run);
-  });
+  std::jthread helper([&] { help(exchange, 1); });
   LocalMessenger messenger(exchange, 0);
   SimulationRun run = run_of(subject_, kWanted, 1);
   run.messenger = &messenger;
