@@ -47,18 +47,18 @@ struct SvmModel {
   std::vector<int> label;             ///< clip index of each class, in the model's class order
   std::vector<int> vectors_of_class;  ///< number of support vectors of each class
   std::vector<double> bound;          ///< the largest coefficient of each class: C times its weight
-  /// Groups of kLanes vectors, the last one filled up with zeros: of each feature_count rows of one
-  /// value a vector, so that a group's kernels are evaluated at once.
+  /// One row of row_size() values a vector: its features, filled up with zeros to whole kLanes.
   std::vector<float> support_vectors;
   std::vector<SvmMachine> machines;    ///< of the classes (0,1), (0,2), …, (1,2), …
   std::vector<std::uint16_t> vectors;  ///< index within their class; machine after machine
   std::vector<double> coefficients;    ///< of the free vectors; machine after machine
 
   // What follows from the above: see complete().
-  std::vector<int> first_of_class{};  ///< index of each class's first vector
-  double largest_norm = 0;            ///< of a support vector
+  std::vector<int> first_of_class{};   ///< index of each class's first vector
+  std::vector<std::size_t> by_size{};  ///< the classes, those of most vectors first
+  double largest_norm = 0;             ///< of a support vector
 
-  static constexpr std::size_t kLanes = 8;
+  static constexpr std::size_t kLanes = 4;
 
   int class_count() const { return static_cast<int>(label.size()); }
   int vector_count() const {
@@ -68,9 +68,12 @@ struct SvmModel {
   std::size_t machine_of(std::size_t i, std::size_t j) const {
     return i * label.size() - i * (i + 1) / 2 + (j - i - 1);
   }
+  static constexpr std::size_t row_size(int feature_count) {
+    return (static_cast<std::size_t>(feature_count) + kLanes - 1) / kLanes * kLanes;
+  }
+  std::size_t row_size() const { return row_size(feature_count); }
   float value(std::size_t vector, std::size_t feature) const {
-    const auto features = static_cast<std::size_t>(feature_count);
-    return support_vectors[(vector / kLanes * features + feature) * kLanes + vector % kLanes];
+    return support_vectors[vector * row_size() + feature];
   }
 };
 

@@ -185,13 +185,11 @@ SvmModel make_svm_model(const SvmParameters& parameters, std::vector<int> label,
   model.bound = std::move(bound);
   const auto features = static_cast<std::size_t>(feature_count);
   const std::size_t vectors = values.size() / features;
-  constexpr std::size_t kLanes = SvmModel::kLanes;
-  model.support_vectors.resize((vectors + kLanes - 1) / kLanes * kLanes * features);
+  model.support_vectors.resize(vectors * model.row_size());
   for (std::size_t vector = 0; vector < vectors; ++vector) {
-    for (std::size_t f = 0; f < features; ++f) {
-      model.support_vectors[(vector / kLanes * features + f) * kLanes + vector % kLanes] =
-          static_cast<float>(values[vector * features + f]);
-    }
+    std::ranges::transform(values.subspan(vector * features, features),
+                           &model.support_vectors[vector * model.row_size()],
+                           [](double value) { return static_cast<float>(value); });
   }
   model.first_of_class.assign(model.label.size(), 0);
   for (std::size_t c = 1; c < model.label.size(); ++c)

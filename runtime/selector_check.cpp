@@ -70,6 +70,16 @@ bool are_machines_sound(const models::SvmModel& model) {
   return next == model.vectors.size() && coefficients == model.coefficients.size();
 }
 
+/// Whether the rows are finite numbers, and zeros where they are filled up.
+bool are_rows_sound(const models::SvmModel& model) {
+  const std::vector<float>& values = model.support_vectors;
+  const auto features = static_cast<std::size_t>(model.feature_count);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (i % model.row_size() < features ? !std::isfinite(values[i]) : values[i] != 0) return false;
+  }
+  return true;
+}
+
 bool is_sound(const models::SvmModel& model, std::size_t clip_count, std::size_t feature_count) {
   const std::size_t classes = model.label.size();
   const std::set<int> different(model.label.begin(), model.label.end());
@@ -83,14 +93,11 @@ bool is_sound(const models::SvmModel& model, std::size_t clip_count, std::size_t
   const auto vectors = std::accumulate(
       counts.begin(), counts.end(), std::size_t{0},
       [](std::size_t sum, int count) { return sum + static_cast<std::size_t>(count); });
-  constexpr std::size_t kLanes = models::SvmModel::kLanes;
-  const std::vector<float>& values = model.support_vectors;
   return model.kernel <= models::SvmKernel::rbf && model.degree >= 0 && model.gamma >= 0 &&
          static_cast<std::size_t>(model.feature_count) == feature_count &&
          all_finite(std::array{model.gamma, model.coef0, model.cost}) &&
          vectors <= static_cast<std::size_t>(std::numeric_limits<int>::max()) &&
-         values.size() == (vectors + kLanes - 1) / kLanes * kLanes * feature_count &&
-         std::all_of(values.begin(), values.end(), [](float x) { return std::isfinite(x); }) &&
+         model.support_vectors.size() == vectors * model.row_size() && are_rows_sound(model) &&
          all_finite(model.bound) && all_finite(model.coefficients) &&
          std::none_of(model.bound.begin(), model.bound.end(), is_negative) &&
          std::none_of(model.coefficients.begin(), model.coefficients.end(), is_negative) &&

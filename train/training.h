@@ -50,10 +50,8 @@ struct Training {
 };
 
 /// Labels the observations, chooses the method's parameters from its grid by cross-validation with
-/// the mean regret as score (folds drawn from `seed`), and fits to all of them, in the order of
-/// their numbers whichever they come in. Throws Error for fewer than two observations, for one
-/// without a finite cost and where one clip is the best of all. The same bits for any number of
-/// threads.
+/// the mean regret as score (folds drawn from `seed`), and fits to all of them. Throws Error for
+/// fewer than two observations. The same bits for any number of threads.
 Training train_selector(const StoreHeader& header, std::span<const Observation> observations,
                         const CostModel& cost_model, Method method, std::uint64_t seed);
 

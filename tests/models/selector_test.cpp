@@ -24,7 +24,7 @@ SvmModel hand_made_svm() {
   model.label = {5, 3, 1};
   model.vectors_of_class = {1, 0, 1};
   model.bound = {1, 1, 1};
-  model.support_vectors.assign(SvmModel::kLanes, 1);
+  model.support_vectors.assign(2 * SvmModel::kLanes, 1);
   // The vector of class 0 is at its bound in the machines (0,1) and (0,2); that of class 2 is in
   // none.
   model.machines = {
