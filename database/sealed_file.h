@@ -35,7 +35,7 @@ struct SealedKind {
   std::uint8_t version = 1;
 };
 inline constexpr SealedKind kLibraryKind{.mark = "FLINCHL", .version = 2};
-inline constexpr SealedKind kSelectorKind{.mark = "FLINCHS", .version = 2};
+inline constexpr SealedKind kSelectorKind{.mark = "FLINCHS", .version = 3};
 
 inline constexpr std::size_t kSealSize = 16;
 

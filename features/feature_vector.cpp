@@ -53,7 +53,8 @@ FeatureVector to_vector(const Features& features) {
 void Scaling::apply(std::span<const float> raw, std::span<double> scaled) const {
   for (std::size_t i = 0; i < scaled.size(); ++i) {
     const double range = most[i] - least[i];
-    scaled[i] = range > 0 ? -1 + 2 * (static_cast<double>(raw[i]) - least[i]) / range : 0;
+    const double value = range > 0 ? -1 + 2 * (static_cast<double>(raw[i]) - least[i]) / range : 0;
+    scaled[i] = static_cast<double>(static_cast<float>(value));
   }
 }
 

@@ -53,9 +53,9 @@ struct Scaling {
   std::vector<double> least;  ///< one a component
   std::vector<double> most;
 
-  /// scaled_i = -1 + 2 (x_i - least_i) / (most_i - least_i), in double, of the first
-  /// scaled.size() components, as many as `least` and `most` have. Values outside of the observed
-  /// range go beyond [-1, 1].
+  /// scaled_i = -1 + 2 (x_i - least_i) / (most_i - least_i), in double and rounded to a float, so
+  /// that what a model keeps is what other tools are given; of the first scaled.size() components,
+  /// as many as `least` and `most` have. Values outside of the observed range go beyond [-1, 1].
   void apply(std::span<const float> raw, std::span<double> scaled) const;
 };
 

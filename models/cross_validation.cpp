@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <map>
+#include <numeric>
 #include <optional>
 #include <random>
 #include <string>
@@ -17,6 +19,9 @@
 
 namespace flinch::models {
 namespace {
+
+/// So many parameter sets are tried on all folds.
+constexpr std::size_t kFinalists = 3;
 
 using Choices = std::vector<std::vector<int>>;
 
@@ -89,6 +94,40 @@ void choose_for_fold(const TrainingSet& set, std::span<const KnnParameters> grid
   }
 }
 
+void choose_for_fold(const TrainingSet& set, const SvmParameters& parameters, const Split& split,
+                     std::vector<int>& choices) {
+  const SvmModel model = fit_svm(split.others, parameters);
+  for (const int i : split.held_out) {
+    const auto first = candidates(model, set.point(i), set.allowed_clips(i), set.idle,
+                                  std::pmr::get_default_resource(), 1);
+    choices[static_cast<std::size_t>(i)] = first.front().clip;
+  }
+}
+
+/// The mean score of the choices for observations of the folds before `fold_count`.
+double mean_score_of(std::span<const int> choices, std::span<const int> fold,
+                     std::size_t fold_count, const Score& score) {
+  double sum = 0;
+  int counted = 0;
+  for (std::size_t i = 0; i < choices.size(); ++i) {
+    if (static_cast<std::size_t>(fold[i]) >= fold_count) continue;
+    sum += score(static_cast<int>(i), choices[i]);
+    ++counted;
+  }
+  return sum / counted;
+}
+
+/// The `count` rows of least score, the first of equals, by rising row.
+std::vector<std::size_t> best_rows(std::vector<std::size_t> rows, std::span<const double> scores,
+                                   std::size_t count) {
+  std::stable_sort(rows.begin(), rows.end(), [scores](std::size_t a, std::size_t b) {
+    return scores[a] < scores[b] || (std::isnan(scores[b]) && !std::isnan(scores[a]));
+  });
+  rows.resize(count);
+  std::sort(rows.begin(), rows.end());
+  return rows;
+}
+
 template <typename Parameters>
 Chosen<Parameters> choose(const TrainingSet& set, std::span<const Parameters> grid,
                           std::span<const int> fold, const Score& score) {
@@ -131,12 +170,7 @@ Choices held_out_choices(const TrainingSet& set, std::span<const SvmParameters> 
   Choices choices = no_choices(set, grid.size());
   in_parallel(grid.size() * splits.size(), [&](std::size_t task) {
     const std::size_t row = task / splits.size();
-    const Split& split = splits[task % splits.size()];
-    const SvmModel model = fit_svm(split.others, grid[row]);
-    for (const int i : split.held_out) {
-      choices[row][static_cast<std::size_t>(i)] =
-          candidates(model, set.point(i), set.allowed_clips(i), set.idle).front().clip;
-    }
+    choose_for_fold(set, grid[row], splits[task % splits.size()], choices[row]);
   });
   return choices;
 }
@@ -175,7 +209,29 @@ std::size_t best_of(std::span<const double> scores) {
 
 Chosen<SvmParameters> choose_parameters(const TrainingSet& set, std::span<const SvmParameters> grid,
                                         std::span<const int> fold, const Score& score) {
-  return choose(set, grid, fold, score);
+  check(set);
+  const std::vector<Split> splits = make_splits(set, fold);
+  Choices choices = no_choices(set, grid.size());
+  std::vector<std::size_t> left(grid.size());
+  std::iota(left.begin(), left.end(), std::size_t{0});
+  std::vector<double> scores(grid.size(), std::numeric_limits<double>::infinity());
+  for (std::size_t tried = 0;;) {
+    const std::size_t until = left.size() > kFinalists ? tried + 1 : splits.size();
+    const std::size_t folds = until - tried;
+    in_parallel(left.size() * folds, [&](std::size_t task) {
+      const std::size_t row = left[task / folds];
+      choose_for_fold(set, grid[row], splits[tried + task % folds], choices[row]);
+    });
+    tried = until;
+    for (const std::size_t row : left) {
+      scores[row] = mean_score_of(choices[row], fold, tried, score);
+    }
+    if (tried == splits.size()) {
+      const std::size_t best = best_rows(left, scores, 1).front();
+      return {grid[best], scores[best]};
+    }
+    left = best_rows(left, scores, std::max(std::min(kFinalists, left.size()), left.size() / 4));
+  }
 }
 
 Chosen<KnnParameters> choose_parameters(const TrainingSet& set, std::span<const KnnParameters> grid,

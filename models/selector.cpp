@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <type_traits>
 #include <utility>
 
 namespace flinch::models {
@@ -16,35 +17,26 @@ std::pmr::vector<Candidate> only(const Candidate& candidate, Memory memory) {
 }  // namespace
 
 std::pmr::vector<Candidate> candidates(const SvmModel& model, std::span<const double> scaled,
-                                       const ClipMask& allowed_clips, int idle, Memory memory) {
+                                       const ClipMask& allowed_clips, int idle, Memory memory,
+                                       std::size_t most) {
   std::pmr::vector<char> allowed(model.label.size(), memory);
-  std::pmr::vector<std::size_t> classes(memory);
-  classes.reserve(model.label.size());
+  int count = 0;
   for (std::size_t c = 0; c < model.label.size(); ++c) {
     allowed[c] = allowed_clips[static_cast<std::size_t>(model.label[c])];
-    if (allowed[c]) {
-      classes.push_back(c);
-    }
+    count += allowed[c];
   }
-  if (classes.empty()) {
+  if (count == 0) {
     return only({.clip = idle}, memory);
   }
-  if (classes.size() == 1) {
-    return only({.clip = model.label[classes[0]], .vote = 1}, memory);
+  const auto machines = static_cast<float>(count * (count - 1) / 2);
+  const auto ranked = rank(model, scaled, allowed, std::max(most, std::size_t{1}), memory);
+  std::pmr::vector<Candidate> candidates(memory);
+  candidates.reserve(ranked.size());
+  for (const auto& [c, votes] : ranked) {
+    const float vote = count == 1 ? 1.0F : static_cast<float>(votes) / machines;
+    candidates.push_back({.clip = model.label[c], .vote = vote});
   }
-  std::pmr::vector<int> votes(model.label.size(), memory);
-  vote(model, scaled, allowed, votes, memory);
-  // Not std::stable_sort, which allocates.
-  std::sort(classes.begin(), classes.end(), [&](std::size_t a, std::size_t b) {
-    return votes[a] != votes[b] ? votes[a] > votes[b] : a < b;
-  });
-  const auto machines = static_cast<float>(classes.size() * (classes.size() - 1) / 2);
-  std::pmr::vector<Candidate> ranked(memory);
-  ranked.reserve(classes.size());
-  for (const std::size_t c : classes) {
-    ranked.push_back({model.label[c], static_cast<float>(votes[c]) / machines});
-  }
-  return ranked;
+  return candidates;
 }
 
 std::pmr::vector<Candidate> candidates(const KnnModel& model, std::span<const double> scaled,
@@ -69,18 +61,26 @@ std::pmr::vector<Candidate> candidates(const NetworkModel& model, std::span<cons
 }
 
 std::pmr::vector<Candidate> candidates(const Selector& selector, const features::FeatureVector& x,
-                                       motion::Target threatened, Memory memory) {
+                                       motion::Target threatened, Memory memory, std::size_t most) {
   std::array<double, features::kMostFeatures> room{};
   const auto scaled = std::span(room).first(static_cast<std::size_t>(selector.layout.size()));
   selector.scaling.apply(x, scaled);
   const ClipMask allowed = allowed_clips(selector.clips, selector.idle, threatened, memory);
   return std::visit(
-      [&](const auto& model) { return candidates(model, scaled, allowed, selector.idle, memory); },
+      [&](const auto& model) {
+        if constexpr (std::is_same_v<decltype(model), const SvmModel&>) {
+          return candidates(model, scaled, allowed, selector.idle, memory, most);
+        } else {
+          auto ranked = candidates(model, scaled, allowed, selector.idle, memory);
+          ranked.resize(std::clamp(most, std::size_t{1}, ranked.size()));
+          return ranked;
+        }
+      },
       selector.model);
 }
 
 int select(const Selector& selector, const features::FeatureVector& x, motion::Target threatened) {
-  return candidates(selector, x, threatened).front().clip;
+  return candidates(selector, x, threatened, std::pmr::get_default_resource(), 1).front().clip;
 }
 
 ClipMask allowed_clips(std::span<const ClipSummary> clips, int idle, motion::Target threatened,

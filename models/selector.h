@@ -50,7 +50,8 @@ struct Selector {
 /// neither: never empty. `scaled` has the model's feature_count values.
 std::pmr::vector<Candidate> candidates(const SvmModel& model, std::span<const double> scaled,
                                        const ClipMask& allowed_clips, int idle,
-                                       Memory memory = std::pmr::get_default_resource());
+                                       Memory memory = std::pmr::get_default_resource(),
+                                       std::size_t most = kAll);
 std::pmr::vector<Candidate> candidates(const KnnModel& model, std::span<const double> scaled,
                                        const ClipMask& allowed_clips, int idle,
                                        Memory memory = std::pmr::get_default_resource());
@@ -58,12 +59,14 @@ std::pmr::vector<Candidate> candidates(const NetworkModel& model, std::span<cons
                                        const ClipMask& allowed_clips, int idle,
                                        Memory memory = std::pmr::get_default_resource());
 
-/// The candidates of the selector's model. `x` is in the selector's layout and not scaled.
+/// The candidates of the selector's model, the first `most` of them and at least one: the fewer are
+/// asked for, the less an SVM has to vote. `x` is in the selector's layout and not scaled.
 std::pmr::vector<Candidate> candidates(const Selector& selector, const features::FeatureVector& x,
                                        motion::Target threatened,
-                                       Memory memory = std::pmr::get_default_resource());
+                                       Memory memory = std::pmr::get_default_resource(),
+                                       std::size_t most = kAll);
 
-/// The first of the candidates.
+/// The first of the candidates, in less time than all of them take.
 int select(const Selector& selector, const features::FeatureVector& x, motion::Target threatened);
 
 /// Which clips are allowed for a threat at this target, by index; the idle clip always is.

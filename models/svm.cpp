@@ -2,93 +2,100 @@
 #include "models/svm.h"
 
 #include <algorithm>
-#include <cstddef>
+#include <cmath>
+#include <functional>
+#include <numeric>
+
+#include "models/power.h"
 
 namespace flinch::models {
 namespace {
 
-/// base^exponent by repeated squaring: the very multiplications that libsvm does.
-double power(double base, int exponent) {
-  double result = 1;
-  for (; exponent > 0; exponent /= 2) {
-    if (exponent % 2 == 1) {
-      result *= base;
+/// K(scaled, vector): the very operations that libsvm does, in its order.
+double kernel(const SvmModel& model, std::span<const double> scaled, std::size_t vector) {
+  double sum = 0;
+  if (model.kernel == SvmKernel::polynomial) {
+    for (std::size_t f = 0; f < scaled.size(); ++f) {
+      sum += scaled[f] * double{model.value(vector, f)};
     }
-    base *= base;
+    return power(model.gamma * sum + model.coef0, model.degree);
   }
-  return result;
+  for (std::size_t f = 0; f < scaled.size(); ++f) {
+    const double difference = scaled[f] - double{model.value(vector, f)};
+    sum += difference * difference;
+  }
+  return std::exp(-model.gamma * sum);
 }
 
-/// K(scaled, vector) of the vectors [first, first + kernel.size()). Each dot product is summed from
-/// the first feature to the last, as libsvm sums it; the loop inside runs over vectors.
-void evaluate_kernel(const SvmModel& model, std::span<const double> scaled, std::size_t first,
-                     std::span<double> kernel) {
-  const auto vector_count = static_cast<std::size_t>(model.vector_count());
-  std::fill(kernel.begin(), kernel.end(), 0.0);
-  for (std::size_t feature = 0; feature < scaled.size(); ++feature) {
-    const double x = scaled[feature];
-    const double* vectors = &model.support_vectors[feature * vector_count + first];
-    for (std::size_t i = 0; i < kernel.size(); ++i) {
-      kernel[i] += x * vectors[i];
-    }
+double norm(const SvmModel& model, std::size_t vector) {
+  double sum = 0;
+  for (std::size_t f = 0; f < static_cast<std::size_t>(model.feature_count); ++f) {
+    const double value = model.value(vector, f);
+    sum += value * value;
   }
-  for (double& value : kernel) {
-    value = power(model.gamma * value + model.coef0, model.degree);
-  }
+  return std::sqrt(sum);
 }
 
 }  // namespace
 
-// The machine of classes i < j decides for i where
-//   sum over i's vectors of coefficient K + sum over j's vectors of coefficient K > rho.
-// libsvm adds the terms of one machine after another; here the vectors are the outer loop and all
-// machines of their class the inner one, which adds the same terms to each sum in the same order.
-void vote(const SvmModel& model, std::span<const double> scaled, std::span<const char> allowed,
-          std::span<int> votes, Memory memory) {
-  std::fill(votes.begin(), votes.end(), 0);
-  const std::size_t classes = model.label.size();
-  if (classes < 2) {
-    return;
+void complete(SvmModel& model) {
+  model.first_of_class.assign(model.label.size(), 0);
+  std::exclusive_scan(model.vectors_of_class.begin(), model.vectors_of_class.end(),
+                      model.first_of_class.begin(), 0);
+  model.by_size.resize(model.label.size());
+  std::iota(model.by_size.begin(), model.by_size.end(), std::size_t{0});
+  std::ranges::stable_sort(model.by_size, std::greater<>(),
+                           [&](std::size_t c) { return model.vectors_of_class[c]; });
+  model.largest_norm = 0;
+  for (int vector = 0; vector < model.vector_count(); ++vector) {
+    model.largest_norm =
+        std::max(model.largest_norm, norm(model, static_cast<std::size_t>(vector)));
   }
-  const std::size_t machines = classes - 1;  // of one class
-  std::pmr::vector<double> sums(classes * machines, 0.0, memory);
-  const int most_vectors =
-      *std::max_element(model.vectors_of_class.begin(), model.vectors_of_class.end());
-  std::pmr::vector<double> kernel_of_class(static_cast<std::size_t>(most_vectors), memory);
-  std::size_t first = 0;
-  for (std::size_t c = 0; c < classes; ++c) {
-    const auto count = static_cast<std::size_t>(model.vectors_of_class[c]);
-    if (allowed[c]) {
-      double* own = &sums[c * machines];
-      for (std::size_t lower = 0; lower < c; ++lower) {
-        own[lower] = sums[lower * machines + c - 1];
+  std::uint32_t first_vector = 0;
+  std::uint32_t first_coefficient = 0;
+  for (std::size_t i = 0; i < model.label.size(); ++i) {
+    for (std::size_t j = i + 1; j < model.label.size(); ++j) {
+      SvmMachine& machine = model.machines[model.machine_of(i, j)];
+      const auto& [free_i, bound_i, free_j, bound_j] = machine.count;
+      machine.first_vector = first_vector;
+      machine.first_coefficient = first_coefficient;
+      machine.weight = bound_i * model.bound[i] + bound_j * model.bound[j];
+      for (int k = 0; k < free_i + free_j; ++k) {
+        machine.weight += model.coefficients[first_coefficient++];
       }
-      const auto kernel = std::span(kernel_of_class).first(count);
-      evaluate_kernel(model, scaled, first, kernel);
-      for (std::size_t vector = 0; vector < count; ++vector) {
-        const double* coefficients = &model.coefficients[(first + vector) * machines];
-        for (std::size_t machine = 0; machine < machines; ++machine) {
-          own[machine] += coefficients[machine] * kernel[vector];
-        }
-      }
-    }
-    first += count;
-  }
-  std::size_t pair = 0;
-  for (std::size_t i = 0; i < classes; ++i) {
-    for (std::size_t j = i + 1; j < classes; ++j, ++pair) {
-      if (allowed[i] && allowed[j]) {
-        ++votes[sums[j * machines + i] - model.rho[pair] > 0 ? i : j];
-      }
+      first_vector += static_cast<std::uint32_t>(free_i + bound_i + free_j + bound_j);
     }
   }
 }
 
+// libsvm adds the terms of i's vectors by rising index, then those of j's. The free vectors and
+// those at the bound are merged back into that order.
+double decision(const SvmModel& model, std::span<const double> scaled, std::size_t i,
+                std::size_t j) {
+  const SvmMachine& machine = model.machines[model.machine_of(i, j)];
+  const std::uint16_t* next = model.vectors.data() + machine.first_vector;
+  const double* coefficient = model.coefficients.data() + machine.first_coefficient;
+  double sum = 0;
+  for (const std::size_t side : {std::size_t{0}, std::size_t{1}}) {
+    const std::size_t one = side == 0 ? i : j;
+    const double sign = side == 0 ? 1 : -1;
+    const auto first = static_cast<std::size_t>(model.first_of_class[one]);
+    const std::uint16_t* const free_end = next + machine.count[2 * side];
+    const std::uint16_t* bound = free_end;
+    const std::uint16_t* const bound_end = bound + machine.count[2 * side + 1];
+    while (next != free_end || bound != bound_end) {
+      const bool is_free = bound == bound_end || (next != free_end && *next < *bound);
+      const double a = is_free ? *coefficient++ : model.bound[one];
+      sum += sign * a * kernel(model, scaled, first + (is_free ? *next++ : *bound++));
+    }
+    next = bound_end;
+  }
+  return sum - machine.rho;
+}
+
 int predict(const SvmModel& model, std::span<const double> scaled) {
   const std::vector<char> allowed(model.label.size(), 1);
-  std::vector<int> votes(model.label.size());
-  vote(model, scaled, allowed, votes);
-  return static_cast<int>(std::max_element(votes.begin(), votes.end()) - votes.begin());
+  return static_cast<int>(rank(model, scaled, allowed, 1).front().index);
 }
 
 }  // namespace flinch::models

@@ -3,81 +3,132 @@
 
 #include <libsvm/svm.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <memory>
+#include <limits>
 #include <string>
+#include <utility>
 
+#include "models/in_parallel.h"
+#include "models/svm_pair.h"
 #include "motion/error.h"
 
 namespace flinch::models {
 namespace {
 
-struct ModelDeleter {
-  void operator()(svm_model* model) const { svm_free_and_destroy_model(&model); }
+/// The observations of one class, in the set's order.
+struct Class {
+  int label = 0;
+  std::vector<double> points;  ///< rows, rounded to floats
+  double weight = 1;           ///< of C
+  std::size_t count = 0;
 };
-using LibsvmModel = std::unique_ptr<svm_model, ModelDeleter>;
 
-/// libsvm tells its progress on stdout, and where to is a setting of the whole process.
-void silence_libsvm() {
-  static const bool kSilenced = [] {
-    svm_set_print_string_function([](const char*) {});
-    return true;
-  }();
-  static_cast<void>(kSilenced);
-}
-
-/// Every row of the set as libsvm's nodes, closed by index -1.
-std::vector<svm_node> to_nodes(const TrainingSet& set) {
-  std::vector<svm_node> nodes;
-  nodes.reserve(set.points.size() + set.label.size());
+/// By first appearance, as libsvm has them.
+std::vector<Class> classes_of(const TrainingSet& set, double balance) {
+  std::vector<Class> classes;
   for (int i = 0; i < set.size(); ++i) {
-    int index = 0;
+    const int label = set.label[static_cast<std::size_t>(i)];
+    auto found = std::ranges::find(classes, label, &Class::label);
+    if (found == classes.end()) {
+      classes.emplace_back().label = label;
+      found = classes.end() - 1;
+    }
     for (const double value : set.point(i)) {
-      nodes.push_back({++index, value});
+      found->points.push_back(static_cast<double>(static_cast<float>(value)));
     }
-    nodes.push_back({-1, 0});
+    ++found->count;
   }
-  return nodes;
+  for (Class& one : classes) {
+    const auto even = static_cast<double>(set.size()) / static_cast<double>(classes.size());
+    one.weight = std::pow(even / static_cast<double>(one.count), balance);
+  }
+  return classes;
 }
 
-svm_parameter to_libsvm(const SvmParameters& parameters) {
-  svm_parameter converted{};
-  converted.svm_type = C_SVC;
-  converted.kernel_type = POLY;
-  converted.degree = parameters.degree;
-  converted.gamma = parameters.gamma;
-  converted.coef0 = parameters.coef0;
-  converted.C = parameters.cost;
-  converted.cache_size = 100;  // MB, taken only as the kernel's columns are
-  converted.eps = 1e-3;
-  converted.shrinking = 1;
-  return converted;
+/// Throws what libsvm has against the parameters.
+void check(const SvmParameters& parameters) {
+  if (!std::isfinite(parameters.gamma + parameters.coef0 + parameters.cost + parameters.balance)) {
+    throw Error("", "the SVM's gamma, coef0, C and balance must be finite numbers");
+  }
+  svm_parameter asked{};
+  asked.svm_type = C_SVC;
+  asked.kernel_type = parameters.kernel == SvmKernel::polynomial ? POLY : RBF;
+  asked.degree = parameters.degree;
+  asked.gamma = parameters.gamma;
+  asked.C = parameters.cost;
+  asked.cache_size = 1;
+  asked.eps = 1e-3;
+  const svm_problem none{};
+  if (const char* refusal = svm_check_parameter(&none, &asked)) {
+    throw Error("", std::string("the SVM's parameters do not work: ") + refusal);
+  }
 }
 
-/// A copy without libsvm's memory: its vectors point into the training data.
-SvmModel to_model(const svm_model& trained, const SvmParameters& parameters, int feature_count) {
-  SvmModel model;
-  model.degree = parameters.degree;
-  model.gamma = parameters.gamma;
-  model.coef0 = parameters.coef0;
-  model.cost = parameters.cost;
-  model.feature_count = feature_count;
-  const int classes = trained.nr_class;
-  model.label.assign(trained.label, trained.label + classes);
-  model.vectors_of_class.assign(trained.nSV, trained.nSV + classes);
-  for (int feature = 0; feature < feature_count; ++feature) {
-    for (int vector = 0; vector < trained.l; ++vector) {
-      model.support_vectors.push_back(trained.SV[vector][feature].value);
+/// Every pair's solution, (0,1), (0,2), …, (1,2), ….
+std::vector<PairSolution> solve(const std::vector<Class>& classes, int feature_count,
+                                const SvmParameters& parameters) {
+  std::vector<std::pair<std::size_t, std::size_t>> pairs;
+  for (std::size_t i = 0; i < classes.size(); ++i) {
+    for (std::size_t j = i + 1; j < classes.size(); ++j) pairs.emplace_back(i, j);
+  }
+  std::vector<PairSolution> solutions(pairs.size());
+  in_parallel(pairs.size(), [&](std::size_t p) {
+    const Class& first = classes[pairs[p].first];
+    const Class& second = classes[pairs[p].second];
+    solutions[p] = fit_pair(
+        {first.points, second.points, feature_count, first.weight, second.weight}, parameters);
+  });
+  return solutions;
+}
+
+/// libsvm's sv_coef of one class's observations, transposed: rows of a value a machine, with those
+/// of all zeros left out; `kept` says which are there.
+std::vector<double> coefficients_of(const std::vector<Class>& classes, std::size_t one,
+                                    const std::vector<PairSolution>& solutions,
+                                    std::vector<std::size_t>& kept) {
+  const std::size_t machines = classes.size() - 1;
+  std::vector<double> rows(classes[one].count * machines);
+  std::size_t pair = 0;
+  for (std::size_t i = 0; i < classes.size(); ++i) {
+    for (std::size_t j = i + 1; j < classes.size(); ++j, ++pair) {
+      if (one != i && one != j) continue;
+      const std::size_t begin = one == i ? 0 : classes[i].count;
+      const std::size_t machine = one == i ? j - 1 : i;
+      for (std::size_t k = 0; k < classes[one].count; ++k) {
+        const double a = solutions[pair].coefficients[begin + k];
+        rows[k * machines + machine] = one == i ? a : -a;
+      }
     }
   }
-  for (int vector = 0; vector < trained.l; ++vector) {
-    for (int machine = 0; machine < classes - 1; ++machine) {
-      model.coefficients.push_back(trained.sv_coef[machine][vector]);
+  std::vector<double> coefficients;
+  for (std::size_t k = 0; k < classes[one].count; ++k) {
+    const auto row = std::span(rows).subspan(k * machines, machines);
+    if (std::ranges::all_of(row, [](double a) { return a == 0; })) continue;
+    kept.push_back(k);
+    coefficients.insert(coefficients.end(), row.begin(), row.end());
+  }
+  return coefficients;
+}
+
+/// Adds one class's part of a machine: its free vectors, then those at the bound.
+void add_side(SvmModel& model, SvmMachine& machine, std::size_t one, std::size_t column, int side,
+              std::span<const double> coefficients) {
+  const std::size_t machines = model.label.size() - 1;
+  const auto first = static_cast<std::size_t>(model.first_of_class[one]);
+  const auto coefficient = [&](std::size_t k) {
+    return std::abs(coefficients[(first + k) * machines + column]);
+  };
+  for (const bool at_bound : {false, true}) {
+    for (std::size_t k = 0; k < static_cast<std::size_t>(model.vectors_of_class[one]); ++k) {
+      const double a = coefficient(k);
+      if (a == 0 || (a == model.bound[one]) != at_bound) continue;
+      model.vectors.push_back(static_cast<std::uint16_t>(k));
+      if (!at_bound) model.coefficients.push_back(a);
+      ++machine.count[static_cast<std::size_t>(2 * side + (at_bound ? 1 : 0))];
     }
   }
-  model.rho.assign(trained.rho, trained.rho + classes * (classes - 1) / 2);
-  return model;
 }
 
 }  // namespace
@@ -86,16 +137,23 @@ SvmParameters default_svm_parameters(int feature_count) {
   return {.degree = 3, .gamma = 1.0 / feature_count, .coef0 = 0, .cost = 1};
 }
 
-std::vector<SvmParameters> svm_grid(int feature_count) {
+std::vector<SvmParameters> svm_grid(int feature_count, SvmKernel kernel) {
   const SvmParameters defaults = default_svm_parameters(feature_count);
-  std::vector<SvmParameters> grid{defaults};
-  for (const int degree : {2, 3}) {
-    for (const double gamma : {defaults.gamma, 4 * defaults.gamma}) {
-      for (const double coef0 : {0.0, 1.0}) {
-        for (const double cost : {1.0, 10.0, 100.0}) {
-          const SvmParameters parameters{degree, gamma, coef0, cost};
-          if (parameters != defaults) {
-            grid.push_back(parameters);
+  std::vector<SvmParameters> grid;
+  if (kernel == SvmKernel::rbf) {
+    for (const double factor : {0.25, 1.0, 4.0, 16.0}) {
+      for (const double cost : {1.0, 10.0, 100.0}) {
+        grid.push_back({.gamma = factor * defaults.gamma, .cost = cost, .kernel = kernel});
+      }
+    }
+  } else {
+    grid.push_back(defaults);
+    for (const int degree : {2, 3}) {
+      for (const double gamma : {defaults.gamma, 4 * defaults.gamma}) {
+        for (const double coef0 : {0.0, 1.0}) {
+          for (const double cost : {1.0, 10.0, 100.0}) {
+            const SvmParameters parameters{degree, gamma, coef0, cost};
+            if (parameters != defaults) grid.push_back(parameters);
           }
         }
       }
@@ -104,25 +162,77 @@ std::vector<SvmParameters> svm_grid(int feature_count) {
   return grid;
 }
 
+SvmModel make_svm_model(const SvmParameters& parameters, std::vector<int> label,
+                        std::vector<int> vectors_of_class, std::vector<double> bound,
+                        std::span<const double> values, int feature_count,
+                        std::span<const double> coefficients, std::span<const double> rho) {
+  for (const int count : vectors_of_class) {
+    if (count > std::numeric_limits<std::uint16_t>::max()) {
+      throw Error("", "one clip has " + std::to_string(count) +
+                          " support vectors, more than the 65535 that a kernel SVM can keep; "
+                          "train on fewer scenarios or with another model");
+    }
+  }
+  SvmModel model;
+  model.kernel = parameters.kernel;
+  model.degree = parameters.degree;
+  model.gamma = parameters.gamma;
+  model.coef0 = parameters.coef0;
+  model.cost = parameters.cost;
+  model.feature_count = feature_count;
+  model.label = std::move(label);
+  model.vectors_of_class = std::move(vectors_of_class);
+  model.bound = std::move(bound);
+  const auto features = static_cast<std::size_t>(feature_count);
+  const std::size_t vectors = values.size() / features;
+  model.support_vectors.resize(vectors * model.row_size());
+  for (std::size_t vector = 0; vector < vectors; ++vector) {
+    std::ranges::transform(values.subspan(vector * features, features),
+                           &model.support_vectors[vector * model.row_size()],
+                           [](double value) { return static_cast<float>(value); });
+  }
+  model.first_of_class.assign(model.label.size(), 0);
+  for (std::size_t c = 1; c < model.label.size(); ++c)
+    model.first_of_class[c] = model.first_of_class[c - 1] + model.vectors_of_class[c - 1];
+  for (std::size_t i = 0; i < model.label.size(); ++i) {
+    for (std::size_t j = i + 1; j < model.label.size(); ++j) {
+      SvmMachine machine{.rho = rho[model.machines.size()]};
+      add_side(model, machine, i, j - 1, 0, coefficients);
+      add_side(model, machine, j, i, 1, coefficients);
+      model.machines.push_back(machine);
+    }
+  }
+  complete(model);
+  return model;
+}
+
 SvmModel fit_svm(const TrainingSet& set, const SvmParameters& parameters) {
   check(set);
-  silence_libsvm();
-  std::vector<svm_node> nodes = to_nodes(set);
-  std::vector<svm_node*> rows;
-  for (std::size_t row = 0; row < set.label.size(); ++row) {
-    rows.push_back(&nodes[row * static_cast<std::size_t>(set.feature_count + 1)]);
+  check(parameters);
+  const std::vector<Class> classes = classes_of(set, parameters.balance);
+  const std::vector<PairSolution> solutions = solve(classes, set.feature_count, parameters);
+  std::vector<int> label;
+  std::vector<int> vectors_of_class;
+  std::vector<double> bound;
+  std::vector<double> values;
+  std::vector<double> coefficients;
+  const auto features = static_cast<std::size_t>(set.feature_count);
+  for (std::size_t c = 0; c < classes.size(); ++c) {
+    std::vector<std::size_t> kept;
+    const std::vector<double> rows = coefficients_of(classes, c, solutions, kept);
+    coefficients.insert(coefficients.end(), rows.begin(), rows.end());
+    for (const std::size_t k : kept) {
+      const auto point = std::span(classes[c].points).subspan(k * features, features);
+      values.insert(values.end(), point.begin(), point.end());
+    }
+    label.push_back(classes[c].label);
+    vectors_of_class.push_back(static_cast<int>(kept.size()));
+    bound.push_back(parameters.cost * classes[c].weight);
   }
-  std::vector<double> labels(set.label.begin(), set.label.end());
-  const svm_problem problem{set.size(), labels.data(), rows.data()};
-  const svm_parameter converted = to_libsvm(parameters);
-  if (!std::isfinite(parameters.gamma + parameters.coef0 + parameters.cost)) {
-    throw Error("", "the SVM's gamma, coef0 and C must be finite numbers");
-  }
-  if (const char* refusal = svm_check_parameter(&problem, &converted)) {
-    throw Error("", std::string("the SVM's parameters do not work: ") + refusal);
-  }
-  const LibsvmModel trained(svm_train(&problem, &converted));
-  return to_model(*trained, parameters, set.feature_count);
+  std::vector<double> rho;
+  for (const PairSolution& solution : solutions) rho.push_back(solution.rho);
+  return make_svm_model(parameters, std::move(label), std::move(vectors_of_class), std::move(bound),
+                        values, set.feature_count, coefficients, rho);
 }
 
 }  // namespace flinch::models

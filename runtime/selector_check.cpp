@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <numeric>
 #include <set>
 #include <span>
@@ -39,24 +40,68 @@ bool is_sound(const features::Scaling& scaling, std::size_t feature_count) {
                     [](double least, double most) { return least <= most; });
 }
 
+/// Whether one of a machine's four lists of vectors, which begins at `next`, is of rising indices
+/// of a class of this many vectors; moves on to the next list.
+bool is_list(const models::SvmModel& model, std::size_t& next, std::size_t count, int vectors) {
+  if (count > model.vectors.size() - next) return false;
+  const auto list = std::span(model.vectors).subspan(next, count);
+  next += count;
+  return std::adjacent_find(list.begin(), list.end(), std::greater_equal<>()) == list.end() &&
+         (list.empty() || list.back() < vectors);
+}
+
+/// Whether the machines are one a pair of classes, and their lists and coefficients are all there.
+bool are_machines_sound(const models::SvmModel& model) {
+  const std::size_t classes = model.label.size();
+  if (model.machines.size() != classes * (classes - 1) / 2) return false;
+  std::size_t next = 0;
+  std::size_t coefficients = 0;
+  for (std::size_t i = 0; i < classes; ++i) {
+    for (std::size_t j = i + 1; j < classes; ++j) {
+      const models::SvmMachine& machine = model.machines[model.machine_of(i, j)];
+      for (std::size_t list = 0; list < machine.count.size(); ++list) {
+        const int vectors = model.vectors_of_class[list < 2 ? i : j];
+        if (!is_list(model, next, machine.count[list], vectors)) return false;
+      }
+      coefficients += std::size_t{machine.count[0]} + machine.count[2];
+      if (!std::isfinite(machine.rho)) return false;
+    }
+  }
+  return next == model.vectors.size() && coefficients == model.coefficients.size();
+}
+
+/// Whether the rows are finite numbers, and zeros where they are filled up.
+bool are_rows_sound(const models::SvmModel& model) {
+  const std::vector<float>& values = model.support_vectors;
+  const auto features = static_cast<std::size_t>(model.feature_count);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (i % model.row_size() < features ? !std::isfinite(values[i]) : values[i] != 0) return false;
+  }
+  return true;
+}
+
 bool is_sound(const models::SvmModel& model, std::size_t clip_count, std::size_t feature_count) {
   const std::size_t classes = model.label.size();
   const std::set<int> different(model.label.begin(), model.label.end());
   const std::vector<int>& counts = model.vectors_of_class;
+  const auto is_negative = [](auto number) { return number < 0; };
   if (classes == 0 || different.size() != classes || !are_clips(model.label, clip_count) ||
-      counts.size() != classes ||
-      std::any_of(counts.begin(), counts.end(), [](int count) { return count < 0; })) {
+      counts.size() != classes || model.bound.size() != classes ||
+      std::any_of(counts.begin(), counts.end(), is_negative)) {
     return false;
   }
   const auto vectors = std::accumulate(
       counts.begin(), counts.end(), std::size_t{0},
       [](std::size_t sum, int count) { return sum + static_cast<std::size_t>(count); });
-  return static_cast<std::size_t>(model.feature_count) == feature_count && model.degree >= 0 &&
+  return model.kernel <= models::SvmKernel::rbf && model.degree >= 0 && model.gamma >= 0 &&
+         static_cast<std::size_t>(model.feature_count) == feature_count &&
          all_finite(std::array{model.gamma, model.coef0, model.cost}) &&
-         model.support_vectors.size() == vectors * feature_count &&
-         model.coefficients.size() == vectors * (classes - 1) &&
-         model.rho.size() == classes * (classes - 1) / 2 && all_finite(model.support_vectors) &&
-         all_finite(model.coefficients) && all_finite(model.rho);
+         vectors <= static_cast<std::size_t>(std::numeric_limits<int>::max()) &&
+         model.support_vectors.size() == vectors * model.row_size() && are_rows_sound(model) &&
+         all_finite(model.bound) && all_finite(model.coefficients) &&
+         std::none_of(model.bound.begin(), model.bound.end(), is_negative) &&
+         std::none_of(model.coefficients.begin(), model.coefficients.end(), is_negative) &&
+         are_machines_sound(model);
 }
 
 // Sums of costs have room for 65535 neighbours.

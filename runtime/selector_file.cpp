@@ -40,17 +40,33 @@ models::ClipSummary read_clip(const schema::Clip& stored) {
   return clip;
 }
 
+/// No machines where their numbers disagree.
+std::vector<models::SvmMachine> read_machines(const schema::Svm& stored) {
+  const auto& rho = *stored.rho();
+  const auto& counts = *stored.counts();
+  if (counts.size() != 4 * std::size_t{rho.size()}) return {};
+  std::vector<models::SvmMachine> machines(rho.size());
+  for (flatbuffers::uoffset_t i = 0; i < rho.size(); ++i) {
+    machines[i].rho = rho.Get(i);
+    for (flatbuffers::uoffset_t k = 0; k < 4; ++k) machines[i].count[k] = counts.Get(4 * i + k);
+  }
+  return machines;
+}
+
 models::SvmModel read_model(const schema::Svm& stored, int feature_count) {
-  return {.degree = stored.degree(),
+  return {.kernel = static_cast<models::SvmKernel>(stored.kernel()),
+          .degree = stored.degree(),
           .gamma = stored.gamma(),
           .coef0 = stored.coef0(),
           .cost = stored.cost(),
           .feature_count = feature_count,
           .label = to_vector(*stored.label()),
           .vectors_of_class = to_vector(*stored.vectors_of_class()),
+          .bound = to_vector(*stored.bound()),
           .support_vectors = to_vector(*stored.support_vectors()),
-          .coefficients = to_vector(*stored.coefficients()),
-          .rho = to_vector(*stored.rho())};
+          .machines = read_machines(stored),
+          .vectors = to_vector(*stored.vectors()),
+          .coefficients = to_vector(*stored.coefficients())};
 }
 
 models::KnnModel read_model(const schema::Knn& stored, int feature_count, int clip_count) {
@@ -108,6 +124,7 @@ bool read_stored(const schema::Selector& stored, models::Selector& selector) {
   }
   if (!is_sound(selector)) return false;
   if (auto* knn = std::get_if<models::KnnModel>(&selector.model)) models::index(*knn);
+  if (auto* svm = std::get_if<models::SvmModel>(&selector.model)) models::complete(*svm);
   return true;
 }
 

@@ -33,11 +33,21 @@ Offset<schema::Clip> store(FlatBufferBuilder& builder, const models::ClipSummary
 Offset<void> store(FlatBufferBuilder& builder, const models::SvmModel& model) {
   const auto label = builder.CreateVector(model.label);
   const auto vectors_of_class = builder.CreateVector(model.vectors_of_class);
+  const auto bound = builder.CreateVector(model.bound);
   const auto support_vectors = builder.CreateVector(model.support_vectors);
+  std::vector<double> rhos;
+  std::vector<std::uint16_t> all_counts;
+  for (const models::SvmMachine& machine : model.machines) {
+    rhos.push_back(machine.rho);
+    all_counts.insert(all_counts.end(), machine.count.begin(), machine.count.end());
+  }
+  const auto rho = builder.CreateVector(rhos);
+  const auto counts = builder.CreateVector(all_counts);
+  const auto vectors = builder.CreateVector(model.vectors);
   const auto coefficients = builder.CreateVector(model.coefficients);
-  const auto rho = builder.CreateVector(model.rho);
-  return schema::CreateSvm(builder, model.degree, model.gamma, model.coef0, model.cost, label,
-                           vectors_of_class, support_vectors, coefficients, rho)
+  return schema::CreateSvm(builder, static_cast<std::uint8_t>(model.kernel), model.degree,
+                           model.gamma, model.coef0, model.cost, label, vectors_of_class, bound,
+                           support_vectors, rho, counts, vectors, coefficients)
       .Union();
 }
 

@@ -44,18 +44,30 @@ Fitted fit_knn_cost(const models::TrainingSet& set, std::span<const int> folds,
   return {models::fit_knn(set, chosen.parameters), {{"k", chosen.parameters.k}}, chosen.mean_score};
 }
 
+Fitted fit_svm_with(models::SvmKernel kernel, const models::TrainingSet& set,
+                    std::span<const int> folds, const models::Score& regret) {
+  const auto chosen =
+      models::choose_parameters(set, models::svm_grid(set.feature_count, kernel), folds, regret);
+  const models::SvmParameters& parameters = chosen.parameters;
+  std::vector<NamedValue> named;
+  if (kernel == models::SvmKernel::polynomial) {
+    named = {{"kernel", "polynomial"}, {"degree", parameters.degree}, {"coef0", parameters.coef0}};
+  } else {
+    named = {{"kernel", "rbf"}};
+  }
+  named.push_back({"gamma", parameters.gamma});
+  named.push_back({"c", parameters.cost});
+  return {models::fit_svm(set, parameters), named, chosen.mean_score};
+}
+
 Fitted fit_svm(const models::TrainingSet& set, std::span<const int> folds,
                const models::Score& regret) {
-  const auto chosen =
-      models::choose_parameters(set, models::svm_grid(set.feature_count), folds, regret);
-  const models::SvmParameters& parameters = chosen.parameters;
-  return {models::fit_svm(set, parameters),
-          {{"kernel", "polynomial"},
-           {"degree", parameters.degree},
-           {"gamma", parameters.gamma},
-           {"coef0", parameters.coef0},
-           {"c", parameters.cost}},
-          chosen.mean_score};
+  return fit_svm_with(models::SvmKernel::polynomial, set, folds, regret);
+}
+
+Fitted fit_svm_rbf(const models::TrainingSet& set, std::span<const int> folds,
+                   const models::Score& regret) {
+  return fit_svm_with(models::SvmKernel::rbf, set, folds, regret);
 }
 
 Fitted fit_network(const models::TrainingSet& set, std::span<const int> folds,
@@ -81,6 +93,7 @@ struct MethodEntry {
 constexpr std::array kEntries{
     MethodEntry{Method::knn, "knn", fit_knn},
     MethodEntry{Method::svm, "svm", fit_svm},
+    MethodEntry{Method::svm_rbf, "svm_rbf", fit_svm_rbf},
     MethodEntry{Method::knn_cost, "knn_cost", fit_knn_cost},
     MethodEntry{Method::network, "network", fit_network},
 };

@@ -19,6 +19,7 @@ namespace flinch::train {
 enum class Method : std::uint8_t {
   knn,       ///< the nearest observations vote
   svm,       ///< C-SVC with a polynomial kernel: the paper's
+  svm_rbf,   ///< C-SVC with an RBF kernel
   knn_cost,  ///< the nearest observations tell what each clip costs
   network,   ///< small networks expect what each clip costs
 };

@@ -3,6 +3,8 @@
 
 #include <libsvm/svm.h>
 
+#include <cmath>
+#include <map>
 #include <memory>
 #include <span>
 #include <vector>
@@ -28,7 +30,7 @@ class LibsvmOracle {
     const svm_problem problem{set.size(), labels.data(), pointers.data()};
     svm_parameter converted{};
     converted.svm_type = C_SVC;
-    converted.kernel_type = POLY;
+    converted.kernel_type = parameters.kernel == SvmKernel::polynomial ? POLY : RBF;
     converted.degree = parameters.degree;
     converted.gamma = parameters.gamma;
     converted.coef0 = parameters.coef0;
@@ -36,18 +38,31 @@ class LibsvmOracle {
     converted.cache_size = 100;
     converted.eps = 0.001;
     converted.shrinking = 1;
+    weigh(set, parameters.balance);
+    converted.nr_weight = static_cast<int>(weights_.size());
+    converted.weight_label = weighted_.data();
+    converted.weight = weights_.data();
     model_.reset(svm_train(&problem, &converted));
   }
+
+  const svm_model& model() const { return *model_; }
 
   int predict(std::span<const double> point) const {
     return static_cast<int>(svm_predict(model_.get(), sparse(point).data()));
   }
 
+  /// Of the pairs of classes (0,1), (0,2), …, (1,2), ….
+  std::vector<double> decisions(std::span<const double> point) const {
+    const auto classes = static_cast<std::size_t>(model_->nr_class);
+    std::vector<double> decision(classes * (classes - 1) / 2 + 1);
+    svm_predict_values(model_.get(), sparse(point).data(), decision.data());
+    return decision;
+  }
+
   /// Votes of the pairwise machines whose two classes are allowed, from libsvm's decision values.
   std::vector<int> votes(std::span<const double> point, std::span<const char> allowed) const {
     const auto classes = static_cast<std::size_t>(model_->nr_class);
-    std::vector<double> decision(classes * classes);
-    svm_predict_values(model_.get(), sparse(point).data(), decision.data());
+    const std::vector<double> decision = decisions(point);
     std::vector<int> votes(classes);
     std::size_t pair = 0;
     for (std::size_t i = 0; i < classes; ++i) {
@@ -62,6 +77,17 @@ class LibsvmOracle {
   }
 
  private:
+  /// C's factor of each label.
+  void weigh(const TrainingSet& set, double balance) {
+    std::map<int, int> count_of;
+    for (const int label : set.label) ++count_of[label];
+    for (const auto& [label, count] : count_of) {
+      const double even = set.size() / static_cast<double>(count_of.size());
+      weighted_.push_back(label);
+      weights_.push_back(std::pow(even / count, balance));
+    }
+  }
+
   struct Deleter {
     void operator()(svm_model* model) const { svm_free_and_destroy_model(&model); }
   };
@@ -79,6 +105,8 @@ class LibsvmOracle {
   }
 
   std::vector<std::vector<svm_node>> rows_;
+  std::vector<int> weighted_;
+  std::vector<double> weights_;
   std::unique_ptr<svm_model, Deleter> model_;
 };
 

@@ -37,11 +37,11 @@ bool run(const std::string& command) {
   return std::system((command + " >/dev/null 2>&1").c_str()) == 0;
 }
 
-/// Seven decimals: svm-train writes support vectors with eight significant digits, so that numbers
-/// with more would not come back from its model file.
-TrainingSet with_seven_decimals(TrainingSet set) {
+/// Of 64ths: svm-train writes support vectors with eight significant digits, so that numbers with
+/// more would not come back from its model file.
+TrainingSet of_64ths(TrainingSet set) {
   for (double& value : set.points) {
-    value = std::round(value * 1e7) / 1e7;
+    value = std::round(value * 64) / 64;
   }
   return set;
 }
@@ -50,8 +50,8 @@ TEST(LibsvmTools, TrainAndPredictAsTheModelDoes) {
   if (!run("command -v svm-train") || !run("command -v svm-predict")) {
     GTEST_SKIP() << "svm-train and svm-predict are not installed (Debian: libsvm-tools)";
   }
-  const TrainingSet set = with_seven_decimals(random_clouds(21, 600, 12, 16));
-  const TrainingSet asked = with_seven_decimals(random_clouds(22, 2000, 12, 16));
+  const TrainingSet set = of_64ths(random_clouds(21, 600, 12, 16));
+  const TrainingSet asked = of_64ths(random_clouds(22, 2000, 12, 16));
   const fs::path folder = fs::path(testing::TempDir()) / "flinch_libsvm_tools_test";
   fs::create_directories(folder);
   const std::string train = folder / "train";
@@ -61,10 +61,13 @@ TEST(LibsvmTools, TrainAndPredictAsTheModelDoes) {
   write_libsvm_text(set, train);
   write_libsvm_text(asked, asked_for);
   for (const SvmParameters& parameters :
-       {default_svm_parameters(16), SvmParameters{2, 0.25, 1, 10}}) {
+       {default_svm_parameters(16), SvmParameters{2, 0.25, 1, 10},
+        SvmParameters{.gamma = 0.5, .cost = 10, .kernel = SvmKernel::rbf}}) {
     std::ostringstream arguments;
-    arguments << std::setprecision(17) << " -q -s 0 -t 1 -d " << parameters.degree << " -g "
-              << parameters.gamma << " -r " << parameters.coef0 << " -c " << parameters.cost << ' ';
+    arguments << std::setprecision(17) << " -q -s 0 -t "
+              << (parameters.kernel == SvmKernel::polynomial ? 1 : 2) << " -d " << parameters.degree
+              << " -g " << parameters.gamma << " -r " << parameters.coef0 << " -c "
+              << parameters.cost << ' ';
     ASSERT_TRUE(run("svm-train" + arguments.str() + train + ' ' + model_file));
     ASSERT_TRUE(run("svm-predict " + asked_for + ' ' + model_file + ' ' + predicted));
     const SvmModel model = fit_svm(set, parameters);

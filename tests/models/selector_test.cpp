@@ -23,10 +23,14 @@ SvmModel hand_made_svm() {
   model.feature_count = 1;
   model.label = {5, 3, 1};
   model.vectors_of_class = {1, 0, 1};
-  model.support_vectors = {1, 1};
-  // Vector of class 0: machines (0,1) and (0,2); vector of class 2: machines (0,2) and (1,2).
-  model.coefficients = {1, 1, 0, 0};
-  model.rho = {0, 2, -1};
+  model.bound = {1, 1, 1};
+  model.support_vectors.assign(2 * SvmModel::kLanes, 1);
+  // The vector of class 0 is at its bound in the machines (0,1) and (0,2); that of class 2 is in
+  // none.
+  model.machines = {
+      {.rho = 0, .count = {0, 1, 0, 0}}, {.rho = 2, .count = {0, 1, 0, 0}}, {.rho = -1}};
+  model.vectors = {0, 0};
+  complete(model);
   return model;
 }
 

@@ -11,12 +11,12 @@
 
 namespace flinch::models {
 
-/// Uniform values in [-1, 1].
+/// Uniform values in [-1, 1], which are floats as those of scaled features are.
 inline std::vector<double> random_point(std::mt19937_64& random, int feature_count) {
-  std::uniform_real_distribution<double> uniform(-1, 1);
+  std::uniform_real_distribution<float> uniform(-1, 1);
   std::vector<double> point(static_cast<std::size_t>(feature_count));
   for (double& value : point) {
-    value = uniform(random);
+    value = double{uniform(random)};
   }
   return point;
 }
@@ -48,7 +48,8 @@ inline TrainingSet random_clouds(std::uint64_t seed, int count, int class_count,
     const auto c = static_cast<std::size_t>(random() % static_cast<std::uint64_t>(class_count));
     const std::vector<double> offset = random_point(random, feature_count);
     for (std::size_t f = 0; f < offset.size(); ++f) {
-      points.push_back(0.5 * centres[c][f] + 0.5 * offset[f]);
+      points.push_back(
+          static_cast<double>(static_cast<float>(0.5 * centres[c][f] + 0.5 * offset[f])));
     }
     label.push_back(2 * static_cast<int>(c) + 1);
   }

@@ -69,6 +69,14 @@ Selector svm_selector() {
   return selector;
 }
 
+Selector rbf_selector() {
+  Selector selector = selector_without_model();
+  selector.model = models::fit_svm(
+      training_set(),
+      {.gamma = 1.0 / 3, .cost = 1.0 / 7, .kernel = models::SvmKernel::rbf, .balance = 0.5});
+  return selector;
+}
+
 Selector knn_selector() {
   Selector selector = selector_without_model();
   selector.model = models::fit_knn(training_set(), {7, models::KnnVote::inverse_distance});
@@ -90,7 +98,7 @@ Selector network_selector() {
 }
 
 std::vector<Selector> one_of_each() {
-  return {svm_selector(), knn_selector(), knn_cost_selector(), network_selector()};
+  return {svm_selector(), rbf_selector(), knn_selector(), knn_cost_selector(), network_selector()};
 }
 
 std::vector<std::uint64_t> bits_of(const std::vector<double>& numbers) {
@@ -109,11 +117,23 @@ void expect_same(const models::SvmModel& a, const models::SvmModel& b) {
   EXPECT_EQ(a.degree, b.degree);
   EXPECT_EQ(bits_of({a.gamma, a.coef0, a.cost}), bits_of({b.gamma, b.coef0, b.cost}));
   EXPECT_EQ(a.feature_count, b.feature_count);
+  EXPECT_EQ(a.kernel, b.kernel);
   EXPECT_EQ(a.label, b.label);
   EXPECT_EQ(a.vectors_of_class, b.vectors_of_class);
-  EXPECT_EQ(bits_of(a.support_vectors), bits_of(b.support_vectors));
+  EXPECT_EQ(bits_of(a.bound), bits_of(b.bound));
+  EXPECT_EQ(a.support_vectors, b.support_vectors);
+  EXPECT_EQ(a.vectors, b.vectors);
   EXPECT_EQ(bits_of(a.coefficients), bits_of(b.coefficients));
-  EXPECT_EQ(bits_of(a.rho), bits_of(b.rho));
+  ASSERT_EQ(a.machines.size(), b.machines.size());
+  for (std::size_t i = 0; i < a.machines.size(); ++i) {
+    EXPECT_EQ(bits_of({a.machines[i].rho, a.machines[i].weight}),
+              bits_of({b.machines[i].rho, b.machines[i].weight}));
+    EXPECT_EQ(a.machines[i].count, b.machines[i].count);
+    EXPECT_EQ(a.machines[i].first_vector, b.machines[i].first_vector);
+    EXPECT_EQ(a.machines[i].first_coefficient, b.machines[i].first_coefficient);
+  }
+  EXPECT_EQ(a.first_of_class, b.first_of_class);
+  EXPECT_EQ(bits_of({a.largest_norm}), bits_of({b.largest_norm}));
 }
 
 void expect_same(const models::KnnModel& a, const models::KnnModel& b) {
@@ -322,10 +342,20 @@ TEST(SelectorFile, WhatCannotBeReadIsNotWritten) {
       [&](Selector& s) { svm(s).vectors_of_class.pop_back(); },
       [&](Selector& s) { svm(s).support_vectors.pop_back(); },
       [&](Selector& s) { svm(s).coefficients.pop_back(); },
-      [&](Selector& s) { svm(s).rho.pop_back(); },
-      [&](Selector& s) { svm(s).rho[0] = nan; },
+      [&](Selector& s) { svm(s).machines.pop_back(); },
+      [&](Selector& s) { svm(s).machines[0].rho = nan; },
+      [&](Selector& s) { svm(s).machines[0].count[0] += 1; },
+      [&](Selector& s) { svm(s).vectors.pop_back(); },
+      [&](Selector& s) { svm(s).vectors[0] = 65535; },
+      [&](Selector& s) { svm(s).vectors[1] = svm(s).vectors[0]; },
+      [&](Selector& s) { svm(s).bound.pop_back(); },
+      [&](Selector& s) { svm(s).bound[0] = nan; },
+      [&](Selector& s) { svm(s).bound[0] = -1; },
+      [&](Selector& s) { svm(s).kernel = static_cast<models::SvmKernel>(2); },
+      [&](Selector& s) { svm(s).coefficients[2] = -1; },
+      [&](Selector& s) { svm(s).gamma = -1; },
       [&](Selector& s) { svm(s).coefficients[2] = nan; },
-      [&](Selector& s) { svm(s).support_vectors[2] = nan; },
+      [&](Selector& s) { svm(s).support_vectors[2] = static_cast<float>(nan); },
       [&](Selector& s) { svm(s).gamma = nan; },
       [&](Selector& s) { svm(s).degree = -1; }};
   const std::vector<std::function<void(Selector&)>> faults_of_knn{

@@ -163,8 +163,9 @@ std::size_t pose_count(const database::Library& library) {
 }
 
 Json model_document(const models::SvmModel& svm) {
-  return {
-      {"model", "svm"}, {"classes", svm.class_count()}, {"support_vectors", svm.vector_count()}};
+  return {{"model", svm.kernel == models::SvmKernel::rbf ? "svm_rbf" : "svm"},
+          {"classes", svm.class_count()},
+          {"support_vectors", svm.vector_count()}};
 }
 
 Json model_document(const models::KnnModel& knn) {
