@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <type_traits>
 #include <utility>
 
 namespace flinch::models {
@@ -68,19 +69,34 @@ std::pmr::vector<Candidate> candidates(const NetworkModel& model, std::span<cons
   return expected.empty() ? only({.clip = idle}, memory) : std::move(expected);
 }
 
+std::pmr::vector<Candidate> candidates(const PairwiseModel& model, std::span<const double> scaled,
+                                       const ClipMask& allowed_clips, int idle, Memory memory,
+                                       std::size_t most) {
+  auto ranked = rank(model, scaled, allowed_clips, std::max(most, std::size_t{1}), memory);
+  return ranked.empty() ? only({.clip = idle}, memory) : std::move(ranked);
+}
+
 std::pmr::vector<Candidate> candidates(const Selector& selector, const features::FeatureVector& x,
-                                       motion::Target threatened, Memory memory) {
+                                       motion::Target threatened, Memory memory, std::size_t most) {
   std::array<double, features::kMostFeatures> room{};
   const auto scaled = std::span(room).first(static_cast<std::size_t>(selector.layout.size()));
   selector.scaling.apply(x, scaled);
   const ClipMask allowed = allowed_clips(selector.clips, selector.idle, threatened, memory);
   return std::visit(
-      [&](const auto& model) { return candidates(model, scaled, allowed, selector.idle, memory); },
+      [&](const auto& model) {
+        if constexpr (std::is_same_v<decltype(model), const PairwiseModel&>) {
+          return candidates(model, scaled, allowed, selector.idle, memory, most);
+        } else {
+          auto ranked = candidates(model, scaled, allowed, selector.idle, memory);
+          ranked.resize(std::clamp(most, std::size_t{1}, ranked.size()));
+          return ranked;
+        }
+      },
       selector.model);
 }
 
 int select(const Selector& selector, const features::FeatureVector& x, motion::Target threatened) {
-  return candidates(selector, x, threatened).front().clip;
+  return candidates(selector, x, threatened, std::pmr::get_default_resource(), 1).front().clip;
 }
 
 ClipMask allowed_clips(std::span<const ClipSummary> clips, int idle, motion::Target threatened,

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -13,6 +15,7 @@
 #include "models/candidate.h"
 #include "models/knn.h"
 #include "models/network.h"
+#include "models/pairwise_linear.h"
 #include "models/svm.h"
 #include "motion/clip.h"
 
@@ -33,7 +36,7 @@ struct Selector {
   int idle = 0;                    ///< the library's idle clip: always allowed
   features::Layout layout;         ///< of the features that it is asked with
   features::Scaling scaling;
-  std::variant<SvmModel, KnnModel, NetworkModel> model;
+  std::variant<SvmModel, KnnModel, NetworkModel, PairwiseModel> model;
   double brawn = 0.1;  ///< that its labels were made with
   /// Centres of the targets of the idling character, by Target, in the frame of the features, m:
   /// where a threat described without a character aims.
@@ -42,12 +45,16 @@ struct Selector {
       Eigen::Vector3f::Zero()};
 };
 
+/// Of candidates: all of them.
+inline constexpr auto kAll = std::numeric_limits<std::size_t>::max();
+
 /// The allowed clips that the model votes among, best first. An SVM's are all its classes, ranked
-/// by votes, ties by the model's class order; a KNN's are its neighbours' labels, ranked by votes,
-/// ties by the nearer neighbour. Neither expects a cost. A network's are all its clips, and those
-/// of a KNN that averages costs all that were tried on its neighbours, ranked by expected cost,
-/// with no votes. Where the model knows no allowed clip the idle clip is the last resort, with
-/// neither: never empty. `scaled` has the model's feature_count values.
+/// by votes, ties by the model's class order; those of pairwise machines the first `most` of all
+/// their clips, ranked by votes, ties by the lower index; a KNN's are its neighbours' labels,
+/// ranked by votes, ties by the nearer neighbour. None of these expects a cost. A network's are all
+/// its clips, and those of a KNN that averages costs all that were tried on its neighbours, ranked
+/// by expected cost, with no votes. Where the model knows no allowed clip the idle clip is the last
+/// resort, with neither: never empty. `scaled` has the model's feature_count values.
 std::pmr::vector<Candidate> candidates(const SvmModel& model, std::span<const double> scaled,
                                        const ClipMask& allowed_clips, int idle,
                                        Memory memory = std::pmr::get_default_resource());
@@ -57,13 +64,20 @@ std::pmr::vector<Candidate> candidates(const KnnModel& model, std::span<const do
 std::pmr::vector<Candidate> candidates(const NetworkModel& model, std::span<const double> scaled,
                                        const ClipMask& allowed_clips, int idle,
                                        Memory memory = std::pmr::get_default_resource());
+std::pmr::vector<Candidate> candidates(const PairwiseModel& model, std::span<const double> scaled,
+                                       const ClipMask& allowed_clips, int idle,
+                                       Memory memory = std::pmr::get_default_resource(),
+                                       std::size_t most = kAll);
 
-/// The candidates of the selector's model. `x` is in the selector's layout and not scaled.
+/// The candidates of the selector's model, the first `most` of them and at least one: the fewer are
+/// asked for, the fewer pairs a model of pairwise machines has to decide. `x` is in the selector's
+/// layout and not scaled.
 std::pmr::vector<Candidate> candidates(const Selector& selector, const features::FeatureVector& x,
                                        motion::Target threatened,
-                                       Memory memory = std::pmr::get_default_resource());
+                                       Memory memory = std::pmr::get_default_resource(),
+                                       std::size_t most = kAll);
 
-/// The first of the candidates.
+/// The first of the candidates, in less time than all of them take.
 int select(const Selector& selector, const features::FeatureVector& x, motion::Target threatened);
 
 /// Which clips are allowed for a threat at this target, by index; the idle clip always is.

@@ -55,7 +55,7 @@ Selection Workspace::select(const models::Selector& selector, const features::Fe
     try {
   std::pmr::monotonic_buffer_resource memory(memory_.data(), memory_.size(),
                                              std::pmr::null_memory_resource());
-  const auto candidates = models::candidates(selector, x, threatened, &memory);
+  const auto candidates = models::candidates(selector, x, threatened, &memory, best.size());
   const std::size_t count = std::min(candidates.size(), best.size());
   std::copy_n(candidates.begin(), count, best.begin());
   return {SelectStatus::ok, candidates.front().clip, count};
