@@ -2,8 +2,10 @@
 #include "models/pairwise_linear.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
+#include "features/feature_vector.h"
 #include "models/tournament.h"
 
 namespace flinch::models {
@@ -25,14 +27,15 @@ std::int16_t product(std::int32_t a, std::int32_t b) {
 }  // namespace
 
 void expand(std::span<const double> scaled, std::span<std::int16_t> terms) {
-  std::fill(terms.begin(), terms.end(), std::int16_t{0});
-  auto term = terms.begin();
-  const auto z = [&](std::size_t i) { return i == 0 ? kOne : in_units(scaled[i - 1]); };
-  for (std::size_t i = 0; i <= scaled.size(); ++i) {
-    for (std::size_t j = i; j <= scaled.size(); ++j) {
-      *term++ = product(z(i), z(j));
-    }
+  std::array<std::int32_t, features::kMostFeatures + 1> room{kOne};
+  std::transform(scaled.begin(), scaled.end(), room.begin() + 1, in_units);
+  const auto z = std::span(room).first(scaled.size() + 1);
+  auto end = terms.begin();
+  for (std::size_t i = 0; i < z.size(); ++i) {
+    end = std::transform(z.begin() + static_cast<std::ptrdiff_t>(i), z.end(), end,
+                         [&](std::int32_t other) { return product(z[i], other); });
   }
+  std::fill(end, terms.end(), std::int16_t{0});
 }
 
 bool beats(const PairwiseModel& model, std::span<const std::int16_t> terms, std::size_t a,

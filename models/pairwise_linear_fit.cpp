@@ -44,8 +44,7 @@ struct Trials {
   std::vector<float> share;  ///< exp(-(cost - least) / nearness); 0 where it was not tried
 };
 
-std::vector<Trials> trials_of(const TrainingSet& set, std::span<const int> clips,
-                              double nearness) {
+std::vector<Trials> trials_of(const TrainingSet& set, std::span<const int> clips, double nearness) {
   const double unit = mean_cost(set);
   std::vector<Trials> trials(clips.size());
   for (int i = 0; i < set.size(); ++i) {

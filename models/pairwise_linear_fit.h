@@ -17,8 +17,8 @@ struct PairwiseParameters {
   bool operator==(const PairwiseParameters&) const = default;
 };
 
-/// The parameters to choose from by cross-validation: C 1, 3 and 10 with nearness 0.1, and C 10 with
-/// nearness 0.05.
+/// The parameters to choose from by cross-validation: C 1, 3 and 10 with nearness 0.1, and C 10
+/// with nearness 0.05.
 std::vector<PairwiseParameters> pairwise_grid();
 
 /// Fits a machine to each pair of clips by dual coordinate descent (models/weighted_svm.h). Every

@@ -16,7 +16,8 @@ namespace flinch::models {
 /// asked for depends on it; what comes out is what playing all games would give.
 ///
 /// `beats(a, b)`, for a < b, says whether a wins against b. Called once a pair at the most, at
-/// first only for the champion of a knock-out: 2 count - 3 games where that one wins all of its own.
+/// first only for the champion of a knock-out: 2 count - 3 games where that one wins all of its
+/// own.
 template <typename Beats>
 class Tournament {
  public:

@@ -21,7 +21,7 @@ struct WeightedExample {
 };
 
 struct DescentLimits {
-  int pass_count = 30;      ///< over the examples, at the most
+  int pass_count = 30;     ///< over the examples, at the most
   float tolerance = 0.1F;  ///< of the projected gradients, largest minus least
 };
 

@@ -78,8 +78,8 @@ TEST(PairwiseFit, HasNoMachineWhereNothingIsKnown) {
   const float untried = std::numeric_limits<float>::infinity();
   for (int i = 0; i < set.size(); ++i) {
     float* costs = &set.cost[static_cast<std::size_t>(i) * 4];
-    costs[2] = costs[0];                     // never a difference
-    costs[i % 2 == 0 ? 1 : 3] = untried;     // never both
+    costs[2] = costs[0];                  // never a difference
+    costs[i % 2 == 0 ? 1 : 3] = untried;  // never both
   }
   const PairwiseModel model = fit_pairwise(set, {});
   EXPECT_THAT(model.clip, testing::ElementsAre(0, 1, 2, 3));

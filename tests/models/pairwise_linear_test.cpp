@@ -104,8 +104,8 @@ TEST(PairwiseLinear, TermsAreTheProductsInOrder) {
   std::vector<std::int16_t> terms(PairwiseModel::row_size(2), 99);
   ASSERT_EQ(terms.size(), 16U);
   expand(std::vector{0.5, -1.25}, terms);
-  EXPECT_THAT(terms, testing::ElementsAre(1024, 512, -1280, 256, -640, 1600, 0, 0, 0, 0, 0, 0, 0, 0,
-                                          0, 0));
+  EXPECT_THAT(
+      terms, testing::ElementsAre(1024, 512, -1280, 256, -640, 1600, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0));
   EXPECT_EQ(PairwiseModel::term_count(16), 153U);
 }
 

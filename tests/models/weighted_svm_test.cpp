@@ -34,7 +34,8 @@ Problem random_problem(std::uint64_t seed, int count, int features, bool is_weig
     }
     const bool is_wrong = random() % 5 == 0;
     const auto weight = static_cast<float>(1 + random() % 16) / 4;
-    problem.examples.push_back({i, (height > 0) != is_wrong ? 1.0F : -1.0F, is_weighted ? weight : 2.0F});
+    problem.examples.push_back(
+        {i, (height > 0) != is_wrong ? 1.0F : -1.0F, is_weighted ? weight : 2.0F});
   }
   return problem;
 }
@@ -95,9 +96,8 @@ TEST(WeightedSvm, MinimisesWhatItSays) {
 TEST(WeightedSvm, SettlesWithinAFewPassesWhereItMatters) {
   const Problem problem = random_problem(4, 400, 20, true);
   const auto value_after = [&](const DescentLimits& limits) {
-    const LinearMachine machine =
-        fit_weighted_svm(problem.rows, problem.examples, limits,
-                         features::Random(4, features::Purpose::fitting, 0));
+    const LinearMachine machine = fit_weighted_svm(
+        problem.rows, problem.examples, limits, features::Random(4, features::Purpose::fitting, 0));
     return primal(problem, machine.weights.cast<double>());
   };
   const double least = value_after(kToTheEnd);
