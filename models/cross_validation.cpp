@@ -185,6 +185,27 @@ Choices held_out_choices(const TrainingSet& set, std::span<const KnnParameters> 
   return choices;
 }
 
+// One after the other: every fit is parallel in itself.
+Choices held_out_choices(const TrainingSet& set, std::span<const PairwiseParameters> grid,
+                         std::span<const int> fold) {
+  check(set);
+  const std::vector<Split> splits = make_splits(set, fold);
+  Choices choices = no_choices(set, grid.size());
+  for (std::size_t row = 0; row < grid.size(); ++row) {
+    for (const Split& split : splits) {
+      const PairwiseModel model = fit_pairwise(split.others, grid[row]);
+      for (const int i : split.held_out) {
+        choices[row][static_cast<std::size_t>(i)] =
+            candidates(model, set.point(i), set.allowed_clips(i), set.idle,
+                       std::pmr::get_default_resource(), 1)
+                .front()
+                .clip;
+      }
+    }
+  }
+  return choices;
+}
+
 std::vector<double> mean_scores(std::span<const std::vector<int>> choices, const Score& score) {
   std::vector<double> means;
   for (const std::vector<int>& row : choices) {
@@ -236,6 +257,12 @@ Chosen<SvmParameters> choose_parameters(const TrainingSet& set, std::span<const 
 
 Chosen<KnnParameters> choose_parameters(const TrainingSet& set, std::span<const KnnParameters> grid,
                                         std::span<const int> fold, const Score& score) {
+  return choose(set, grid, fold, score);
+}
+
+Chosen<PairwiseParameters> choose_parameters(const TrainingSet& set,
+                                             std::span<const PairwiseParameters> grid,
+                                             std::span<const int> fold, const Score& score) {
   return choose(set, grid, fold, score);
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "models/knn_fit.h"
+#include "models/pairwise_linear_fit.h"
 #include "models/svm_fit.h"
 #include "models/training_set.h"
 
@@ -31,6 +32,9 @@ std::vector<std::vector<int>> held_out_choices(const TrainingSet& set,
 std::vector<std::vector<int>> held_out_choices(const TrainingSet& set,
                                                std::span<const KnnParameters> grid,
                                                std::span<const int> fold);
+std::vector<std::vector<int>> held_out_choices(const TrainingSet& set,
+                                               std::span<const PairwiseParameters> grid,
+                                               std::span<const int> fold);
 
 /// The mean score of each row of choices.
 std::vector<double> mean_scores(std::span<const std::vector<int>> choices, const Score& score);
@@ -51,5 +55,8 @@ Chosen<SvmParameters> choose_parameters(const TrainingSet& set, std::span<const 
                                         std::span<const int> fold, const Score& score);
 Chosen<KnnParameters> choose_parameters(const TrainingSet& set, std::span<const KnnParameters> grid,
                                         std::span<const int> fold, const Score& score);
+Chosen<PairwiseParameters> choose_parameters(const TrainingSet& set,
+                                             std::span<const PairwiseParameters> grid,
+                                             std::span<const int> fold, const Score& score);
 
 }  // namespace flinch::models

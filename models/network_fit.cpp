@@ -32,20 +32,6 @@ void check_parameters(const NetworkParameters& parameters) {
   }
 }
 
-/// The clips that were tried, rising.
-std::vector<int> tried_clips(const TrainingSet& set) {
-  std::vector<int> clips;
-  for (std::size_t clip = 0; clip < set.clip_count(); ++clip) {
-    for (int i = 0; i < set.size(); ++i) {
-      if (std::isfinite(set.costs(i)[clip])) {
-        clips.push_back(static_cast<int>(clip));
-        break;
-      }
-    }
-  }
-  return clips;
-}
-
 /// Calls act(output, observation, cost) for every clip that was tried, observation by observation.
 template <typename Act>
 void for_each_trial(const TrainingSet& set, std::span<const int> clips, const Act& act) {

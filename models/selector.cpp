@@ -60,6 +60,13 @@ std::pmr::vector<Candidate> candidates(const NetworkModel& model, std::span<cons
   return expected.empty() ? only({.clip = idle}, memory) : std::move(expected);
 }
 
+std::pmr::vector<Candidate> candidates(const PairwiseModel& model, std::span<const double> scaled,
+                                       const ClipMask& allowed_clips, int idle, Memory memory,
+                                       std::size_t most) {
+  auto ranked = rank(model, scaled, allowed_clips, std::max(most, std::size_t{1}), memory);
+  return ranked.empty() ? only({.clip = idle}, memory) : std::move(ranked);
+}
+
 std::pmr::vector<Candidate> candidates(const Selector& selector, const features::FeatureVector& x,
                                        motion::Target threatened, Memory memory, std::size_t most) {
   std::array<double, features::kMostFeatures> room{};
@@ -68,7 +75,8 @@ std::pmr::vector<Candidate> candidates(const Selector& selector, const features:
   const ClipMask allowed = allowed_clips(selector.clips, selector.idle, threatened, memory);
   return std::visit(
       [&](const auto& model) {
-        if constexpr (std::is_same_v<decltype(model), const SvmModel&>) {
+        using Model = std::remove_cvref_t<decltype(model)>;
+        if constexpr (std::is_same_v<Model, SvmModel> || std::is_same_v<Model, PairwiseModel>) {
           return candidates(model, scaled, allowed, selector.idle, memory, most);
         } else {
           auto ranked = candidates(model, scaled, allowed, selector.idle, memory);

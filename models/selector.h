@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -13,6 +14,7 @@
 #include "models/candidate.h"
 #include "models/knn.h"
 #include "models/network.h"
+#include "models/pairwise_linear.h"
 #include "models/svm.h"
 #include "motion/clip.h"
 
@@ -33,7 +35,7 @@ struct Selector {
   int idle = 0;                    ///< the library's idle clip: always allowed
   features::Layout layout;         ///< of the features that it is asked with
   features::Scaling scaling;
-  std::variant<SvmModel, KnnModel, NetworkModel> model;
+  std::variant<SvmModel, KnnModel, NetworkModel, PairwiseModel> model;
   double brawn = 0.1;  ///< that its labels were made with
   /// Centres of the targets of the idling character, by Target, in the frame of the features, m:
   /// where a threat described without a character aims.
@@ -43,11 +45,12 @@ struct Selector {
 };
 
 /// The allowed clips that the model votes among, best first. An SVM's are all its classes, ranked
-/// by votes, ties by the model's class order; a KNN's are its neighbours' labels, ranked by votes,
-/// ties by the nearer neighbour. Neither expects a cost. A network's are all its clips, and those
-/// of a KNN that averages costs all that were tried on its neighbours, ranked by expected cost,
-/// with no votes. Where the model knows no allowed clip the idle clip is the last resort, with
-/// neither: never empty. `scaled` has the model's feature_count values.
+/// by votes, ties by the model's class order; those of pairwise machines the first `most` of all
+/// their clips, ranked by votes, ties by the lower index; a KNN's are its neighbours' labels,
+/// ranked by votes, ties by the nearer neighbour. None of these expects a cost. A network's are all
+/// its clips, and those of a KNN that averages costs all that were tried on its neighbours, ranked
+/// by expected cost, with no votes. Where the model knows no allowed clip the idle clip is the last
+/// resort, with neither: never empty. `scaled` has the model's feature_count values.
 std::pmr::vector<Candidate> candidates(const SvmModel& model, std::span<const double> scaled,
                                        const ClipMask& allowed_clips, int idle,
                                        Memory memory = std::pmr::get_default_resource(),
@@ -58,9 +61,14 @@ std::pmr::vector<Candidate> candidates(const KnnModel& model, std::span<const do
 std::pmr::vector<Candidate> candidates(const NetworkModel& model, std::span<const double> scaled,
                                        const ClipMask& allowed_clips, int idle,
                                        Memory memory = std::pmr::get_default_resource());
+std::pmr::vector<Candidate> candidates(const PairwiseModel& model, std::span<const double> scaled,
+                                       const ClipMask& allowed_clips, int idle,
+                                       Memory memory = std::pmr::get_default_resource(),
+                                       std::size_t most = kAll);
 
 /// The candidates of the selector's model, the first `most` of them and at least one: the fewer are
-/// asked for, the less an SVM has to vote. `x` is in the selector's layout and not scaled.
+/// asked for, the fewer pairs an SVM or a model of pairwise machines has to decide. `x` is in the
+/// selector's layout and not scaled.
 std::pmr::vector<Candidate> candidates(const Selector& selector, const features::FeatureVector& x,
                                        motion::Target threatened,
                                        Memory memory = std::pmr::get_default_resource(),

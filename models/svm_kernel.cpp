@@ -110,8 +110,8 @@ void LazyKernel::evaluate(std::size_t first, std::span<const std::uint16_t> vect
   Lanes values;
   if (model_.kernel == SvmKernel::polynomial) {
     const Lanes dot = sums_of(x_, rows, [](const Lanes& x, const auto& v) { return x * v; });
-    values = power<Lanes>(gamma * dot + static_cast<float>(model_.coef0), model_.degree,
-                          Lanes::Ones());
+    values =
+        power<Lanes>(gamma * dot + static_cast<float>(model_.coef0), model_.degree, Lanes::Ones());
   } else {
     const Lanes squares =
         sums_of(x_, rows, [](const Lanes& x, const auto& v) { return (x - v).square(); });

@@ -28,8 +28,8 @@ class LazyKernel {
 
   const SvmModel& model_;
   double error_;
-  std::pmr::vector<float> x_;        ///< the point, filled up with zeros as the model's vectors are
-  std::pmr::vector<float> value_;    ///< by vector; not a number where it was not asked for
+  std::pmr::vector<float> x_;      ///< the point, filled up with zeros as the model's vectors are
+  std::pmr::vector<float> value_;  ///< by vector; not a number where it was not asked for
   std::pmr::vector<std::uint16_t> missing_;  ///< room for the longest list
 };
 

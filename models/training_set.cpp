@@ -69,6 +69,19 @@ void check_costs(const TrainingSet& set) {
   }
 }
 
+std::vector<int> tried_clips(const TrainingSet& set) {
+  std::vector<int> clips;
+  for (std::size_t clip = 0; clip < set.clip_count(); ++clip) {
+    for (int i = 0; i < set.size(); ++i) {
+      if (std::isfinite(set.costs(i)[clip])) {
+        clips.push_back(static_cast<int>(clip));
+        break;
+      }
+    }
+  }
+  return clips;
+}
+
 TrainingSet subset(const TrainingSet& set, std::span<const int> observations) {
   TrainingSet chosen;
   chosen.feature_count = set.feature_count;

@@ -46,6 +46,9 @@ void check(const TrainingSet& set);
 /// not a number: what learning from costs needs beside check().
 void check_costs(const TrainingSet& set);
 
+/// The clips that were tried on any observation, rising; for a set that check_costs() lets pass.
+std::vector<int> tried_clips(const TrainingSet& set);
+
 /// The observations with these indices, in this order.
 TrainingSet subset(const TrainingSet& set, std::span<const int> observations);
 

@@ -3,6 +3,8 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <cstdlib>
 #include <functional>
 #include <limits>
 #include <numeric>
@@ -22,6 +24,11 @@ bool are_clips(std::span<const int> labels, std::size_t clip_count) {
   return std::all_of(labels.begin(), labels.end(), [clip_count](int label) {
     return label >= 0 && static_cast<std::size_t>(label) < clip_count;
   });
+}
+
+bool are_rising_clips(std::span<const int> clips, std::size_t clip_count) {
+  return are_clips(clips, clip_count) &&
+         std::adjacent_find(clips.begin(), clips.end(), std::greater_equal<>()) == clips.end();
 }
 
 bool is_sound(const models::ClipSummary& clip) {
@@ -128,14 +135,36 @@ bool is_sound(const models::NetworkModel& model, std::size_t clip_count,
   return static_cast<std::size_t>(model.feature_count) == feature_count &&
          model.hidden_count >= 1 && model.hidden_count <= kMost &&
          model.hidden_count % models::kNetworkBlock == 0 && model.member_count >= 1 &&
-         model.member_count <= kMost && !model.clip.empty() && are_clips(model.clip, clip_count) &&
-         std::adjacent_find(model.clip.begin(), model.clip.end(), std::greater_equal<>()) ==
-             model.clip.end() &&
-         is_weight(model.mean_root) && is_weight(model.scale_root) && model.scale_root > 0 &&
-         is_weight(model.variance_ns) && model.variance_ns >= 0 &&
+         model.member_count <= kMost && !model.clip.empty() &&
+         are_rising_clips(model.clip, clip_count) && is_weight(model.mean_root) &&
+         is_weight(model.scale_root) && model.scale_root > 0 && is_weight(model.variance_ns) &&
+         model.variance_ns >= 0 &&
          model.weights.size() ==
              model.shape().weight_count() * static_cast<std::size_t>(model.member_count) &&
          std::all_of(model.weights.begin(), model.weights.end(), is_weight);
+}
+
+// A sum beyond the bound would overflow; a machine too many would be read beyond the weights.
+bool is_sound(const models::PairwiseModel& model, std::size_t clip_count,
+              std::size_t feature_count) {
+  const std::size_t classes = model.clip.size();
+  const std::size_t row_size = models::PairwiseModel::row_size(feature_count);
+  const std::size_t machines = model.weights.size() / row_size;
+  const auto has_room = [row_size](const std::int16_t* row) {
+    return std::accumulate(row, row + row_size, std::int64_t{0},
+                           [](std::int64_t sum, std::int16_t w) { return sum + std::abs(w); }) <=
+           models::PairwiseModel::kMostWeightSum;
+  };
+  for (std::size_t i = 0; i < machines; ++i) {
+    if (!has_room(model.weights.data() + i * row_size)) return false;
+  }
+  return static_cast<std::size_t>(model.feature_count) == feature_count && classes > 0 &&
+         are_rising_clips(model.clip, clip_count) && model.weights.size() % row_size == 0 &&
+         model.machine.size() == classes * (classes - 1) / 2 &&
+         std::all_of(model.machine.begin(), model.machine.end(), [machines](int machine) {
+           return machine == models::PairwiseModel::kNone ||
+                  (machine >= 0 && static_cast<std::size_t>(machine) < machines);
+         });
 }
 
 }  // namespace

@@ -93,6 +93,13 @@ models::NetworkModel read_model(const schema::Network& stored, int feature_count
           .weights = to_vector(*stored.weights())};
 }
 
+models::PairwiseModel read_model(const schema::PairwiseLinear& stored, int feature_count) {
+  return {.feature_count = feature_count,
+          .clip = to_vector(*stored.clip()),
+          .machine = to_vector(*stored.machine()),
+          .weights = to_vector(*stored.weights())};
+}
+
 /// None unless this build computes every feature.
 std::optional<features::Layout> read_layout(const schema::Selector& stored) {
   std::vector<std::string> names;
@@ -119,6 +126,8 @@ bool read_stored(const schema::Selector& stored, models::Selector& selector) {
         read_model(*knn, selector.layout.size(), static_cast<int>(selector.clips.size()));
   } else if (const schema::Network* network = stored.model_as_Network()) {
     selector.model = read_model(*network, selector.layout.size());
+  } else if (const schema::PairwiseLinear* pairwise = stored.model_as_PairwiseLinear()) {
+    selector.model = read_model(*pairwise, selector.layout.size());
   } else {
     return false;
   }

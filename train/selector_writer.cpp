@@ -69,6 +69,13 @@ Offset<void> store(FlatBufferBuilder& builder, const models::NetworkModel& model
       .Union();
 }
 
+Offset<void> store(FlatBufferBuilder& builder, const models::PairwiseModel& model) {
+  const auto clip = builder.CreateVector(model.clip);
+  const auto machine = builder.CreateVector(model.machine);
+  const auto weights = builder.CreateVector(model.weights);
+  return schema::CreatePairwiseLinear(builder, clip, machine, weights).Union();
+}
+
 schema::Model kind_of(const models::SvmModel&) {
   return schema::Model::Svm;
 }
@@ -79,6 +86,10 @@ schema::Model kind_of(const models::KnnModel&) {
 
 schema::Model kind_of(const models::NetworkModel&) {
   return schema::Model::Network;
+}
+
+schema::Model kind_of(const models::PairwiseModel&) {
+  return schema::Model::PairwiseLinear;
 }
 
 // At a multiple of 16 bytes, so that the library is read in place.

@@ -9,6 +9,7 @@
 #include "models/cross_validation.h"
 #include "models/knn_fit.h"
 #include "models/network_fit.h"
+#include "models/pairwise_linear_fit.h"
 #include "models/svm_fit.h"
 #include "motion/error.h"
 #include "train/labels.h"
@@ -84,6 +85,27 @@ Fitted fit_network(const models::TrainingSet& set, std::span<const int> folds,
           models::mean_scores(std::span(&validation.choice, 1), regret).front()};
 }
 
+/// Chosen on 5000 observations at the most, which tell parameters apart as well as more do.
+Fitted fit_pairwise_cost(const models::TrainingSet& set, std::span<const int> folds,
+                         const models::Score& regret) {
+  constexpr int kMost = 5000;
+  std::vector<int> chosen;
+  std::vector<int> folds_of_chosen;
+  const int step = 1 + (set.size() - 1) / kMost;
+  for (int i = 0; i < set.size(); i += step) {
+    chosen.push_back(i);
+    folds_of_chosen.push_back(folds[static_cast<std::size_t>(i)]);
+  }
+  const models::Score regret_of_chosen = [&](int observation, int clip) {
+    return regret(chosen[static_cast<std::size_t>(observation)], clip);
+  };
+  const auto [parameters, mean_score] = models::choose_parameters(
+      models::subset(set, chosen), models::pairwise_grid(), folds_of_chosen, regret_of_chosen);
+  return {models::fit_pairwise(set, parameters),
+          {{"c", parameters.c}, {"nearness", parameters.nearness}},
+          mean_score};
+}
+
 struct MethodEntry {
   Method method;
   std::string_view name;
@@ -96,6 +118,7 @@ constexpr std::array kEntries{
     MethodEntry{Method::svm_rbf, "svm_rbf", fit_svm_rbf},
     MethodEntry{Method::knn_cost, "knn_cost", fit_knn_cost},
     MethodEntry{Method::network, "network", fit_network},
+    MethodEntry{Method::pairwise_cost, "pairwise_cost", fit_pairwise_cost},
 };
 constexpr auto kMethods = [] {
   std::array<Method, kEntries.size()> methods{};

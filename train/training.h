@@ -17,11 +17,12 @@ namespace flinch::train {
 
 /// A way to learn a selector.
 enum class Method : std::uint8_t {
-  knn,       ///< the nearest observations vote
-  svm,       ///< C-SVC with a polynomial kernel: the paper's
-  svm_rbf,   ///< C-SVC with an RBF kernel
-  knn_cost,  ///< the nearest observations tell what each clip costs
-  network,   ///< small networks expect what each clip costs
+  knn,            ///< the nearest observations vote
+  svm,            ///< C-SVC with a polynomial kernel: the paper's
+  svm_rbf,        ///< C-SVC with an RBF kernel
+  knn_cost,       ///< the nearest observations tell what each clip costs
+  network,        ///< small networks expect what each clip costs
+  pairwise_cost,  ///< a linear machine for each pair of clips, weighted by what its mistakes cost
 };
 
 /// The one of least regret on held-out scenarios, of the authored library and of motion capture

@@ -14,6 +14,7 @@
 
 #include "models/cross_validation.h"
 #include "models/network_fit.h"
+#include "models/pairwise_linear_fit.h"
 #include "models/selector.h"
 #include "tests/models/libsvm_oracle.h"
 #include "tests/models/training_sets.h"
@@ -208,6 +209,25 @@ void select_by_network(benchmark::State& state) {
 }
 BENCHMARK(select_by_network)->Unit(benchmark::kMicrosecond);
 
+const TrainingSet& masked_set() {
+  static const TrainingSet kSet = four_masks(5, 8200, features::kFeatureCount);
+  return kSet;
+}
+
+/// Chooses among the 42 clips that mask 1 of masked_set() allows.
+void select_by_pairwise_machines(benchmark::State& state) {
+  Selector selector = selector_with(fit_pairwise(masked_set(), {}));
+  for (std::size_t clip = 0; clip < selector.clips.size(); ++clip) {
+    selector.clips[clip].annotation->target =
+        masked_set().masks[1][clip] ? motion::Target::trunk : motion::Target::legs;
+  }
+  selector.idle = 30;
+  time_each_call(state, [&](const features::FeatureVector& x) {
+    return select(selector, x, motion::Target::trunk);
+  });
+}
+BENCHMARK(select_by_pairwise_machines)->Unit(benchmark::kMicrosecond);
+
 /// The nearest ten of large_set(), without a mask, against FLANN's exact tree, as its manual has
 /// it; the checksums add up who is nearest, and agree.
 void find_neighbours(benchmark::State& state) {
@@ -240,6 +260,13 @@ void fit_one_network_for_an_epoch(benchmark::State& state) {
   }
 }
 BENCHMARK(fit_one_network_for_an_epoch)->Unit(benchmark::kMillisecond);
+
+void fit_pairwise_machines(benchmark::State& state) {
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(fit_pairwise(masked_set(), {}));
+  }
+}
+BENCHMARK(fit_pairwise_machines)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime();
 
 /// Pair by pair on all processors, against svm_train, which uses one.
 void fit_one_svm(benchmark::State& state) {

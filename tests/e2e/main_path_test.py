@@ -31,7 +31,7 @@ class MainPath(ProgramTest):
         clips = [c["name"] for c in library["clips"]]
         done = self.lines("simulate", self.library, "--out", self.store, "-n", SCENARIOS)[-1]
         self.assertEqual(done["scenarios"], SCENARIOS)
-        for model in ("knn", "svm", "knn_cost", "network"):
+        for model in ("knn", "svm", "knn_cost", "network", "pairwise_cost"):
             self.document("train", self.store, "--out", self.selector, "--model", model)
             self.check_description(self.document("info", self.selector), model, library)
             for target in ("head", "trunk", "pelvis", "legs"):
@@ -41,7 +41,7 @@ class MainPath(ProgramTest):
                 self.assertEqual(answer["target"], target)
                 self.assertEqual(answer["time_to_impact_s"], 0.5)
                 self.assertEqual(answer["candidates"][0]["clip"], answer["clip"])
-                by_votes = model in ("knn", "svm")
+                by_votes = model in ("knn", "svm", "pairwise_cost")
                 ranks = [-c["vote"] if by_votes else c["expected_cost_ns"]
                          for c in answer["candidates"]]
                 self.assertEqual(ranks, sorted(ranks))

@@ -86,4 +86,20 @@ inline TrainingSet with_costs(TrainingSet set, std::uint64_t seed) {
   return set;
 }
 
+/// Of 120 clips with costs, of which each of four masks in turn allows 42 that stand together, mask
+/// m those from 30 m on.
+inline TrainingSet four_masks(std::uint64_t seed, int count, int feature_count) {
+  TrainingSet set = random_clouds(seed, count, 60, feature_count);
+  set.masks.assign(4, ClipMask(120));
+  for (std::size_t mask = 0; mask < 4; ++mask) {
+    for (std::size_t clip = 0; clip < 42; ++clip) {
+      set.masks[mask][(30 * mask + clip) % 120] = true;
+    }
+  }
+  for (int i = 0; i < count; ++i) {
+    set.mask[static_cast<std::size_t>(i)] = i % 4;
+  }
+  return with_costs(std::move(set), seed + 1);
+}
+
 }  // namespace flinch::models

@@ -8,6 +8,7 @@
 #include "database/sealed_file.h"
 #include "models/knn_fit.h"
 #include "models/network_fit.h"
+#include "models/pairwise_linear_fit.h"
 #include "models/svm_fit.h"
 #include "tests/models/training_sets.h"
 #include "tests/scenes/synthetic_library.h"
@@ -43,7 +44,7 @@ struct MadeUpSelector {
   std::string file() const { return train::selector_bytes(selector, library_bytes()); }
 };
 
-enum class Fitted : std::uint8_t { svm, knn, knn_cost, network };
+enum class Fitted : std::uint8_t { svm, knn, knn_cost, network, pairwise };
 
 inline MadeUpSelector made_up_selector(const database::Library& library, int observation_count,
                                        Fitted model) {
@@ -74,6 +75,9 @@ inline MadeUpSelector made_up_selector(const database::Library& library, int obs
       break;
     case Fitted::network:
       selector.model = models::fit_network(models::with_costs(set, 2), {.epoch_count = 1});
+      break;
+    case Fitted::pairwise:
+      selector.model = models::fit_pairwise(models::with_costs(set, 2), {});
       break;
   }
   return made;

@@ -14,6 +14,7 @@
 #include "database/file_io.h"
 #include "models/knn_fit.h"
 #include "models/network_fit.h"
+#include "models/pairwise_linear_fit.h"
 #include "models/svm_fit.h"
 #include "motion/error.h"
 #include "tests/models/training_sets.h"
@@ -97,8 +98,15 @@ Selector network_selector() {
   return selector;
 }
 
+Selector pairwise_selector() {
+  Selector selector = selector_without_model();
+  selector.model = models::fit_pairwise(models::with_costs(training_set(), 5), {});
+  return selector;
+}
+
 std::vector<Selector> one_of_each() {
-  return {svm_selector(), rbf_selector(), knn_selector(), knn_cost_selector(), network_selector()};
+  return {svm_selector(),      rbf_selector(),     knn_selector(),
+          knn_cost_selector(), network_selector(), pairwise_selector()};
 }
 
 std::vector<std::uint64_t> bits_of(const std::vector<double>& numbers) {
@@ -160,6 +168,13 @@ void expect_same(const models::NetworkModel& a, const models::NetworkModel& b) {
   EXPECT_EQ(a.scale_root, b.scale_root);
   EXPECT_EQ(a.variance_ns, b.variance_ns);
   EXPECT_EQ(bits_of_floats(a.weights), bits_of_floats(b.weights));
+}
+
+void expect_same(const models::PairwiseModel& a, const models::PairwiseModel& b) {
+  EXPECT_EQ(a.feature_count, b.feature_count);
+  EXPECT_EQ(a.clip, b.clip);
+  EXPECT_EQ(a.machine, b.machine);
+  EXPECT_EQ(a.weights, b.weights);
 }
 
 void expect_same(const models::ClipSummary& a, const models::ClipSummary& b) {
@@ -235,10 +250,7 @@ TEST(SelectorFile, BytesNeedNoAlignment) {
   EXPECT_EQ(read_selector(bytes_of(shifted).subspan(1), back), LoadStatus::ok);
 }
 
-TEST(SelectorFile, AnyChangedByteIsNoticedAndNothingIsTouched) {
-  Selector small = selector_without_model();
-  small.model =
-      models::fit_svm(models::random_clouds(1, 6, 2, features::kFeatureCount), {3, 1.0 / 3, 0, 1});
+void expect_every_byte_counts(const Selector& small) {
   const std::string bytes = train::selector_bytes(small);
   Selector untouched = knn_selector();
   std::mt19937_64 random(3);
@@ -252,6 +264,15 @@ TEST(SelectorFile, AnyChangedByteIsNoticedAndNothingIsTouched) {
   }
   EXPECT_NE(read(bytes + '\0', untouched), LoadStatus::ok);
   expect_same(untouched, knn_selector());
+}
+
+TEST(SelectorFile, AnyChangedByteIsNoticedAndNothingIsTouched) {
+  const models::TrainingSet set = models::random_clouds(1, 6, 2, features::kFeatureCount);
+  Selector small = selector_without_model();
+  small.model = models::fit_svm(set, {3, 1.0 / 3, 0, 1});
+  expect_every_byte_counts(small);
+  small.model = models::fit_pairwise(models::with_costs(set, 2), {});
+  expect_every_byte_counts(small);
 }
 
 TEST(SelectorFile, OtherFilesAreToldApart) {
@@ -389,6 +410,21 @@ TEST(SelectorFile, WhatCannotBeReadIsNotWritten) {
       [&](Selector& s) { network(s).scale_root = 0; },
       [&](Selector& s) { network(s).mean_root = static_cast<float>(nan); },
       [&](Selector& s) { network(s).variance_ns = -1; }};
+  const auto pairwise = [](Selector& s) -> models::PairwiseModel& {
+    return std::get<models::PairwiseModel>(s.model);
+  };
+  const std::vector<std::function<void(Selector&)>> faults_of_pairwise{
+      [&](Selector& s) { pairwise(s).clip[1] = pairwise(s).clip[0]; },
+      [&](Selector& s) { pairwise(s).clip.back() = 8; },
+      [&](Selector& s) { pairwise(s).clip.pop_back(); },
+      [&](Selector& s) { pairwise(s).clip.clear(), pairwise(s).machine.clear(); },
+      [&](Selector& s) { pairwise(s).machine.pop_back(); },
+      [&](Selector& s) { pairwise(s).machine[2] = -2; },
+      [&](Selector& s) { pairwise(s).machine[2] = 28; },
+      [&](Selector& s) { pairwise(s).weights.pop_back(); },
+      [&](Selector& s) { pairwise(s).weights.resize(27 * pairwise(s).row_size()); },
+      [&](Selector& s) { std::fill_n(pairwise(s).weights.end() - 17, 17, 0x7FFF); },
+      [&](Selector& s) { std::fill_n(pairwise(s).weights.begin(), 17, -0x8000); }};
   const auto expect_refused = [](Selector selector, const auto& faults) {
     ASSERT_NO_THROW(train::selector_bytes(selector));
     for (std::size_t i = 0; i < faults.size(); ++i) {
@@ -402,6 +438,7 @@ TEST(SelectorFile, WhatCannotBeReadIsNotWritten) {
   expect_refused(knn_selector(), faults_of_knn);
   expect_refused(knn_cost_selector(), faults_of_knn_cost);
   expect_refused(network_selector(), faults_of_network);
+  expect_refused(pairwise_selector(), faults_of_pairwise);
 }
 
 }  // namespace

@@ -44,7 +44,7 @@ std::vector<features::FeatureVector> queries() {
 class WorkspaceOf : public testing::TestWithParam<Fitted> {};
 INSTANTIATE_TEST_SUITE_P(Models, WorkspaceOf,
                          testing::Values(Fitted::svm, Fitted::knn, Fitted::knn_cost,
-                                         Fitted::network));
+                                         Fitted::network, Fitted::pairwise));
 
 TEST_P(WorkspaceOf, SelectsWhatTheModelDoesWithoutAllocation) {
   const models::Selector selector = selector_with(GetParam());

@@ -181,6 +181,12 @@ Json model_document(const models::NetworkModel& network) {
           {"classes", network.clip.size()}};
 }
 
+Json model_document(const models::PairwiseModel& pairwise) {
+  return {{"model", "pairwise_cost"},
+          {"classes", pairwise.clip.size()},
+          {"machines", pairwise.weights.size() / pairwise.row_size()}};
+}
+
 Json selector_document(const runtime::SelectorFile& file) {
   const models::Selector& selector = file.selector;
   Json clips = Json::array();
@@ -205,8 +211,8 @@ Json selector_document(const runtime::SelectorFile& file) {
 void print_selector(const runtime::SelectorFile& file) {
   const Json document = selector_document(file);
   std::cout << "selector for library " << document["library_hash"].get<std::string>();
-  for (const char* key :
-       {"model", "classes", "support_vectors", "k", "observations", "members", "hidden", "brawn"})
+  for (const char* key : {"model", "classes", "support_vectors", "k", "observations", "members",
+                          "hidden", "machines", "brawn"})
     if (document.contains(key))
       std::cout << '\n'
                 << key << ": "
