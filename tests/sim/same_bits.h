@@ -10,9 +10,10 @@
 
 #include "sim/simulator.h"
 
-namespace flinch::sim::scenes {
+namespace flinch::scenes {
 
-inline void expect_same_bits(const SimulationResult& first, const SimulationResult& second) {
+inline void expect_same_bits(const sim::SimulationResult& first,
+                             const sim::SimulationResult& second) {
   EXPECT_EQ(std::memcmp(&first.impulse, &second.impulse, sizeof first.impulse), 0);
   EXPECT_EQ(first.first_contact_s, second.first_contact_s);
   EXPECT_EQ(first.tracking_error_m, second.tracking_error_m);
@@ -22,9 +23,9 @@ inline void expect_same_bits(const SimulationResult& first, const SimulationResu
 /// `run` appends its results, the same on one thread alone as on three at once.
 template <class Run>
 void expect_same_bits_on_threads(const Run& run) {
-  std::vector<SimulationResult> alone;
+  std::vector<sim::SimulationResult> alone;
   run(alone);
-  std::array<std::vector<SimulationResult>, 3> together;
+  std::array<std::vector<sim::SimulationResult>, 3> together;
   std::vector<std::thread> threads;
   for (auto& results : together) threads.emplace_back([&] { run(results); });
   for (std::thread& thread : threads) thread.join();
@@ -34,4 +35,4 @@ void expect_same_bits_on_threads(const Run& run) {
   }
 }
 
-}  // namespace flinch::sim::scenes
+}  // namespace flinch::scenes
