@@ -2,7 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -15,9 +14,9 @@ namespace flinch::models {
 /// comes first, ties by the lower number. A game is asked for only when the order of those who are
 /// asked for depends on it; what comes out is what playing all games would give.
 ///
-/// `beats(a, b)`, for a < b, says whether a wins against b. Called once a pair at the most, at
-/// first only for the champion of a knock-out: 2 count - 3 games where that one wins all of its
-/// own.
+/// `beats(a, b)`, for a < b, says whether a wins against b. Called once a pair at the most: after a
+/// knock-out, who has lost least so far plays who has lost least of the others, until nobody can
+/// get past. 2 count - 3 games at the most tell the champion where one wins all of its own.
 template <typename Beats>
 class Tournament {
  public:
@@ -26,78 +25,68 @@ class Tournament {
     std::size_t wins = 0;
   };
 
-  /// Takes count ints and count^2 bytes of the memory.
+  /// Takes count ints and count^2 bytes of the memory; count is below 2^14.
   Tournament(std::size_t count, Beats beats, Memory memory)
-      : beats_(std::move(beats)), losses_(count, memory), played_(count * count, memory) {
-    play_knock_out();
+      : beats_(std::move(beats)), standing_(count, memory), played_(count * count, memory) {
+    for (std::size_t player = 0; player < count; ++player) {
+      standing_[player] = static_cast<int>(player);
+      played_[player * count + player] = 1;
+    }
+    // A knock-out: afterwards all but one have lost.
+    for (std::size_t champion = 0, next = 1; next < count; ++next) {
+      if (!wins_against(champion, next)) champion = next;
+    }
   }
 
   /// Who comes after those that it gave before; to be asked count times at the most.
   Standing next() {
-    for (;;) {
-      const auto [best, runner_up] = leaders();
-      if (play_rest_of(best, runner_up)) {
-        const Standing standing{best, count() - 1 - static_cast<std::size_t>(losses_[best])};
-        losses_[best] += kTaken;
-        return standing;
-      }
+    std::size_t best = player_of(first());
+    for (int rival = first_not_met_by(best); rival < kOut; rival = first_not_met_by(best)) {
+      // Losses only grow, so who does not lose stays first.
+      if (!wins_against(best, player_of(rival))) best = player_of(first());
     }
+    const int losses = standing_[best] / kLoss;
+    standing_[best] += kOut;
+    return {best, count() - 1 - static_cast<std::size_t>(losses)};
   }
 
  private:
-  static constexpr int kTaken = 1 << 20;  // more than there can be losses
+  static constexpr int kLoss = 1 << 16;
+  static constexpr int kOut = 1 << 29;
 
-  std::size_t count() const { return losses_.size(); }
+  std::size_t count() const { return standing_.size(); }
+  static std::size_t player_of(int standing) { return static_cast<std::size_t>(standing % kLoss); }
 
-  /// Afterwards all but one have lost before any has been looked at twice.
-  void play_knock_out() {
-    std::size_t champion = 0;
-    for (std::size_t next = 1; next < count(); ++next) {
-      play(champion, next);
-      if (losses_[champion] > 0) champion = next;
-    }
+  int first() const {
+    int least = standing_.front();
+    for (const int each : standing_) least = std::min(least, each);
+    return least;
   }
 
-  /// Fewest losses so far, then the lower number. Losses only grow, so nobody gets before a player
-  /// who has played all games and still is the best.
-  bool is_before(std::size_t a, std::size_t b) const {
-    return b == count() || losses_[a] < losses_[b] || (losses_[a] == losses_[b] && a < b);
-  }
-
-  /// The best two so far; count() where there is none.
-  std::array<std::size_t, 2> leaders() const {
-    std::array<std::size_t, 2> best{count(), count()};
-    for (std::size_t player = 0; player < count(); ++player) {
-      if (is_before(player, best[0])) {
-        best = {player, best[0]};
-      } else if (is_before(player, best[1])) {
-        best[1] = player;
-      }
-    }
-    return best;
-  }
-
-  /// Plays what a player has not played yet, until it falls behind where `rival` stands now (who
-  /// may fall behind others meanwhile); whether it never does.
-  bool play_rest_of(std::size_t player, std::size_t rival) {
-    const int limit = rival == count() ? kTaken : losses_[rival];
+  /// The strongest opponents come first: against them most games are decided that decide anything.
+  /// kOut or above where there is none left.
+  int first_not_met_by(std::size_t player) const {
+    const char* met = &played_[player * count()];
+    int least = kOut;
     for (std::size_t other = 0; other < count(); ++other) {
-      if (other == player || played_[player * count() + other]) continue;
-      play(std::min(player, other), std::max(player, other));
-      if (losses_[player] > limit || (losses_[player] == limit && rival < player)) return false;
+      least = std::min(least, standing_[other] + met[other] * kOut);
     }
-    return true;
+    return least;
   }
 
-  /// a before b.
-  void play(std::size_t a, std::size_t b) {
-    ++losses_[beats_(a, b) ? b : a];
-    played_[a * count() + b] = played_[b * count() + a] = 1;
+  /// Plays a game that has not been played.
+  bool wins_against(std::size_t player, std::size_t other) {
+    const bool wins = player < other ? beats_(player, other) : !beats_(other, player);
+    standing_[wins ? other : player] += kLoss;
+    played_[player * count() + other] = played_[other * count() + player] = 1;
+    return wins;
   }
 
   Beats beats_;
-  std::pmr::vector<int> losses_;   ///< by player
-  std::pmr::vector<char> played_;  ///< count() rows of one a player
+  /// Of each player kLoss for every loss, plus the number, so that the least comes first, ties by
+  /// the lower number; plus kOut once it has been given.
+  std::pmr::vector<int> standing_;
+  std::pmr::vector<char> played_;  ///< count() rows of one a player, who has met itself
 };
 
 }  // namespace flinch::models

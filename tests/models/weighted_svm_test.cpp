@@ -93,6 +93,30 @@ TEST(WeightedSvm, MinimisesWhatItSays) {
   }
 }
 
+/// What is left to gain by any one multiplier, beyond those that a bound holds.
+double largest_projected_gradient(const Problem& problem, const LinearMachine& machine) {
+  double largest = 0;
+  for (std::size_t i = 0; i < problem.examples.size(); ++i) {
+    const WeightedExample& one = problem.examples[i];
+    const Eigen::VectorXd u = machine.weights.cast<double>();
+    const double gradient = double{one.sign} * row(problem, one).dot(u) - 1;
+    const bool is_held = (machine.multipliers[i] <= 0 && gradient > 0) ||
+                         (machine.multipliers[i] >= one.bound && gradient < 0);
+    largest = std::max(largest, is_held ? 0 : std::abs(gradient));
+  }
+  return largest;
+}
+
+TEST(WeightedSvm, LooksAgainAtWhatItHadLeftOut) {
+  for (std::uint64_t seed = 10; seed < 30; ++seed) {
+    const Problem problem = random_problem(seed, 300, 30, true);
+    const LinearMachine machine =
+        fit_weighted_svm(problem.rows, problem.examples, {.pass_count = 20000, .tolerance = 0.01F},
+                         features::Random(seed, features::Purpose::fitting, 0));
+    EXPECT_LT(largest_projected_gradient(problem, machine), 0.02);
+  }
+}
+
 TEST(WeightedSvm, SettlesWithinAFewPassesWhereItMatters) {
   const Problem problem = random_problem(4, 400, 20, true);
   const auto value_after = [&](const DescentLimits& limits) {
