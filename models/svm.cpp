@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <numeric>
 
 #include "models/power.h"
@@ -42,10 +41,6 @@ void complete(SvmModel& model) {
   model.first_of_class.assign(model.label.size(), 0);
   std::exclusive_scan(model.vectors_of_class.begin(), model.vectors_of_class.end(),
                       model.first_of_class.begin(), 0);
-  model.by_size.resize(model.label.size());
-  std::iota(model.by_size.begin(), model.by_size.end(), std::size_t{0});
-  std::ranges::stable_sort(model.by_size, std::greater<>(),
-                           [&](std::size_t c) { return model.vectors_of_class[c]; });
   model.largest_norm = 0;
   for (int vector = 0; vector < model.vector_count(); ++vector) {
     model.largest_norm =

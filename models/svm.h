@@ -54,9 +54,8 @@ struct SvmModel {
   std::vector<double> coefficients;    ///< of the free vectors; machine after machine
 
   // What follows from the above: see complete().
-  std::vector<int> first_of_class{};   ///< index of each class's first vector
-  std::vector<std::size_t> by_size{};  ///< the classes, those of most vectors first
-  double largest_norm = 0;             ///< of a support vector
+  std::vector<int> first_of_class{};  ///< index of each class's first vector
+  double largest_norm = 0;            ///< of a support vector
 
   static constexpr std::size_t kLanes = 4;
 

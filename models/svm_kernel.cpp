@@ -53,72 +53,67 @@ double kernel_error(const SvmModel& model, std::span<const double> scaled) {
   return 1.1 * kUnit * t + kUnderflow;
 }
 
-/// The sums of term(x, v) over the point's values x and those v of kLanes rows.
+/// So many vectors are evaluated at once.
+constexpr std::size_t kRows = 8;
+using RowValues = Eigen::Array<float, kRows, 1>;
+
+/// The sums of term(x, v) over the point's values x and those v of each row.
 template <typename Term>
-Lanes sums_of(std::span<const float> point, const std::array<const float*, kLanes>& rows,
-              const Term& term) {
-  std::array<Lanes, kLanes> sums;
+RowValues sums_of(std::span<const float> point, const std::array<const float*, kRows>& rows,
+                  const Term& term) {
+  std::array<Lanes, kRows> sums;
   sums.fill(Lanes::Zero());
   for (std::size_t f = 0; f < point.size(); f += kLanes) {
     const Lanes x = Eigen::Map<const Lanes>(&point[f]);
-    for (std::size_t lane = 0; lane < kLanes; ++lane) {
-      sums[lane] += term(x, Eigen::Map<const Lanes>(rows[lane] + f));
+    for (std::size_t row = 0; row < kRows; ++row) {
+      sums[row] += term(x, Eigen::Map<const Lanes>(rows[row] + f));
     }
   }
-  return {sums[0].sum(), sums[1].sum(), sums[2].sum(), sums[3].sum()};
-}
-
-}  // namespace
-
-LazyKernel::LazyKernel(const SvmModel& model, std::span<const double> scaled, Memory memory)
-    : model_(model),
-      error_(kernel_error(model, scaled)),
-      x_(model.row_size(), 0.0F, memory),
-      value_(static_cast<std::size_t>(model.vector_count()),
-             std::numeric_limits<float>::quiet_NaN(), memory),
-      missing_(model.vectors_of_class.empty()
-                   ? 0
-                   : static_cast<std::size_t>(std::ranges::max(model.vectors_of_class)),
-               memory) {
-  std::ranges::transform(scaled, x_.begin(), [](double x) { return static_cast<float>(x); });
-}
-
-// Which are missing is anybody's guess, so that a branch for each would cost more than its value.
-const float* LazyKernel::values(std::size_t one, std::span<const std::uint16_t> vectors) {
-  const auto first = static_cast<std::size_t>(model_.first_of_class[one]);
-  const float* const values = value_.data() + first;
-  std::size_t count = 0;
-  for (const std::uint16_t vector : vectors) {
-    missing_[count] = vector;
-    count += std::isnan(values[vector]) ? 1 : 0;
-  }
-  for (std::size_t begin = 0; begin < count; begin += kLanes) {
-    evaluate(first, std::span(missing_).subspan(begin, std::min(kLanes, count - begin)));
+  RowValues values;
+  for (std::size_t row = 0; row < kRows; ++row) {
+    values[static_cast<Eigen::Index>(row)] = sums[row].sum();
   }
   return values;
 }
 
-/// At most kLanes of them, and not none; the last fills up.
-void LazyKernel::evaluate(std::size_t first, std::span<const std::uint16_t> vectors) {
-  std::array<std::size_t, kLanes> places{};
-  std::array<const float*, kLanes> rows{};
-  for (std::size_t lane = 0; lane < kLanes; ++lane) {
-    places[lane] = first + vectors[std::min(lane, vectors.size() - 1)];
-    rows[lane] = model_.support_vectors.data() + places[lane] * x_.size();
+RowValues kernels_of(const SvmModel& model, std::span<const float> point,
+                     const std::array<const float*, kRows>& rows) {
+  const auto gamma = static_cast<float>(model.gamma);
+  if (model.kernel == SvmKernel::polynomial) {
+    const RowValues dots =
+        sums_of(point, rows, [](const Lanes& x, const Lanes& v) -> Lanes { return x * v; });
+    return power<RowValues>(gamma * dots + static_cast<float>(model.coef0), model.degree,
+                            RowValues::Ones());
   }
-  const auto gamma = static_cast<float>(model_.gamma);
-  Lanes values;
-  if (model_.kernel == SvmKernel::polynomial) {
-    const Lanes dot = sums_of(x_, rows, [](const Lanes& x, const auto& v) { return x * v; });
-    values =
-        power<Lanes>(gamma * dot + static_cast<float>(model_.coef0), model_.degree, Lanes::Ones());
-  } else {
-    const Lanes squares =
-        sums_of(x_, rows, [](const Lanes& x, const auto& v) { return (x - v).square(); });
-    values = (-gamma * squares).exp();
+  const RowValues squares = sums_of(
+      point, rows, [](const Lanes& x, const Lanes& v) -> Lanes { return (x - v).square(); });
+  return (-gamma * squares).exp();
+}
+
+}  // namespace
+
+KernelValues::KernelValues(const SvmModel& model, std::span<const double> scaled,
+                           std::span<const std::size_t> classes, Memory memory)
+    : model_(model),
+      error_(kernel_error(model, scaled)),
+      x_(model.row_size(), 0.0F, memory),
+      value_(static_cast<std::size_t>(model.vector_count()), memory) {
+  std::ranges::transform(scaled, x_.begin(), [](double x) { return static_cast<float>(x); });
+  for (const std::size_t c : classes) {
+    const auto first = static_cast<std::size_t>(model.first_of_class[c]);
+    evaluate(first, first + static_cast<std::size_t>(model.vectors_of_class[c]));
   }
-  for (std::size_t lane = 0; lane < kLanes; ++lane) {
-    value_[places[lane]] = values[static_cast<Eigen::Index>(lane)];
+}
+
+/// Of the vectors from begin to end; the last one fills up the rows.
+void KernelValues::evaluate(std::size_t begin, std::size_t end) {
+  for (; begin < end; begin += kRows) {
+    std::array<const float*, kRows> rows{};
+    for (std::size_t row = 0; row < kRows; ++row) {
+      rows[row] = model_.support_vectors.data() + std::min(begin + row, end - 1) * x_.size();
+    }
+    const RowValues values = kernels_of(model_, x_, rows);
+    std::copy_n(values.data(), std::min(kRows, end - begin), value_.data() + begin);
   }
 }
 

@@ -1,36 +1,38 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <span>
+#include <vector>
 
 #include "models/clip_mask.h"
 #include "models/svm.h"
 
 namespace flinch::models {
 
-/// The kernel's values of one point and a model's vectors, in float, each computed when it is first
-/// asked for: a choice asks for a third of them.
-class LazyKernel {
+/// The kernel's values of one point and the vectors of some classes of a model, in float.
+class KernelValues {
  public:
   /// `scaled` has the model's feature_count values. The model outlives this.
-  LazyKernel(const SvmModel& model, std::span<const double> scaled, Memory memory);
+  KernelValues(const SvmModel& model, std::span<const double> scaled,
+               std::span<const std::size_t> classes, Memory memory);
 
   /// How far a value may lie from the one that double gives, whichever vector it is of. Infinite
   /// where float might overflow.
   double error() const { return error_; }
 
-  /// The values of one class by index in the class, of which those in `vectors` are there. These
-  /// are of a machine's list: no more than the class has.
-  const float* values(std::size_t one, std::span<const std::uint16_t> vectors);
+  /// The values of one of the classes, by index in the class.
+  const float* of_class(std::size_t one) const {
+    return value_.data() + model_.first_of_class[one];
+  }
 
  private:
-  void evaluate(std::size_t first, std::span<const std::uint16_t> vectors);
+  void evaluate(std::size_t begin, std::size_t end);
 
   const SvmModel& model_;
   double error_;
   std::pmr::vector<float> x_;      ///< the point, filled up with zeros as the model's vectors are
-  std::pmr::vector<float> value_;  ///< by vector; not a number where it was not asked for
-  std::pmr::vector<std::uint16_t> missing_;  ///< room for the longest list
+  std::pmr::vector<float> value_;  ///< by vector
 };
 
 }  // namespace flinch::models

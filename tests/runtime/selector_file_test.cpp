@@ -70,10 +70,15 @@ Selector svm_selector() {
   return selector;
 }
 
+/// Of features that do not fill a whole row of the model.
 Selector rbf_selector() {
   Selector selector = selector_without_model();
+  selector.layout = features::feature_set_named("geometry")->layout;
+  const int features = selector.layout.size();
+  selector.scaling.least.assign(static_cast<std::size_t>(features), -1.0 / 3);
+  selector.scaling.most.assign(static_cast<std::size_t>(features), 1.0 / 7);
   selector.model = models::fit_svm(
-      training_set(),
+      models::random_clouds(1, 80, 4, features),
       {.gamma = 1.0 / 3, .cost = 1.0 / 7, .kernel = models::SvmKernel::rbf, .balance = 0.5});
   return selector;
 }
@@ -435,6 +440,9 @@ TEST(SelectorFile, WhatCannotBeReadIsNotWritten) {
   };
   expect_refused(svm_selector(), faults_of_any);
   expect_refused(svm_selector(), faults_of_svm);
+  const auto fill = static_cast<std::size_t>(rbf_selector().layout.size());
+  expect_refused(rbf_selector(), std::vector<std::function<void(Selector&)>>{
+                                     [&](Selector& s) { svm(s).support_vectors[fill] = 1; }});
   expect_refused(knn_selector(), faults_of_knn);
   expect_refused(knn_cost_selector(), faults_of_knn_cost);
   expect_refused(network_selector(), faults_of_network);
