@@ -94,9 +94,10 @@ void choose_for_fold(const TrainingSet& set, std::span<const KnnParameters> grid
   }
 }
 
-void choose_for_fold(const TrainingSet& set, const SvmParameters& parameters, const Split& split,
+/// What a model that ranks by games chooses for the observations that it was not fitted to.
+template <typename Model>
+void choose_held_out(const TrainingSet& set, const Model& model, const Split& split,
                      std::vector<int>& choices) {
-  const SvmModel model = fit_svm(split.others, parameters);
   for (const int i : split.held_out) {
     const auto first = candidates(model, set.point(i), set.allowed_clips(i), set.idle,
                                   std::pmr::get_default_resource(), 1);
@@ -170,7 +171,8 @@ Choices held_out_choices(const TrainingSet& set, std::span<const SvmParameters> 
   Choices choices = no_choices(set, grid.size());
   in_parallel(grid.size() * splits.size(), [&](std::size_t task) {
     const std::size_t row = task / splits.size();
-    choose_for_fold(set, grid[row], splits[task % splits.size()], choices[row]);
+    const Split& split = splits[task % splits.size()];
+    choose_held_out(set, fit_svm(split.others, grid[row]), split, choices[row]);
   });
   return choices;
 }
@@ -193,14 +195,7 @@ Choices held_out_choices(const TrainingSet& set, std::span<const PairwiseParamet
   Choices choices = no_choices(set, grid.size());
   for (std::size_t row = 0; row < grid.size(); ++row) {
     for (const Split& split : splits) {
-      const PairwiseModel model = fit_pairwise(split.others, grid[row]);
-      for (const int i : split.held_out) {
-        choices[row][static_cast<std::size_t>(i)] =
-            candidates(model, set.point(i), set.allowed_clips(i), set.idle,
-                       std::pmr::get_default_resource(), 1)
-                .front()
-                .clip;
-      }
+      choose_held_out(set, fit_pairwise(split.others, grid[row]), split, choices[row]);
     }
   }
   return choices;
@@ -241,7 +236,8 @@ Chosen<SvmParameters> choose_parameters(const TrainingSet& set, std::span<const 
     const std::size_t folds = until - tried;
     in_parallel(left.size() * folds, [&](std::size_t task) {
       const std::size_t row = left[task / folds];
-      choose_for_fold(set, grid[row], splits[tried + task % folds], choices[row]);
+      const Split& split = splits[tried + task % folds];
+      choose_held_out(set, fit_svm(split.others, grid[row]), split, choices[row]);
     });
     tried = until;
     for (const std::size_t row : left) {

@@ -49,8 +49,8 @@ struct PairwiseModel {
 };
 
 /// The terms of scaled features, kMostFeatures at the most, then zeros: `terms` has row_size() of
-/// them. Far beyond what
-/// machines were fitted to, [-1, 1], nothing is known, so nothing goes beyond [-2, 2].
+/// them. Far beyond what machines were fitted to, [-1, 1], nothing is known, so nothing goes beyond
+/// [-2, 2].
 void expand(std::span<const double> scaled, std::span<std::int16_t> terms);
 
 /// Whether class a < b wins against b.

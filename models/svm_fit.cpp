@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "models/svm_fit.h"
 
-#include <libsvm/svm.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -45,25 +43,6 @@ std::vector<Class> classes_of(const TrainingSet& set, double balance) {
     one.weight = std::pow(even / static_cast<double>(one.count), balance);
   }
   return classes;
-}
-
-/// Throws what libsvm has against the parameters.
-void check(const SvmParameters& parameters) {
-  if (!std::isfinite(parameters.gamma + parameters.coef0 + parameters.cost + parameters.balance)) {
-    throw Error("", "the SVM's gamma, coef0, C and balance must be finite numbers");
-  }
-  svm_parameter asked{};
-  asked.svm_type = C_SVC;
-  asked.kernel_type = parameters.kernel == SvmKernel::polynomial ? POLY : RBF;
-  asked.degree = parameters.degree;
-  asked.gamma = parameters.gamma;
-  asked.C = parameters.cost;
-  asked.cache_size = 1;
-  asked.eps = 1e-3;
-  const svm_problem none{};
-  if (const char* refusal = svm_check_parameter(&none, &asked)) {
-    throw Error("", std::string("the SVM's parameters do not work: ") + refusal);
-  }
 }
 
 /// Every pair's solution, (0,1), (0,2), …, (1,2), ….

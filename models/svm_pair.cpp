@@ -6,6 +6,9 @@
 #include <cmath>
 #include <cstddef>
 #include <memory>
+#include <string>
+
+#include "motion/error.h"
 
 namespace flinch::models {
 namespace {
@@ -71,6 +74,17 @@ Nodes nodes_of(const PairProblem& problem) {
 }
 
 }  // namespace
+
+void check(const SvmParameters& parameters) {
+  if (!std::isfinite(parameters.gamma + parameters.coef0 + parameters.cost + parameters.balance)) {
+    throw Error("", "the SVM's gamma, coef0, C and balance must be finite numbers");
+  }
+  const svm_parameter converted = to_libsvm(parameters);
+  const svm_problem none{};
+  if (const char* refusal = svm_check_parameter(&none, &converted)) {
+    throw Error("", std::string("the SVM's parameters do not work: ") + refusal);
+  }
+}
 
 PairSolution fit_pair(const PairProblem& problem, const SvmParameters& parameters) {
   silence_libsvm();

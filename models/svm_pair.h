@@ -8,6 +8,9 @@
 
 namespace flinch::models {
 
+/// Throws Error with what libsvm has against the parameters, and for numbers that are not finite.
+void check(const SvmParameters& parameters);
+
 /// Two classes as libsvm is given them.
 struct PairProblem {
   std::span<const double> first;   ///< rows of feature_count values, an observation each
