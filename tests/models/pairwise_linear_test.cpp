@@ -100,6 +100,19 @@ TEST(PairwiseLinear, RanksByTheVotesOfAllPairsHoweverManyAreAskedFor) {
   }
 }
 
+TEST(PairwiseLinear, TheFirstClassWinsWhereTheMachineCannotTell) {
+  PairwiseModel model;
+  model.feature_count = 1;
+  model.clip = {3, 5};
+  model.machine = {0};
+  model.weights.assign(model.row_size(), 0);
+  std::vector<std::int16_t> terms(model.row_size());
+  expand(std::vector{0.5}, terms);
+  EXPECT_TRUE(beats(model, terms, 0, 1));
+  model.weights[0] = -1;
+  EXPECT_FALSE(beats(model, terms, 0, 1));
+}
+
 TEST(PairwiseLinear, TermsAreTheProductsInOrder) {
   std::vector<std::int16_t> terms(PairwiseModel::row_size(2), 99);
   ASSERT_EQ(terms.size(), 16U);
