@@ -23,6 +23,11 @@ namespace {
 /// So many parameter sets are tried on all folds.
 constexpr std::size_t kFinalists = 3;
 
+/// So many observations that a model was not fitted to tell how good it is.
+constexpr int kEnough = 1500;
+
+/// The clip that each parameter set chooses for each observation that was held out: one row of
+/// set.size() clips a parameter set.
 using Choices = std::vector<std::vector<int>>;
 
 Choices no_choices(const TrainingSet& set, std::size_t rows) {
@@ -106,8 +111,8 @@ void choose_held_out(const TrainingSet& set, const Model& model, const Split& sp
 }
 
 /// The mean score of the choices for observations of the folds before `fold_count`.
-double mean_score_of(std::span<const int> choices, std::span<const int> fold,
-                     std::size_t fold_count, const Score& score) {
+double mean_score(std::span<const int> choices, std::span<const int> fold, std::size_t fold_count,
+                  const Score& score) {
   double sum = 0;
   int counted = 0;
   for (std::size_t i = 0; i < choices.size(); ++i) {
@@ -129,12 +134,41 @@ std::vector<std::size_t> best_rows(std::vector<std::size_t> rows, std::span<cons
   return rows;
 }
 
+SvmModel fit(const TrainingSet& set, const SvmParameters& parameters) {
+  return fit_svm(set, parameters);
+}
+PairwiseModel fit(const TrainingSet& set, const PairwiseParameters& parameters) {
+  return fit_pairwise(set, parameters);
+}
+
+/// By successive halving (Jamieson and Talwalkar 2016), of folds instead of epochs.
 template <typename Parameters>
-Chosen<Parameters> choose(const TrainingSet& set, std::span<const Parameters> grid,
-                          std::span<const int> fold, const Score& score) {
-  const std::vector<double> scores = mean_scores(held_out_choices(set, grid, fold), score);
-  const std::size_t best = best_of(scores);
-  return {grid[best], scores[best]};
+Chosen<Parameters> choose_by_halving(const TrainingSet& set, std::span<const Parameters> grid,
+                                     std::span<const int> fold, const Score& score) {
+  check(set);
+  const std::vector<Split> splits = make_splits(set, fold);
+  Choices choices = no_choices(set, grid.size());
+  std::vector<std::size_t> left(grid.size());
+  std::iota(left.begin(), left.end(), std::size_t{0});
+  std::vector<double> scores(grid.size(), std::numeric_limits<double>::infinity());
+  for (std::size_t tried = 0;;) {
+    const std::size_t until = left.size() > kFinalists ? tried + 1 : splits.size();
+    const std::size_t folds = until - tried;
+    in_parallel(left.size() * folds, [&](std::size_t task) {
+      const std::size_t row = left[task / folds];
+      const Split& split = splits[tried + task % folds];
+      choose_held_out(set, fit(split.others, grid[row]), split, choices[row]);
+    });
+    tried = until;
+    for (const std::size_t row : left) {
+      scores[row] = mean_score(choices[row], fold, tried, score);
+    }
+    if (tried == splits.size()) {
+      const std::size_t best = best_rows(left, scores, 1).front();
+      return {grid[best], scores[best]};
+    }
+    left = best_rows(left, scores, std::max(std::min(kFinalists, left.size()), left.size() / 4));
+  }
 }
 
 }  // namespace
@@ -164,53 +198,16 @@ std::vector<int> make_folds(std::span<const int> label, int fold_count, std::uin
   return fold;
 }
 
-Choices held_out_choices(const TrainingSet& set, std::span<const SvmParameters> grid,
-                         std::span<const int> fold) {
-  check(set);
-  const std::vector<Split> splits = make_splits(set, fold);
-  Choices choices = no_choices(set, grid.size());
-  in_parallel(grid.size() * splits.size(), [&](std::size_t task) {
-    const std::size_t row = task / splits.size();
-    const Split& split = splits[task % splits.size()];
-    choose_held_out(set, fit_svm(split.others, grid[row]), split, choices[row]);
-  });
-  return choices;
-}
-
-Choices held_out_choices(const TrainingSet& set, std::span<const KnnParameters> grid,
-                         std::span<const int> fold) {
-  check(set);
-  const std::vector<Split> splits = make_splits(set, fold);
-  Choices choices = no_choices(set, grid.size());
-  in_parallel(splits.size(),
-              [&](std::size_t f) { choose_for_fold(set, grid, splits[f], choices); });
-  return choices;
-}
-
-// One after the other: every fit is parallel in itself.
-Choices held_out_choices(const TrainingSet& set, std::span<const PairwiseParameters> grid,
-                         std::span<const int> fold) {
-  check(set);
-  const std::vector<Split> splits = make_splits(set, fold);
-  Choices choices = no_choices(set, grid.size());
-  for (std::size_t row = 0; row < grid.size(); ++row) {
-    for (const Split& split : splits) {
-      choose_held_out(set, fit_pairwise(split.others, grid[row]), split, choices[row]);
-    }
+std::vector<int> enough_folds(std::span<const int> fold) {
+  const int all = fold.empty() ? 0 : *std::max_element(fold.begin(), fold.end()) + 1;
+  int enough = 0;
+  for (std::ptrdiff_t held_out = 0; enough < all && held_out < kEnough; ++enough) {
+    held_out += std::count(fold.begin(), fold.end(), enough);
   }
-  return choices;
-}
-
-std::vector<double> mean_scores(std::span<const std::vector<int>> choices, const Score& score) {
-  std::vector<double> means;
-  for (const std::vector<int>& row : choices) {
-    double sum = 0;
-    for (std::size_t i = 0; i < row.size(); ++i) {
-      sum += score(static_cast<int>(i), row[i]);
-    }
-    means.push_back(sum / static_cast<double>(row.size()));
-  }
-  return means;
+  std::vector<int> few(fold.begin(), fold.end());
+  std::replace_if(
+      few.begin(), few.end(), [enough](int f) { return f >= enough; }, kNeverHeldOut);
+  return few;
 }
 
 std::size_t best_of(std::span<const double> scores) {
@@ -225,41 +222,49 @@ std::size_t best_of(std::span<const double> scores) {
 
 Chosen<SvmParameters> choose_parameters(const TrainingSet& set, std::span<const SvmParameters> grid,
                                         std::span<const int> fold, const Score& score) {
-  check(set);
-  const std::vector<Split> splits = make_splits(set, fold);
-  Choices choices = no_choices(set, grid.size());
-  std::vector<std::size_t> left(grid.size());
-  std::iota(left.begin(), left.end(), std::size_t{0});
-  std::vector<double> scores(grid.size(), std::numeric_limits<double>::infinity());
-  for (std::size_t tried = 0;;) {
-    const std::size_t until = left.size() > kFinalists ? tried + 1 : splits.size();
-    const std::size_t folds = until - tried;
-    in_parallel(left.size() * folds, [&](std::size_t task) {
-      const std::size_t row = left[task / folds];
-      const Split& split = splits[tried + task % folds];
-      choose_held_out(set, fit_svm(split.others, grid[row]), split, choices[row]);
-    });
-    tried = until;
-    for (const std::size_t row : left) {
-      scores[row] = mean_score_of(choices[row], fold, tried, score);
-    }
-    if (tried == splits.size()) {
-      const std::size_t best = best_rows(left, scores, 1).front();
-      return {grid[best], scores[best]};
-    }
-    left = best_rows(left, scores, std::max(std::min(kFinalists, left.size()), left.size() / 4));
-  }
+  return choose_by_halving(set, grid, fold, score);
 }
 
 Chosen<KnnParameters> choose_parameters(const TrainingSet& set, std::span<const KnnParameters> grid,
                                         std::span<const int> fold, const Score& score) {
-  return choose(set, grid, fold, score);
+  check(set);
+  const std::vector<Split> splits = make_splits(set, fold);
+  Choices choices = no_choices(set, grid.size());
+  in_parallel(splits.size(),
+              [&](std::size_t f) { choose_for_fold(set, grid, splits[f], choices); });
+  std::vector<double> scores;
+  for (const std::vector<int>& row : choices) {
+    scores.push_back(mean_score(row, fold, splits.size(), score));
+  }
+  const std::size_t best = best_of(scores);
+  return {grid[best], scores[best]};
 }
 
 Chosen<PairwiseParameters> choose_parameters(const TrainingSet& set,
                                              std::span<const PairwiseParameters> grid,
                                              std::span<const int> fold, const Score& score) {
-  return choose(set, grid, fold, score);
+  return choose_by_halving(set, grid, fold, score);
+}
+
+NetworkValidation validate_network(const TrainingSet& set, const NetworkParameters& parameters,
+                                   std::span<const int> fold, const Score& score) {
+  check(set);
+  const std::vector<Split> splits = make_splits(set, fold);
+  std::vector<int> choices(set.label.size());
+  double excess = 0;
+  double held_out = 0;
+  for (const Split& split : splits) {
+    const NetworkModel model = fit_network(split.others, parameters);
+    for (const int i : split.held_out) {
+      choices[static_cast<std::size_t>(i)] =
+          candidates(model, set.point(i), set.allowed_clips(i), set.idle).front().clip;
+    }
+    const auto count = static_cast<double>(split.held_out.size());
+    excess += cost_variance_ns(model, subset(set, split.held_out)) * count;
+    held_out += count;
+  }
+  return {.mean_score = mean_score(choices, fold, splits.size(), score),
+          .variance_ns = std::max(excess / held_out, 0.0)};
 }
 
 }  // namespace flinch::models

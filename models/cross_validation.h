@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "models/knn_fit.h"
+#include "models/network_fit.h"
 #include "models/pairwise_linear_fit.h"
 #include "models/svm_fit.h"
 #include "models/training_set.h"
@@ -22,30 +23,23 @@ using Score = std::function<double(int observation, int chosen)>;
 /// labels, count and seed. Throws Error unless 2 <= fold_count <= number of observations.
 std::vector<int> make_folds(std::span<const int> label, int fold_count, std::uint64_t seed);
 
-/// The clip that each parameter set chooses for each observation when it is fitted to the folds
-/// that do not hold that observation, with the observation's own mask: one row of set.size() clips
-/// a parameter set. Parallel over parameters and folds by OpenMP; the result does not depend on the
-/// number of threads.
-std::vector<std::vector<int>> held_out_choices(const TrainingSet& set,
-                                               std::span<const SvmParameters> grid,
-                                               std::span<const int> fold);
-std::vector<std::vector<int>> held_out_choices(const TrainingSet& set,
-                                               std::span<const KnnParameters> grid,
-                                               std::span<const int> fold);
-std::vector<std::vector<int>> held_out_choices(const TrainingSet& set,
-                                               std::span<const PairwiseParameters> grid,
-                                               std::span<const int> fold);
+/// An observation that is never held out, as its fold.
+inline constexpr int kNeverHeldOut = -1;
 
-/// The mean score of each row of choices.
-std::vector<double> mean_scores(std::span<const std::vector<int>> choices, const Score& score);
+/// The folds from the first that hold 1500 observations together, or all of them where none do; the
+/// other observations become kNeverHeldOut. So many tell parameters apart, and a model that takes
+/// long to fit is fitted a few times less.
+std::vector<int> enough_folds(std::span<const int> fold);
 
 /// Index of the least, the first of equals. Not a number is never least; `scores` is not empty.
 std::size_t best_of(std::span<const double> scores);
 
-/// The parameters of the grid with the least mean score, the first of equals. A KNN's are all tried
-/// on all folds. An SVM's, which take long to fit, are tried on one fold after another: after each
-/// only the best quarter goes on, and three of them to all folds, so that the least is that of
-/// those three.
+/// The parameters of the grid with the least mean score, the first of equals; `fold` has each
+/// observation's, and the score is of what models that were not fitted to an observation choose
+/// for it under its own mask. A KNN's are all tried on all folds. Those of models that take longer
+/// to fit are tried on one fold after another: after each only the best quarter goes on, and three
+/// of them to all folds, so that the least is that of those three. Parallel by OpenMP; the result
+/// does not depend on the number of threads.
 template <typename Parameters>
 struct Chosen {
   Parameters parameters;
@@ -58,5 +52,15 @@ Chosen<KnnParameters> choose_parameters(const TrainingSet& set, std::span<const 
 Chosen<PairwiseParameters> choose_parameters(const TrainingSet& set,
                                              std::span<const PairwiseParameters> grid,
                                              std::span<const int> fold, const Score& score);
+
+/// How networks of these parameters do on observations that they were not fitted to: the mean score
+/// of what they choose, and the variance that expected costs lack there, as cost_variance_ns()
+/// tells it but never below 0.
+struct NetworkValidation {
+  double mean_score = 0;
+  double variance_ns = 0;
+};
+NetworkValidation validate_network(const TrainingSet& set, const NetworkParameters& parameters,
+                                   std::span<const int> fold, const Score& score);
 
 }  // namespace flinch::models

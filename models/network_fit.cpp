@@ -11,7 +11,6 @@
 #include "models/in_parallel.h"
 #include "models/network_gradient.h"
 #include "models/selector.h"
-#include "models/splits.h"
 #include "motion/error.h"
 
 namespace flinch::models {
@@ -20,7 +19,7 @@ namespace {
 using Eigen::MatrixXf;
 using Eigen::VectorXf;
 
-constexpr int kBatchSize = 64;
+constexpr int kBatchSize = 32;
 
 void check_parameters(const NetworkParameters& parameters) {
   if (parameters.hidden_count < kNetworkBlock || parameters.hidden_count % kNetworkBlock != 0 ||
@@ -197,24 +196,6 @@ double cost_variance_ns(const NetworkModel& model, const TrainingSet& set) {
     }
   }
   return count > 0 ? sum / count : 0;
-}
-
-NetworkValidation validate_network(const TrainingSet& set, const NetworkParameters& parameters,
-                                   std::span<const int> fold) {
-  NetworkValidation validation;
-  validation.choice.resize(set.label.size());
-  double sum = 0;
-  for (const Split& split : make_splits(set, fold)) {
-    const NetworkModel model = fit_network(split.others, parameters);
-    for (const int i : split.held_out) {
-      validation.choice[static_cast<std::size_t>(i)] =
-          candidates(model, set.point(i), set.allowed_clips(i), set.idle).front().clip;
-    }
-    sum += cost_variance_ns(model, subset(set, split.held_out)) *
-           static_cast<double>(split.held_out.size());
-  }
-  validation.variance_ns = std::max(sum / static_cast<double>(set.label.size()), 0.0);
-  return validation;
 }
 
 }  // namespace flinch::models

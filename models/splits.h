@@ -14,7 +14,7 @@ struct Split {
   TrainingSet others;
 };
 
-/// One a fold; `fold` has each observation's.
+/// One a fold; `fold` has each observation's, below 0 where it is among the others of all.
 std::vector<Split> make_splits(const TrainingSet& set, std::span<const int> fold);
 
 }  // namespace flinch::models

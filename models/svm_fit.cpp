@@ -116,27 +116,27 @@ SvmParameters default_svm_parameters(int feature_count) {
   return {.degree = 3, .gamma = 1.0 / feature_count, .coef0 = 0, .cost = 1};
 }
 
+// Without an offset, (gamma u.v)^degree, another gamma is another C: one of them is enough.
 std::vector<SvmParameters> svm_grid(int feature_count, SvmKernel kernel) {
   const SvmParameters defaults = default_svm_parameters(feature_count);
   std::vector<SvmParameters> grid;
+  const auto add = [&grid](SvmParameters parameters) {
+    for (const double cost : {10.0, 100.0, 1000.0}) {
+      parameters.cost = cost;
+      grid.push_back(parameters);
+    }
+  };
   if (kernel == SvmKernel::rbf) {
-    for (const double factor : {0.25, 1.0, 4.0, 16.0}) {
-      for (const double cost : {1.0, 10.0, 100.0}) {
-        grid.push_back({.gamma = factor * defaults.gamma, .cost = cost, .kernel = kernel});
-      }
+    for (const double factor : {0.25, 1.0, 4.0}) {
+      add({.gamma = factor * defaults.gamma, .kernel = kernel});
     }
-  } else {
-    grid.push_back(defaults);
-    for (const int degree : {2, 3}) {
-      for (const double gamma : {defaults.gamma, 4 * defaults.gamma}) {
-        for (const double coef0 : {0.0, 1.0}) {
-          for (const double cost : {1.0, 10.0, 100.0}) {
-            const SvmParameters parameters{degree, gamma, coef0, cost};
-            if (parameters != defaults) grid.push_back(parameters);
-          }
-        }
-      }
-    }
+    return grid;
+  }
+  grid.push_back(defaults);
+  for (const int degree : {2, 3}) {
+    add({.degree = degree, .gamma = 4 * defaults.gamma});
+    add({.degree = degree, .gamma = defaults.gamma, .coef0 = 1});
+    add({.degree = degree, .gamma = 4 * defaults.gamma, .coef0 = 1});
   }
   return grid;
 }

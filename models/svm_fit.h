@@ -26,9 +26,9 @@ struct SvmParameters {
 /// libsvm's own: degree 3, gamma 1 / feature_count, coef0 0, C 1.
 SvmParameters default_svm_parameters(int feature_count);
 
-/// The parameters to choose from by cross-validation. Polynomial, libsvm's defaults first: degree 2
-/// and 3, gamma once and four times 1 / feature_count, coef0 0 and 1, C 1, 10 and 100. RBF: gamma a
-/// quarter of, once, four and sixteen times 1 / feature_count, C 1, 10 and 100. None with
+/// The parameters to choose from by cross-validation, with C 10, 100 and 1000. Polynomial: libsvm's
+/// defaults first, then degree 2 and 3 with coef0 0, and with coef0 1 and gamma once and four times
+/// 1 / feature_count. RBF: gamma a quarter of, once and four times 1 / feature_count. None with
 /// balance: on the default library it did not have the least regret.
 std::vector<SvmParameters> svm_grid(int feature_count, SvmKernel kernel = SvmKernel::polynomial);
 

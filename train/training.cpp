@@ -45,10 +45,31 @@ Fitted fit_knn_cost(const models::TrainingSet& set, std::span<const int> folds,
   return {models::fit_knn(set, chosen.parameters), {{"k", chosen.parameters.k}}, chosen.mean_score};
 }
 
+/// The parameters of models that take long to fit are chosen on 5000 observations at the most, and
+/// on as few folds as tell them apart.
+template <typename Parameters>
+models::Chosen<Parameters> choose_on_few(const models::TrainingSet& set,
+                                         const std::vector<Parameters>& grid,
+                                         std::span<const int> folds, const models::Score& regret) {
+  constexpr int kMost = 5000;
+  std::vector<int> few;
+  std::vector<int> folds_of_few;
+  const int step = 1 + (set.size() - 1) / kMost;
+  for (int i = 0; i < set.size(); i += step) {
+    few.push_back(i);
+    folds_of_few.push_back(folds[static_cast<std::size_t>(i)]);
+  }
+  const models::Score regret_of_few = [&](int observation, int clip) {
+    return regret(few[static_cast<std::size_t>(observation)], clip);
+  };
+  return models::choose_parameters(models::subset(set, few), std::span<const Parameters>(grid),
+                                   models::enough_folds(folds_of_few), regret_of_few);
+}
+
 Fitted fit_svm_with(models::SvmKernel kernel, const models::TrainingSet& set,
                     std::span<const int> folds, const models::Score& regret) {
   const auto chosen =
-      models::choose_parameters(set, models::svm_grid(set.feature_count, kernel), folds, regret);
+      choose_on_few(set, models::svm_grid(set.feature_count, kernel), folds, regret);
   const models::SvmParameters& parameters = chosen.parameters;
   std::vector<NamedValue> named;
   if (kernel == models::SvmKernel::polynomial) {
@@ -74,7 +95,8 @@ Fitted fit_svm_rbf(const models::TrainingSet& set, std::span<const int> folds,
 Fitted fit_network(const models::TrainingSet& set, std::span<const int> folds,
                    const models::Score& regret) {
   const models::NetworkParameters parameters;
-  const auto validation = models::validate_network(set, parameters, folds);
+  const auto validation =
+      models::validate_network(set, parameters, models::enough_folds(folds), regret);
   models::NetworkModel model = models::fit_network(set, parameters);
   model.variance_ns = static_cast<float>(validation.variance_ns);
   return {std::move(model),
@@ -82,28 +104,15 @@ Fitted fit_network(const models::TrainingSet& set, std::span<const int> folds,
            {"hidden", parameters.hidden_count},
            {"epochs", parameters.epoch_count},
            {"weight_decay", parameters.weight_decay}},
-          models::mean_scores(std::span(&validation.choice, 1), regret).front()};
+          validation.mean_score};
 }
 
-/// Chosen on 5000 observations at the most, which tell parameters apart as well as more do.
 Fitted fit_pairwise_cost(const models::TrainingSet& set, std::span<const int> folds,
                          const models::Score& regret) {
-  constexpr int kMost = 5000;
-  std::vector<int> chosen;
-  std::vector<int> folds_of_chosen;
-  const int step = 1 + (set.size() - 1) / kMost;
-  for (int i = 0; i < set.size(); i += step) {
-    chosen.push_back(i);
-    folds_of_chosen.push_back(folds[static_cast<std::size_t>(i)]);
-  }
-  const models::Score regret_of_chosen = [&](int observation, int clip) {
-    return regret(chosen[static_cast<std::size_t>(observation)], clip);
-  };
-  const auto [parameters, mean_score] = models::choose_parameters(
-      models::subset(set, chosen), models::pairwise_grid(), folds_of_chosen, regret_of_chosen);
-  return {models::fit_pairwise(set, parameters),
-          {{"c", parameters.c}, {"nearness", parameters.nearness}},
-          mean_score};
+  const auto chosen = choose_on_few(set, models::pairwise_grid(), folds, regret);
+  return {models::fit_pairwise(set, chosen.parameters),
+          {{"c", chosen.parameters.c}, {"nearness", chosen.parameters.nearness}},
+          chosen.mean_score};
 }
 
 struct MethodEntry {
@@ -179,8 +188,8 @@ Training train_selector(const StoreHeader& header, std::span<const Observation> 
   selector.target_centres = header.idle_target_centres;
 
   const models::TrainingSet set = make_training_set(header, observations, labels, selector.scaling);
-  training.fold_count = std::min(kMostFolds, set.size());
-  const std::vector<int> folds = models::make_folds(set.label, training.fold_count, seed);
+  const std::vector<int> folds =
+      models::make_folds(set.label, std::min(kMostFolds, set.size()), seed);
   const models::Score regret = [&](int observation, int chosen) {
     const auto i = static_cast<std::size_t>(observation);
     return cost_of_choice(observations, labels, i, chosen) -

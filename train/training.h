@@ -47,7 +47,6 @@ struct Training {
   std::vector<NamedValue> parameter_values;
   std::string parameters;                ///< the same as text: "k 10, vote majority"
   double cross_validated_regret_ns = 0;  ///< mean, of the folds that were not fitted to
-  int fold_count = 0;
 };
 
 /// Labels the observations, chooses the method's parameters from its grid by cross-validation with

@@ -5,12 +5,14 @@
 #include <gtest/gtest.h>
 #include <omp.h>
 
+#include <algorithm>
 #include <limits>
 #include <map>
 #include <random>
 
 #include "models/selector.h"
 #include "motion/error.h"
+#include "tests/models/held_out.h"
 #include "tests/models/training_sets.h"
 
 namespace flinch::models {
@@ -65,6 +67,17 @@ TEST(Folds, RefuseImpossibleCounts) {
   EXPECT_THROW(make_folds(label, 1, 1), Error);
   EXPECT_THROW(make_folds(label, 5, 1), Error);
   EXPECT_THROW(make_folds({}, 2, 1), Error);
+}
+
+TEST(Folds, AreFewerWhereFewHoldOutEnough) {
+  const std::vector<int> label = uneven_labels(4000);
+  const std::vector<int> fold = make_folds(label, 5, 3);  // of 800 each
+  const std::vector<int> few = enough_folds(fold);
+  for (std::size_t i = 0; i < fold.size(); ++i) {
+    EXPECT_EQ(few[i], fold[i] < 2 ? fold[i] : kNeverHeldOut);
+  }
+  const std::vector<int> small = make_folds(uneven_labels(1499), 5, 3);
+  EXPECT_EQ(enough_folds(small), small);
 }
 
 TEST(BestOf, IsTheFirstOfTheLeast) {
@@ -156,76 +169,82 @@ TrainingSet masked_clouds(int count) {
   return set;
 }
 
-std::vector<int> others_than(const std::vector<int>& fold, int held_out) {
-  std::vector<int> others;
-  for (std::size_t i = 0; i < fold.size(); ++i) {
-    if (fold[i] != held_out) {
-      others.push_back(static_cast<int>(i));
+/// Whether each choice is that of a model that `fit` makes of the folds without the observation.
+template <typename Fit>
+void expect_choices_of_others(const TrainingSet& set, std::span<const int> fold, const Fit& fit,
+                              std::span<const int> choices) {
+  ASSERT_EQ(choices.size(), set.label.size());
+  for (int f = 0; f <= *std::max_element(fold.begin(), fold.end()); ++f) {
+    const auto model = fit(others_than(set, fold, f));
+    for (int i = 0; i < set.size(); ++i) {
+      if (fold[static_cast<std::size_t>(i)] != f) continue;
+      const int choice = choices[static_cast<std::size_t>(i)];
+      ASSERT_EQ(choice, candidates(model, set.point(i), set.allowed_clips(i), 0).front().clip);
+      ASSERT_TRUE(set.allowed_clips(i)[static_cast<std::size_t>(choice)]);
     }
   }
-  return others;
 }
 
-TEST(HeldOutChoices, AreThoseOfModelsThatNeverSawTheObservation) {
+TEST(HeldOutChoices, AreThoseOfSvmsThatNeverSawTheObservation) {
   const TrainingSet set = masked_clouds(240);
   const std::vector<int> fold = make_folds(set.label, 4, 2);
-  const std::vector<SvmParameters> svm_parameters{{3, 0.2, 0, 1}, {2, 0.5, 1, 10}};
-  const auto by_svm = held_out_choices(set, svm_parameters, fold);
-  const auto by_knn = held_out_choices(set, knn_grid(), fold);
-  ASSERT_EQ(by_svm.size(), 2U);
-  ASSERT_EQ(by_knn.size(), knn_grid().size());
-  for (int f = 0; f < 4; ++f) {
-    const TrainingSet others = subset(set, others_than(fold, f));
-    const auto expect_choices = [&](const auto& model, const std::vector<int>& choices) {
-      for (int i = 0; i < set.size(); ++i) {
-        if (fold[static_cast<std::size_t>(i)] == f) {
-          ASSERT_EQ(choices[static_cast<std::size_t>(i)],
-                    candidates(model, set.point(i), set.allowed_clips(i), 0).front().clip);
-          ASSERT_TRUE(
-              set.allowed_clips(i)[static_cast<std::size_t>(choices[static_cast<std::size_t>(i)])]);
-        }
-      }
-    };
-    for (std::size_t row = 0; row < svm_parameters.size(); ++row) {
-      expect_choices(fit_svm(others, svm_parameters[row]), by_svm[row]);
-    }
-    for (std::size_t row = 0; row < knn_grid().size(); ++row) {
-      expect_choices(fit_knn(others, knn_grid()[row]), by_knn[row]);  // brute force
-    }
+  for (const SvmParameters& parameters :
+       {SvmParameters{3, 0.2, 0, 1}, SvmParameters{2, 0.5, 1, 10}}) {
+    expect_choices_of_others(
+        set, fold, [&](const TrainingSet& others) { return fit_svm(others, parameters); },
+        held_out_choices(set, parameters, fold));
   }
 }
 
-TEST(HeldOutChoices, AreAveragedFromCostsOfTheOthersAlone) {
+TEST(HeldOutChoices, AreThoseOfNeighboursThatAreNotTheObservation) {
   const TrainingSet set = with_costs(masked_clouds(240), 9);
   const std::vector<int> fold = make_folds(set.label, 4, 2);
-  std::vector<KnnParameters> grid = knn_cost_grid();
-  grid.push_back({5, KnnVote::majority});
-  const auto choices = held_out_choices(set, grid, fold);
-  for (int f = 0; f < 4; ++f) {
-    const TrainingSet others = subset(set, others_than(fold, f));
-    for (std::size_t row = 0; row < grid.size(); ++row) {
-      const KnnModel model = fit_knn(others, grid[row]);
-      for (int i = 0; i < set.size(); ++i) {
-        if (fold[static_cast<std::size_t>(i)] == f) {
-          ASSERT_EQ(choices[row][static_cast<std::size_t>(i)],
-                    candidates(model, set.point(i), set.allowed_clips(i), 0).front().clip);
-        }
-      }
-    }
+  std::vector<KnnParameters> grid = knn_grid();
+  for (const KnnParameters& parameters : knn_cost_grid()) grid.push_back(parameters);
+  for (const KnnParameters& parameters : grid) {
+    expect_choices_of_others(
+        set, fold, [&](const TrainingSet& others) { return fit_knn(others, parameters); },
+        held_out_choices(set, parameters, fold));
+  }
+}
+
+TEST(HeldOutChoices, AreThoseOfPairwiseMachinesThatNeverSawTheObservation) {
+  const TrainingSet set = with_costs(masked_clouds(90), 10);
+  const std::vector<int> fold = make_folds(set.label, 3, 1);
+  for (const PairwiseParameters& parameters :
+       {PairwiseParameters{}, PairwiseParameters{.c = 0.01, .nearness = 1}}) {
+    expect_choices_of_others(
+        set, fold, [&](const TrainingSet& others) { return fit_pairwise(others, parameters); },
+        held_out_choices(set, parameters, fold));
+  }
+}
+
+TEST(HeldOutChoices, AreNotAskedForWhatIsNeverHeldOut) {
+  const TrainingSet set = masked_clouds(90);
+  std::vector<int> fold = make_folds(set.label, 3, 1);
+  std::replace(fold.begin(), fold.end(), 2, kNeverHeldOut);
+  const SvmParameters parameters{3, 0.2, 0, 1};
+  const std::vector<int> choices = held_out_choices(set, parameters, fold);
+  for (std::size_t i = 0; i < fold.size(); ++i) {
+    EXPECT_EQ(choices[i] >= 0, fold[i] != kNeverHeldOut);
   }
 }
 
 TEST(HeldOutChoices, DoNotDependOnTheNumberOfThreads) {
-  const TrainingSet set = masked_clouds(240);
+  const TrainingSet set = with_costs(masked_clouds(240), 11);
   const std::vector<int> fold = make_folds(set.label, 5, 3);
+  const auto choices = [&] {
+    return std::vector{held_out_choices(set, default_svm_parameters(6), fold),
+                       held_out_choices(set, knn_grid().front(), fold),
+                       held_out_choices(set, knn_cost_grid().front(), fold),
+                       held_out_choices(set, PairwiseParameters{}, fold)};
+  };
   const int threads = omp_get_max_threads();
   omp_set_num_threads(1);
-  const auto svm_alone = held_out_choices(set, svm_grid(6), fold);
-  const auto knn_alone = held_out_choices(set, knn_grid(), fold);
+  const auto alone = choices();
   for (const int count : {2, 7}) {
     omp_set_num_threads(count);
-    EXPECT_EQ(held_out_choices(set, svm_grid(6), fold), svm_alone);
-    EXPECT_EQ(held_out_choices(set, knn_grid(), fold), knn_alone);
+    EXPECT_EQ(choices(), alone);
   }
   omp_set_num_threads(threads);
 }
@@ -233,8 +252,7 @@ TEST(HeldOutChoices, DoNotDependOnTheNumberOfThreads) {
 TEST(HeldOutChoices, TellOfErrorsInTheirThreads) {
   const TrainingSet set = masked_clouds(60);
   const std::vector<int> fold = make_folds(set.label, 3, 1);
-  EXPECT_THROW(held_out_choices(set, std::vector<SvmParameters>{{3, 1, 0, 1}, {3, 1, 0, -1}}, fold),
-               Error);
+  EXPECT_THROW(held_out_choices(set, SvmParameters{3, 1, 0, -1}, fold), Error);
 }
 
 }  // namespace

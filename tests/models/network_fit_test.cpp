@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <omp.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -11,6 +12,7 @@
 #include "models/network_gradient.h"
 #include "models/selector.h"
 #include "motion/error.h"
+#include "tests/models/held_out.h"
 #include "tests/models/network_twin.h"
 #include "tests/models/training_sets.h"
 
@@ -138,27 +140,34 @@ TEST(NetworkFit, HasTheSameBitsForAnyNumberOfThreads) {
 
 TEST(NetworkFit, IsJudgedByWhatItHasNotSeen) {
   const TrainingSet set = costly_set(90);
-  const std::vector<int> fold = make_folds(set.label, 3, 1);
+  std::vector<int> fold = make_folds(set.label, 3, 1);
+  std::replace(fold.begin(), fold.end(), 2, kNeverHeldOut);
   const NetworkParameters parameters{.hidden_count = 16, .member_count = 1, .epoch_count = 3};
-  const NetworkValidation validation = validate_network(set, parameters, fold);
+  std::vector<int> choices(90, -1);
+  const NetworkValidation validation =
+      validate_network(set, parameters, fold, [&](int observation, int chosen) {
+        choices[static_cast<std::size_t>(observation)] = chosen;
+        return observation;
+      });
   double excess = 0;
-  for (int f = 0; f < 3; ++f) {
-    std::vector<int> others;
-    for (int i = 0; i < set.size(); ++i) {
-      if (fold[static_cast<std::size_t>(i)] != f) others.push_back(i);
-    }
-    const NetworkModel model = fit_network(subset(set, others), parameters);
+  double held_out = 0;
+  double sum = 0;
+  for (int f = 0; f < 2; ++f) {
+    const NetworkModel model = fit_network(others_than(set, fold, f), parameters);
     for (int i = 0; i < set.size(); ++i) {
       if (fold[static_cast<std::size_t>(i)] != f) continue;
       const auto ranked = expected_costs(model, set.point(i), set.allowed_clips(i));
-      EXPECT_EQ(validation.choice[static_cast<std::size_t>(i)], ranked.front().clip);
+      EXPECT_EQ(choices[static_cast<std::size_t>(i)], ranked.front().clip);
       for (const Candidate& candidate : ranked) {
         excess += double{set.costs(i)[static_cast<std::size_t>(candidate.clip)]} -
                   double{candidate.expected_cost_ns - model.variance_ns};
       }
+      held_out += 1;
+      sum += i;
     }
   }
-  EXPECT_NEAR(validation.variance_ns, std::max(excess / (90 * 4), 0.0), 1e-4);
+  EXPECT_NEAR(validation.mean_score, sum / held_out, 1e-9);
+  EXPECT_NEAR(validation.variance_ns, std::max(excess / (held_out * 4), 0.0), 1e-4);
 }
 
 TEST(NetworkFit, RefusesWhatCannotBeUsed) {

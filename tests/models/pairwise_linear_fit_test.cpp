@@ -8,7 +8,6 @@
 #include <cmath>
 #include <numeric>
 
-#include "models/cross_validation.h"
 #include "models/selector.h"
 #include "motion/error.h"
 #include "tests/models/training_sets.h"
@@ -115,28 +114,6 @@ TEST(PairwiseFit, HasTheSameBitsForAnyNumberOfThreads) {
   }
   omp_set_num_threads(threads);
   EXPECT_NE(fit_pairwise(set, {.c = 0.01}).weights, alone.weights);
-}
-
-TEST(PairwiseFit, IsJudgedByWhatItHasNotSeen) {
-  const TrainingSet set = with_costs(random_clouds(9, 60, 3, 3), 10);
-  const std::vector<int> fold = make_folds(set.label, 3, 1);
-  const std::vector<PairwiseParameters> grid{{}, {.c = 0.01, .nearness = 1}};
-  const auto choices = held_out_choices(set, grid, fold);
-  ASSERT_EQ(choices.size(), grid.size());
-  for (std::size_t row = 0; row < grid.size(); ++row) {
-    for (int f = 0; f < 3; ++f) {
-      std::vector<int> others;
-      for (int i = 0; i < set.size(); ++i) {
-        if (fold[static_cast<std::size_t>(i)] != f) others.push_back(i);
-      }
-      const PairwiseModel model = fit_pairwise(subset(set, others), grid[row]);
-      for (int i = 0; i < set.size(); ++i) {
-        if (fold[static_cast<std::size_t>(i)] == f) {
-          ASSERT_EQ(choices[row][static_cast<std::size_t>(i)], choice(model, set, i));
-        }
-      }
-    }
-  }
 }
 
 TEST(PairwiseFit, RefusesWhatCannotBeUsed) {

@@ -40,7 +40,6 @@ Json summary_of(const Options& options, const Store& store, const Training& trai
                {"brawn", options.cost.brawn},
                {"vulnerability", options.cost.vulnerability},
                {"parameters", parameters_of(training)},
-               {"folds", training.fold_count},
                {"cross_validated_regret_ns", training.cross_validated_regret_ns}};
   if (const auto* svm = std::get_if<models::SvmModel>(&training.selector.model)) {
     summary["classes"] = svm->class_count();
@@ -64,8 +63,7 @@ void run(const Options& options) {
   }
   std::cout << options.selector << ": " << options.model << " of " << store.observations.size()
             << " scenarios of " << store.header.library_name << '\n';
-  std::cout << "parameters, chosen by " << training.fold_count
-            << "-fold cross-validation: " << training.parameters
+  std::cout << "parameters, chosen by cross-validation: " << training.parameters
             << "\nmean regret in cross-validation: " << training.cross_validated_regret_ns
             << " N s\n";
 }
