@@ -5,6 +5,7 @@ namespace flinch::sim {
 
 MovingShape MovingShape::at(double time_s) const {
   MovingShape later = *this;
+  if (time_s == 0) return later;
   later.centre += time_s * velocity;
   const double speed = angular_velocity.norm();
   if (speed > 0) {
