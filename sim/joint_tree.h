@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <bit>
-#include <cstdint>
 #include <span>
 
+#include "sim/body_set.h"
 #include "sim/figure_rows.h"
 
 namespace flinch::sim {
@@ -23,21 +22,6 @@ struct FigureRows {
 };
 FigureRows figure_rows(const FigurePlan& plan, const motion::PerBody<BodyState>& now,
                        const ReferenceState& target, double step_s);
-
-/// A set of bodies, one bit each.
-using BodySet = std::uint32_t;
-constexpr BodySet set_of(motion::Body body) {
-  return BodySet{1} << static_cast<unsigned>(body);
-}
-
-inline constexpr BodySet kAllBodies = (BodySet{1} << motion::kBodyCount) - 1;
-/// The bodies of a set by rising number, parents first.
-template <class Visit>
-void for_each_body(BodySet bodies, Visit visit) {
-  for (; bodies != 0; bodies &= bodies - 1) {
-    visit(motion::kBodies[static_cast<std::size_t>(std::countr_zero(bodies))]);
-  }
-}
 
 /// An impulse on a body.
 struct Load {
