@@ -47,8 +47,8 @@ bool may_meet(const MovingShape& first, double first_m, const MovingShape& secon
   const double most = most_gap(first, first_m, second, second_m, distance_m, horizon_s);
   const double apart = first_m + second_m + most;
   return (first.centre - second.centre).squaredNorm() <= apart * apart &&
-         clearance(first.centre, first_m, second).gap <= most &&
-         clearance(second.centre, second_m, first).gap <= most;
+         features::gap(first.centre, first_m, second) <= most &&
+         features::gap(second.centre, second_m, first) <= most;
 }
 
 /// How fast the reference moves the material of `shape` that is at `point`, m/s.
