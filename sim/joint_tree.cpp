@@ -87,7 +87,16 @@ Vector6d stacked(const Twist& twist) {
 Vector3d spun(const Matrix3d& inertia, const Vector3d& angular_velocity, double step_s) {
   const Vector3d momentum = inertia * angular_velocity;
   const Matrix3d equations = inertia - step_s * cross_matrix(momentum);
-  return inertia * (equations.inverse() * momentum);
+  return momentum + step_s * momentum.cross(equations.inverse() * momentum);
+}
+
+// At a point r from the centre of mass:  [m, m [r]x; sym., I + m (r^2 - r r^T)].
+Inertia rigid_inertia(double mass_kg, const Matrix3d& inertia, const Vector3d& arm) {
+  const Vector3d moment = mass_kg * arm;
+  Inertia rigid{mass_kg * Matrix3d::Identity(), cross_matrix(moment),
+                inertia - moment * arm.transpose()};
+  rigid.turning.diagonal().array() += moment.dot(arm);
+  return rigid;
 }
 
 // [A B; B^T C]^-1 with the Schur complement S = C - B^T A^-1 B:
@@ -166,9 +175,9 @@ FigureRows figure_rows(const FigurePlan& plan, const motion::PerBody<BodyState>&
 JointTree::JointTree(const FigurePlan& plan) : plan_(plan) {
   for (Body body : motion::kBodies) {
     Link& link = links_[body];
-    link.joint_local = joint_of(plan, body);
     link.chain = set_of(body);
     if (const auto parent = parent_of(body)) {
+      link.joint_local = joint_of(plan, body);
       link.parent = *parent;
       link.chain |= links_[*parent].chain;
     }
@@ -215,17 +224,18 @@ void JointTree::set_step(const motion::PerBody<BodyState>& now, const FigureRows
     const BodyState& state = now[body];
     const Matrix3d turn = state.orientation.toRotationMatrix();
     const double mass_kg = static_cast<double>(plan_.model[body].mass_kg);
-    Inertia& inertia = inertia_[body];
-    inertia.mass = mass_kg * Matrix3d::Identity();
-    inertia.coupling.setZero();
-    inertia.turning = symmetric_product(turn * plan_.inertia[body], turn);
-    momentum_[body].linear = mass_kg * (state.velocity - step_s * gravity_mps2 * Vector3d::UnitZ());
-    momentum_[body].angular = spun(inertia.turning, state.angular_velocity, step_s);
-    links_[body].to_joint = turn * links_[body].joint_local;
+    Link& link = links_[body];
+    link.to_joint = turn * link.joint_local;
     if (body != Body::pelvis) {
-      links_[body].parent_to_joint =
-          now[links_[body].parent].orientation * rows.joints[body].socket;
+      link.parent_to_joint = now[link.parent].orientation * rows.joints[body].socket;
+      link.joint_to_joint = link.parent_to_joint - links_[link.parent].to_joint;
     }
+    const Matrix3d inertia = symmetric_product(turn * plan_.inertia[body], turn);
+    inertia_[body] = rigid_inertia(mass_kg, inertia, link.to_joint);
+    momentum_[body] =
+        moved_to(Twist{mass_kg * (state.velocity - step_s * gravity_mps2 * Vector3d::UnitZ()),
+                       spun(inertia, state.angular_velocity, step_s)},
+                 link.to_joint);
   }
   for (std::size_t i = motion::kBodyCount - 1; i > 0; --i) {
     const Body body = motion::kBodies[i];
@@ -237,7 +247,7 @@ void JointTree::set_step(const motion::PerBody<BodyState>& now, const FigureRows
 void JointTree::factor(const JointRows& rows, const motion::PerBody<BodyState>& now, Body body,
                        double step_s) {
   Link& link = links_[body];
-  const auto& [mass, coupling, turning] = moved_to(inertia_[body], link.to_joint);
+  const auto& [mass, coupling, turning] = inertia_[body];
   const Give give = give_of(rows, step_s, turning);
   link.give = give.share;
   link.coupling_give = coupling * give.share;
@@ -257,7 +267,7 @@ void JointTree::factor(const JointRows& rows, const motion::PerBody<BodyState>& 
     passed.turning = turning - symmetric_product(link.turning_give, turning);
   }
 
-  const Twist own = moved_to(momentum_[body], link.to_joint);
+  const Twist& own = momentum_[body];
   const Twist& forced = link.forced;
   const Twist free{
       own.linear - mass * forced.linear - coupling * forced.angular,
@@ -266,8 +276,8 @@ void JointTree::factor(const JointRows& rows, const motion::PerBody<BodyState>& 
   const Twist handed{free.linear - coupling * link.turning, free.angular - turning * link.turning};
 
   Twist& momentum = momentum_[link.parent];
-  momentum = sum(momentum, moved_to(handed, -link.parent_to_joint));
-  const Inertia at_parent = moved_to(passed, -link.parent_to_joint);
+  momentum = sum(momentum, moved_to(handed, -link.joint_to_joint));
+  const Inertia at_parent = moved_to(passed, -link.joint_to_joint);
   Inertia& parent = inertia_[link.parent];
   parent.mass += at_parent.mass;
   parent.coupling += at_parent.coupling;
@@ -290,22 +300,22 @@ void JointTree::factor_root(const PelvisRows& rows, double step_s) {
 }
 
 void JointTree::pass(std::span<const Load> loads, PassedImpulse& passed) const {
-  motion::PerBody<Twist> own;  // at the centres of mass
+  motion::PerBody<Twist> own;  // at the joints
   passed.chain = 0;
   for (const Load& load : loads) {
-    own[load.body] = sum(own[load.body], load.impulse);
+    own[load.body] = sum(own[load.body], moved_to(load.impulse, links_[load.body].to_joint));
     passed.chain |= links_[load.body].chain;
   }
   for (std::size_t i = motion::kBodyCount - 1; i > 0; --i) {
     const Body body = motion::kBodies[i];
     if (!(passed.chain & set_of(body))) continue;
     const Link& link = links_[body];
-    const Twist at_joint = moved_to(own[body], link.to_joint);
+    const Twist& at_joint = own[body];
     passed.moment[body] = at_joint.angular;
     passed.turning[body] = link.give * at_joint.angular;
     const Twist handed{at_joint.linear - link.coupling_give * at_joint.angular,
                        at_joint.angular - link.turning_give * at_joint.angular};
-    own[link.parent] = sum(own[link.parent], moved_to(handed, -link.parent_to_joint));
+    own[link.parent] = sum(own[link.parent], moved_to(handed, -link.joint_to_joint));
   }
   passed.at_root = stacked(own[Body::pelvis]);
   passed.root_change = root_ * passed.at_root;

@@ -74,8 +74,9 @@ class JointTree {
     Body parent{};
     BodySet chain = 0;
     Eigen::Vector3d joint_local = Eigen::Vector3d::Zero();
-    Eigen::Vector3d to_joint;         // from the body's centre of mass, world
-    Eigen::Vector3d parent_to_joint;  // from the parent's
+    Eigen::Vector3d to_joint;          // from the body's centre of mass, world
+    Eigen::Vector3d parent_to_joint;   // from the parent's
+    Eigen::Vector3d joint_to_joint;    // from the parent's joint
     Eigen::Matrix3d give;             // E
     Eigen::Matrix3d coupling_give;    // B E
     Eigen::Matrix3d turning_give;     // C E
@@ -88,7 +89,8 @@ class JointTree {
 
   const FigurePlan& plan_;
   motion::PerBody<Link> links_;
-  // Of the bodies and, as far as they are factored, of all beyond them; at the centres of mass.
+  // Of the bodies and, as far as they are factored, of all beyond them; at their joints, or the
+  // pelvis' centre of mass.
   motion::PerBody<Inertia> inertia_;
   motion::PerBody<Twist> momentum_;
   Eigen::Matrix<double, 6, 6> root_;         // inverse of the whole figure's inertia at the pelvis
