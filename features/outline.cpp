@@ -6,12 +6,23 @@
 namespace flinch::features {
 namespace {
 
-/// From the nearest point of a capsule's axis.
-Clearance capsule_clearance(const Eigen::Vector3d& centre, double radius, const Outline& capsule) {
-  const Eigen::Vector3d axis = capsule.orientation * Eigen::Vector3d::UnitZ();
+/// Orientation times the Z axis.
+Eigen::Vector3d axis_of(const Outline& capsule) {
+  const Eigen::Quaterniond& q = capsule.orientation;
+  return {q.w() * (2 * q.y()) + q.z() * (2 * q.x()), q.w() * (-2 * q.x()) + q.z() * (2 * q.y()),
+          1 + (q.x() * (-2 * q.x()) - q.y() * (2 * q.y()))};
+}
+
+Eigen::Vector3d nearest_on_axis(const Eigen::Vector3d& centre, const Outline& capsule) {
+  const Eigen::Vector3d axis = axis_of(capsule);
   const Eigen::Vector3d offset = centre - capsule.centre;
   const double along = std::clamp(offset.dot(axis), -capsule.half_length, capsule.half_length);
-  const Eigen::Vector3d nearest = capsule.centre + along * axis;
+  return capsule.centre + along * axis;
+}
+
+/// From the nearest point of a capsule's axis.
+Clearance capsule_clearance(const Eigen::Vector3d& centre, double radius, const Outline& capsule) {
+  const Eigen::Vector3d nearest = nearest_on_axis(centre, capsule);
   const Eigen::Vector3d separation = centre - nearest;
   const double distance = separation.norm();
   Clearance result;
@@ -21,22 +32,44 @@ Clearance capsule_clearance(const Eigen::Vector3d& centre, double radius, const 
   return result;
 }
 
+/// Where a point is in a box's own axes, and the point of the box that is nearest to it.
+struct InBox {
+  InBox(const Eigen::Vector3d& point, const Outline& box)
+      : local(box.orientation.conjugate() * (point - box.centre)),
+        nearest(local.cwiseMax(-box.half_extents).cwiseMin(box.half_extents)),
+        distance((local - nearest).norm()) {}
+
+  Eigen::Vector3d local;
+  Eigen::Vector3d nearest;
+  double distance;
+};
+
+/// From inside, the way out through the nearest face, and which that is: 0 or below.
+double way_out(const InBox& in, const Outline& box, int& face) {
+  return -(box.half_extents - in.local.cwiseAbs()).minCoeff(&face);
+}
+
 /// From the nearest point of a box; from inside, through the nearest face.
 Clearance box_clearance(const Eigen::Vector3d& centre, double radius, const Outline& box) {
-  const Eigen::Vector3d local = box.orientation.conjugate() * (centre - box.centre);
-  Eigen::Vector3d nearest = local.cwiseMax(-box.half_extents).cwiseMin(box.half_extents);
-  Eigen::Vector3d normal = local - nearest;
-  double distance = normal.norm();
-  if (distance > 0) {
-    normal /= distance;
+  InBox in(centre, box);
+  Eigen::Vector3d normal = in.local - in.nearest;
+  if (in.distance > 0) {
+    normal /= in.distance;
   } else {
     int face = 0;
-    distance = -(box.half_extents - local.cwiseAbs()).minCoeff(&face);
-    const double side = local[face] < 0 ? -1.0 : 1.0;
+    in.distance = way_out(in, box, face);
+    const double side = in.local[face] < 0 ? -1.0 : 1.0;
     normal = side * Eigen::Vector3d::Unit(face);
-    nearest[face] = side * box.half_extents[face];
+    in.nearest[face] = side * box.half_extents[face];
   }
-  return {distance - radius, box.centre + box.orientation * nearest, box.orientation * normal};
+  return {in.distance - radius, box.centre + box.orientation * in.nearest,
+          box.orientation * normal};
+}
+
+double box_gap(const Eigen::Vector3d& centre, double radius, const Outline& box) {
+  const InBox in(centre, box);
+  int face = 0;
+  return (in.distance > 0 ? in.distance : way_out(in, box, face)) - radius;
 }
 
 }  // namespace
@@ -73,6 +106,13 @@ Clearance clearance(const Eigen::Vector3d& ball_centre, double ball_radius,
   return outline.kind == motion::Shape::Kind::capsule
              ? capsule_clearance(ball_centre, ball_radius, outline)
              : box_clearance(ball_centre, ball_radius, outline);
+}
+
+double gap(const Eigen::Vector3d& ball_centre, double ball_radius, const Outline& outline) {
+  return outline.kind == motion::Shape::Kind::capsule
+             ? (ball_centre - nearest_on_axis(ball_centre, outline)).norm() - ball_radius -
+                   outline.radius
+             : box_gap(ball_centre, ball_radius, outline);
 }
 
 }  // namespace flinch::features

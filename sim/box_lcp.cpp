@@ -41,7 +41,10 @@ bool BoxLcp::solve(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& right,
                    const Eigen::VectorXd& low, const Eigen::VectorXd& high, Eigen::VectorXd& x) {
   const Eigen::Index count = right.size();
   x.resize(count);
-  places_.assign(static_cast<std::size_t>(count), Place::between);
+  places_.clear();
+  for (Eigen::Index i = 0; i < count; ++i) {
+    places_.push_back(low[i] < high[i] ? Place::between : Place::low);
+  }
   std::ptrdiff_t fewest = count + 1;
   int patience = kPatience;
   for (int pivot = 0; pivot < kMostPivots; ++pivot) {

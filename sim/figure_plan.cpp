@@ -71,6 +71,8 @@ FigurePlan::FigurePlan(const motion::Character& character)
   for (Body body : motion::kBodies) {
     const double body_mass_kg = static_cast<double>(model[body].mass_kg);
     outline[body] = outline_of(model[body]);
+    outline_radius[body] = outline[body].bounding_radius();
+    radius[body] = outline[body].centre.norm() + outline_radius[body];
     inertia[body] = inertia_of(outline[body], body_mass_kg);
     kinds[body] = kind_of(body);
     limits[body] = limits_of(body);
@@ -90,8 +92,9 @@ FigurePlan::FigurePlan(const motion::Character& character)
   for (Body first : motion::kBodies) {
     for (Body second : motion::kBodies) {
       const bool jointed = parent_of(first) == second || parent_of(second) == first;
-      may_touch[first][second] =
-          first != second && !jointed && clearance(shapes[first], shapes[second]).gap > 0;
+      if (first != second && !jointed && clearance(shapes[first], shapes[second]).gap > 0) {
+        may_touch[first] |= set_of(second);
+      }
     }
   }
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "motion/body.h"
+#include "sim/body_set.h"
 #include "sim/joint_limits.h"
 #include "sim/springs.h"
 #include "sim/sweep.h"
@@ -15,6 +16,8 @@ struct FigurePlan {
   motion::Skeleton skeleton;
   motion::BodyModel model;
   motion::PerBody<MovingShape> outline;      ///< in the frame of the centre of mass, at rest
+  motion::PerBody<double> outline_radius;    ///< of the sphere about its centre that holds it, m
+  motion::PerBody<double> radius;            ///< of that about the centre of mass, m
   motion::PerBody<Eigen::Matrix3d> inertia;  ///< about the centre of mass, kg·m²
   motion::PerBody<Gains> gains;              ///< of the joint to the parent; pelvis: its turning
   Gains pelvis_gains;                        ///< of the pelvis' place
@@ -22,7 +25,7 @@ struct FigurePlan {
   motion::PerBody<JointKind> kinds;
   motion::PerBody<JointLimits> limits;
   /// Pairs that can push each other: neither jointed nor overlapping in the rest pose.
-  motion::PerBody<motion::PerBody<bool>> may_touch;
+  motion::PerBody<BodySet> may_touch;
 };
 
 }  // namespace flinch::sim

@@ -91,23 +91,28 @@ JointRows joint_rows(const FigurePlan& plan, Body body, const Eigen::Quaterniond
   const Eigen::Quaterniond reference = to_parent * wanted.orientation;
   const Eigen::Quaterniond now = parent_now.conjugate() * now_world;
   const JointAxes axes = axes_of(plan.kinds[body], plan.limits[body], reference);
-  const Eigen::Matrix3d into_axes = axes.frame.transpose();
-  const Eigen::Vector3d error = into_axes * motion::rotation_vector(reference * now.conjugate());
-  const Eigen::Vector3d velocity =
-      into_axes * (to_parent * (wanted.angular_velocity - wanted_parent.angular_velocity));
-  const Eigen::Vector3d back = into_axes * beyond_limits(plan.limits[body], now, reference);
-  const double way = back.squaredNorm();
-
+  Eigen::Vector3d error = motion::rotation_vector(reference * now.conjugate());
+  Eigen::Vector3d velocity =
+      to_parent * (wanted.angular_velocity - wanted_parent.angular_velocity);
+  Eigen::Vector3d back = beyond_limits(plan.limits[body], now, reference);
   JointRows rows;
   rows.socket = target.socket[body];
-  rows.axes = parent_now.toRotationMatrix() * axes.frame;
+  rows.axes = parent_now.toRotationMatrix();
+  if (plan.kinds[body] != JointKind::ball) {
+    for (Eigen::Vector3d* vector : {&error, &velocity, &back}) {
+      *vector = (axes.frame.transpose() * *vector).eval();
+    }
+    rows.axes *= axes.frame;
+  }
+  const double way = back.squaredNorm();
+  const Gains weak = weakened(plan.gains[body], share);
   for (int axis = 0; axis < 3; ++axis) {
     AxisRow& row = rows.turning[static_cast<std::size_t>(axis)];
     if (axis >= axes.free) {
       row = rigid_row(error[axis], velocity[axis], step_s);
       continue;
     }
-    Gains gains = weakened(plan.gains[body], share);
+    Gains gains = weak;
     double pull = gains.stiffness * error[axis];
     if (way > 0) {
       const double stop =

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "sim/joint_limits.h"
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
 #include "motion/joint_limits.h"
 #include "motion/rotation.h"
 
@@ -59,6 +63,47 @@ JointLimits mirrored(const JointLimits& left) {
           left.high.cwiseProduct(same) + left.low.cwiseProduct(turned)};
 }
 
+// A rotation vector is 2 f(c) times the quaternion's own vector, c being its cosine |w| and
+//
+//   f(c) = acos(c) / sqrt(1 - c^2),   convex and falling from pi/2 at c = 0 to 1 at c = 1,
+//
+// and so above its tangent at 1 and below the chord:
+//
+//   (4 - c) / 3 <= f(c) <= pi/2 - (pi/2 - 1) c.
+/// Where each angle of a rotation may be, at some distance from a guess.
+struct AngleBounds {
+  Eigen::Vector3d guess;
+  Eigen::Vector3d error;
+
+  void add(const Eigen::Vector3d& vector, double w) {
+    const double cosine = std::min(std::abs(w), 1.0);
+    const double least = (4 - cosine) / 3;
+    const double most = std::numbers::pi / 2 - (std::numbers::pi / 2 - 1) * cosine;
+    guess += (w < 0 ? -1 : 1) * (least + most) * vector;
+    error += (most - least) * vector.cwiseAbs();
+  }
+};
+
+/// Whether a rotation is within the limits for sure: most are, which this finds without the arcus
+/// tangents of joint_angles.
+bool is_well_within(const JointLimits& limits, const Eigen::Quaterniond& rotation) {
+  constexpr double kLeastTwist = 1e-6;  // below, swing and twist cannot be told apart
+  constexpr double kMargin_rad = 1e-9;  // for rounding
+  const Eigen::Quaterniond turn = limits.reference.conjugate() * rotation;
+  const double along = turn.vec().dot(limits.bone);
+  const double norm = std::sqrt(turn.w() * turn.w() + along * along);
+  if (norm < kLeastTwist) return false;
+  const Eigen::Vector3d twist = along / norm * limits.bone;
+  const double twist_w = turn.w() / norm;
+  // turn * twist^-1, whose w is the norm.
+  const Eigen::Vector3d swing = twist_w * turn.vec() - turn.w() * twist - turn.vec().cross(twist);
+  AngleBounds angles{Eigen::Vector3d::Constant(0), Eigen::Vector3d::Constant(kMargin_rad)};
+  angles.add(swing, norm);
+  angles.add(twist, twist_w);
+  return (angles.guess - angles.error - limits.low).minCoeff() >= 0 &&
+         (limits.high - angles.guess - angles.error).minCoeff() >= 0;
+}
+
 }  // namespace
 
 JointLimits limits_of(Body body) {
@@ -90,6 +135,7 @@ Eigen::Quaterniond joint_rotation(const JointLimits& limits, const Eigen::Vector
 
 Eigen::Vector3d beyond_limits(const JointLimits& limits, const Eigen::Quaterniond& rotation,
                               const Eigen::Quaterniond& reference) {
+  if (is_well_within(limits, rotation)) return Eigen::Vector3d::Zero();
   const Eigen::Vector3d angles = joint_angles(limits, rotation);
   const auto within = [&](const Eigen::Vector3d& low, const Eigen::Vector3d& high) {
     return Eigen::Vector3d(angles.cwiseMax(low).cwiseMin(high));

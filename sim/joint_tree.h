@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstdint>
 #include <span>
 
+#include "sim/body_set.h"
 #include "sim/figure_rows.h"
 
 namespace flinch::sim {
@@ -29,11 +29,19 @@ struct Load {
   Twist impulse;
 };
 
-/// A set of bodies, one bit each.
-using BodySet = std::uint32_t;
-constexpr BodySet set_of(motion::Body body) {
-  return BodySet{1} << static_cast<unsigned>(body);
-}
+/// The inertia of bodies at a point: [mass coupling; coupling^T turning] takes the velocities of
+/// the point and about it to impulse and moment.
+struct Inertia {
+  Eigen::Matrix3d mass, coupling, turning;
+};
+
+/// An impulse as the joints pass it on to the pelvis.
+struct PassedImpulse {
+  BodySet chain = 0;                         ///< the bodies by whose joints it passes
+  motion::PerBody<Eigen::Vector3d> moment;   ///< at the joint of each; others are not set
+  motion::PerBody<Eigen::Vector3d> turning;  ///< E times that
+  Eigen::Vector<double, 6> at_root, root_change;  ///< at the pelvis, and what it does there
+};
 
 /// The equations of motion of a figure's joints over one step, solved in time proportional to its
 /// bodies: what ODE's dWorldStep solves, whose rows are all equations and form a tree but for the
@@ -46,11 +54,17 @@ class JointTree {
   /// Sets the step and factors its equations.
   void set_step(const motion::PerBody<BodyState>& now, const FigureRows& rows, double step_s,
                 double gravity_mps2);
-  /// The velocities after the step, with contacts' impulses on the bodies.
-  motion::PerBody<Twist> velocities(const motion::PerBody<Twist>& impulses) const;
-  /// By how much loads change the velocities after the step of the bodies in `wanted`; those of
+  /// How loads, whose impulses add up, are passed on in the step.
+  void pass(std::span<const Load> loads, PassedImpulse& passed) const;
+  /// By how much `first` changes the velocity along `second` after the step, and the other way
+  /// round: first^T M^-1 second.
+  static double effect(const PassedImpulse& first, const PassedImpulse& second);
+  /// Gives the figure `size` times an impulse in the step.
+  void add(const PassedImpulse& passed, double size);
+  /// The velocities after the step of the bodies in `wanted`, with all that was added; those of
   /// others are not set. `wanted` must contain the parents of all that it contains.
-  void response(std::span<const Load> loads, BodySet wanted, motion::PerBody<Twist>& change) const;
+  void velocities(BodySet wanted, motion::PerBody<Twist>& after) const;
+
   /// A body and all that carry it.
   BodySet chain_to(motion::Body body) const { return links_[body].chain; }
 
@@ -60,28 +74,27 @@ class JointTree {
     Body parent{};
     BodySet chain = 0;
     Eigen::Vector3d joint_local = Eigen::Vector3d::Zero();
-    Eigen::Vector3d to_joint;         // from the body's centre of mass, world
-    Eigen::Vector3d parent_to_joint;  // from the parent's
-    // The inertia of the body and all beyond it, moved at the joint: [A B; B^T C].
-    Eigen::Matrix3d mass, coupling, inertia;
-    Eigen::Matrix3d give;           // E
-    Eigen::Matrix3d coupling_give;  // B E
-    Eigen::Matrix3d inertia_give;   // C E
-    Eigen::Vector3d driven;         // e
-    Twist forced;                   // c_0: what the rigid rows ask of the child against its parent
-    Twist forced_impulse;           // N c_0 + U e
+    Eigen::Vector3d to_joint;          // from the body's centre of mass, world
+    Eigen::Vector3d parent_to_joint;   // from the parent's
+    Eigen::Vector3d joint_to_joint;    // from the parent's joint
+    Eigen::Matrix3d give;             // E
+    Eigen::Matrix3d coupling_give;    // B E
+    Eigen::Matrix3d turning_give;     // C E
+    Twist forced;             // c_0: what the rigid rows ask of the child against its parent
+    Eigen::Vector3d turning;  // E b_w + e
   };
-  static void set_give(const JointRows& rows, double step_s, Link& link);
   void factor(const JointRows& rows, const motion::PerBody<BodyState>& now, Body body,
               double step_s);
-  void add_to_parent(Link& link);
-  static Twist carried(const Link& link, const Twist& at_joint);
+  void factor_root(const PelvisRows& rows, double step_s);
 
   const FigurePlan& plan_;
   motion::PerBody<Link> links_;
-  motion::PerBody<Eigen::Matrix3d> mass_, coupling_, inertia_;  // at the centres of mass
-  motion::PerBody<Twist> momentum_;                             // before contacts and joints
-  Eigen::Matrix<double, 6, 6> root_;  // inverse of the whole figure's inertia at the pelvis
+  // Of the bodies and, as far as they are factored, of all beyond them; at their joints, or the
+  // pelvis' centre of mass.
+  motion::PerBody<Inertia> inertia_;
+  motion::PerBody<Twist> momentum_;
+  Eigen::Matrix<double, 6, 6> root_;         // inverse of the whole figure's inertia at the pelvis
+  Eigen::Vector<double, 6> root_velocity_;  // of the pelvis, with all that was added
 };
 
 }  // namespace flinch::sim

@@ -43,24 +43,34 @@ class Filling {
   std::size_t count_ = 0;
 };
 
-features::Clearance nearest(const Filling& spheres, const MovingShape& shape) {
-  features::Clearance best;
-  best.gap = std::numeric_limits<double>::infinity();
-  for (const Sphere& sphere : spheres) {
-    const features::Clearance near = clearance(sphere.centre, sphere.radius, shape);
-    if (near.gap < best.gap) best = near;
+/// The sphere that is nearest to a part.
+struct Nearest {
+  Nearest(const Filling& spheres, const MovingShape& shape) : sphere(spheres.begin()) {
+    for (const Sphere& candidate : spheres) {
+      const double candidate_gap = features::gap(candidate.centre, candidate.radius, shape);
+      if (candidate_gap >= gap) continue;
+      gap = candidate_gap;
+      sphere = &candidate;
+    }
   }
-  return best;
-}
+
+  const Sphere* sphere;
+  double gap = std::numeric_limits<double>::infinity();
+};
 
 }  // namespace
 
 features::Clearance clearance(const MovingShape& first, const MovingShape& second) {
-  const features::Clearance on_second = nearest(Filling(first), second);
-  features::Clearance on_first = nearest(Filling(second), first);
-  if (on_second.gap <= on_first.gap) return on_second;
-  on_first.normal = -on_first.normal;
-  return on_first;
+  const Filling in_first(first);
+  const Filling in_second(second);
+  const Nearest on_second(in_first, second);
+  const Nearest on_first(in_second, first);
+  if (on_second.gap <= on_first.gap) {
+    return clearance(on_second.sphere->centre, on_second.sphere->radius, second);
+  }
+  features::Clearance near = clearance(on_first.sphere->centre, on_first.sphere->radius, first);
+  near.normal = -near.normal;
+  return near;
 }
 
 }  // namespace flinch::sim

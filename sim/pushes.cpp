@@ -2,6 +2,7 @@
 #include "sim/pushes.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace flinch::sim {
 namespace {
@@ -27,22 +28,27 @@ double closing_speed(const MovingShape& first, const MovingShape& second,
 //   V + W g,  V = |v_1 - v_2| + |w_1| r_1 + |w_2| r_2,  W = |w_1| + |w_2|:
 //
 // where g <= d + (V + W g) h, g <= (d + V h) / (1 - W h).
-/// Whether two are within `distance_m` and what they may close by in the horizon, by the spheres
-/// about them and by the sphere about either against the other itself.
-bool may_meet(const MovingShape& first, const MovingShape& second, double distance_m,
-              double horizon_s) {
-  const double first_m = first.bounding_radius();
-  const double second_m = second.bounding_radius();
+double most_gap(const MovingShape& first, double first_m, const MovingShape& second,
+                double second_m, double distance_m, double horizon_s) {
+  if (horizon_s <= 0) return distance_m;
   const double first_turn = first.angular_velocity.norm();
   const double second_turn = second.angular_velocity.norm();
   const double speed =
       (first.velocity - second.velocity).norm() + first_turn * first_m + second_turn * second_m;
   const double share = 1 - (first_turn + second_turn) * horizon_s;
-  if (share <= 0) return true;
-  const double most = (distance_m + speed * horizon_s) / share;
-  return (first.centre - second.centre).norm() - first_m - second_m <= most &&
-         clearance(first.centre, first_m, second).gap <= most &&
-         clearance(second.centre, second_m, first).gap <= most;
+  return share > 0 ? (distance_m + speed * horizon_s) / share
+                   : std::numeric_limits<double>::infinity();
+}
+
+/// Whether two are within `distance_m` and what they may close by in the horizon, by the spheres
+/// about them and by the sphere about either against the other itself.
+bool may_meet(const MovingShape& first, double first_m, const MovingShape& second, double second_m,
+              double distance_m, double horizon_s) {
+  const double most = most_gap(first, first_m, second, second_m, distance_m, horizon_s);
+  const double apart = first_m + second_m + most;
+  return (first.centre - second.centre).squaredNorm() <= apart * apart &&
+         features::gap(first.centre, first_m, second) <= most &&
+         features::gap(second.centre, second_m, first) <= most;
 }
 
 /// How fast the reference moves the material of `shape` that is at `point`, m/s.
@@ -77,22 +83,29 @@ void Pushes::hit(Body body) {
   hit_now_[body] = true;
 }
 
-bool Pushes::are_possible() const {
-  return std::any_of(motion::kBodies.begin(), motion::kBodies.end(),
-                     [this](Body body) { return driven(body); });
+BodySet Pushes::driven() const {
+  BodySet bodies = 0;
+  for (Body body : motion::kBodies) {
+    if (driven(body)) bodies |= set_of(body);
+  }
+  return bodies;
 }
 
 /// Once each, in a fixed order, but for those too far apart to touch within the horizon.
 template <class Visit>
 void Pushes::for_each_pair(const motion::PerBody<MovingShape>& shapes, double distance_m,
                            double horizon_s, Visit visit) const {
-  if (!are_possible()) return;
+  const BodySet all_driven = driven();
+  if (all_driven == 0) return;
   for (Body first : motion::kBodies) {
-    for (Body second : motion::kBodies) {
-      if (second <= first || !plan_.may_touch[first][second]) continue;
-      if (!driven(first) && !driven(second)) continue;
-      if (may_meet(shapes[first], shapes[second], distance_m, horizon_s)) visit(first, second);
-    }
+    BodySet others = plan_.may_touch[first] & after(first);
+    if (!driven(first)) others &= all_driven;
+    for_each_body(others, [&](Body second) {
+      if (may_meet(shapes[first], plan_.outline_radius[first], shapes[second],
+                   plan_.outline_radius[second], distance_m, horizon_s)) {
+        visit(first, second);
+      }
+    });
   }
 }
 

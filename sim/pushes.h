@@ -40,7 +40,7 @@ class Pushes {
   /// The ball hits `body` in this step.
   void hit(motion::Body body);
   /// Whether any body is driven.
-  bool are_possible() const;
+  bool are_possible() const { return driven() != 0; }
   /// The pushes of this step; valid until the next call. `reference` is where the motion has the
   /// figure now.
   std::span<const Push> find(const motion::PerBody<MovingShape>& shapes,
@@ -55,6 +55,7 @@ class Pushes {
 
  private:
   bool driven(motion::Body body) const { return driven_until_s_[body] > time_s_; }
+  BodySet driven() const;
   template <class Visit>
   void for_each_pair(const motion::PerBody<MovingShape>& shapes, double distance_m,
                      double horizon_s, Visit visit) const;

@@ -2,6 +2,7 @@
 #include "sim/reference.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "motion/rotation.h"
@@ -44,21 +45,23 @@ ReferenceState state_at_rest(const motion::Skeleton& skeleton, const motion::Bod
 Reference::Reference(const motion::Skeleton& skeleton, const motion::BodyModel& model,
                      const motion::Motion& motion)
     : skeleton_(skeleton), model_(model), motion_(motion) {
-  std::vector<motion::PerBody<BodyState>> states;
-  states.reserve(motion.poses.size());
-  for (const motion::Pose& pose : motion.poses) {
-    states.push_back(places(model, forward_kinematics(skeleton, pose)));
-  }
-  velocities_.resize(states.size());
-  const std::size_t last = states.size() - 1;
-  for (std::size_t k = 0; k <= last && last > 0; ++k) {
+  const std::size_t last = motion.poses.size() - 1;
+  velocities_.resize(motion.poses.size());
+  if (last == 0) return;
+  std::array<motion::PerBody<BodyState>, 3> states;  // of pose k in k modulo 3
+  const auto place = [&](std::size_t k) {
+    states[k % 3] = places(model, forward_kinematics(skeleton, motion.poses[k]));
+  };
+  place(0);
+  for (std::size_t k = 0; k <= last; ++k) {
+    if (k < last) place(k + 1);
     const std::size_t before = k > 0 ? k - 1 : k;
     const std::size_t after = std::min(k + 1, last);
     const double rate_hz =
         static_cast<double>(motion.rate_hz) / static_cast<double>(after - before);
     for (Body body : motion::kBodies) {
-      const BodyState& from = states[before][body];
-      const BodyState& to = states[after][body];
+      const BodyState& from = states[before % 3][body];
+      const BodyState& to = states[after % 3][body];
       velocities_[k].linear[body] = rate_hz * (to.position - from.position);
       velocities_[k].angular[body] =
           rate_hz * motion::rotation_vector(to.orientation * from.orientation.conjugate());

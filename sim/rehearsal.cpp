@@ -2,6 +2,7 @@
 #include "sim/rehearsal.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "sim/encounter.h"
 #include "sim/rehearsal_track.h"
@@ -16,8 +17,7 @@ Rehearsal::Track::Sphere reach_of(const FigurePlan& plan, const motion::PerBody<
   for (const BodyState& body : figure) sphere.centre += body.position / motion::kBodyCount;
   for (motion::Body body : motion::kBodies) {
     const BodyState& state = figure[body];
-    const MovingShape& outline = plan.outline[body];
-    const double radius = outline.centre.norm() + outline.bounding_radius();
+    const double radius = plan.radius[body];
     const double speed = state.velocity.norm() + state.angular_velocity.norm() * radius;
     sphere.radius =
         std::max(sphere.radius, (state.position - sphere.centre).norm() + radius + speed * step_s);
@@ -34,6 +34,10 @@ Rehearsal::Track::Track(const FigurePlan& plan, const SimulationOptions& options
       reference(plan.skeleton, plan.model, motion),
       from_s(kept_from_s),
       duration_s(performed_s) {
+  const auto steps = static_cast<std::size_t>(std::ceil(duration_s / options.free_step_s)) + 1;
+  begins_s.reserve(steps);
+  reach.reserve(steps);
+  figures.reserve(steps);
   ReferenceState now = reference.at(0);
   EncounterIn<TreeScene> encounter(plan, options, 0, plan, now.body, nullptr, options.gravity_mps2);
   while (encounter.time_s() < duration_s) {
@@ -49,9 +53,7 @@ Rehearsal::Track::Track(const FigurePlan& plan, const SimulationOptions& options
     encounter.end_step(now, target, step_s);
     now = target;
   }
-  begins_s.shrink_to_fit();
-  reach.shrink_to_fit();
-  figures.shrink_to_fit();
+  if (first_kept > 0) figures.shrink_to_fit();
 }
 
 std::size_t Rehearsal::Track::byte_count() const {

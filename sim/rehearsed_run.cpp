@@ -2,6 +2,7 @@
 #include "sim/rehearsed_run.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "motion/error.h"
@@ -29,22 +30,32 @@ bool may_reach(const Rehearsal::Track::Sphere& reach, const features::FreeFlight
   return (ball.position - reach.centre).squaredNorm() <= least * least;
 }
 
-motion::PerBody<MovingShape> shapes_of(const FigurePlan& plan,
-                                       const motion::PerBody<BodyState>& figure) {
-  motion::PerBody<MovingShape> shapes;
-  for (Body body : motion::kBodies) shapes[body] = placed_shape(plan.outline[body], figure[body]);
-  return shapes;
+/// Whether a ball may come within `distance_m` of a part within `time_s` on either side of now: by
+/// the sphere about the part's centre of mass, of `radius`. The part may accelerate by
+/// `slack_mps2`.
+bool may_be_met(double radius, const BodyState& part, const features::FreeFlight& ball,
+                double time_s, double distance_m, double slack_mps2) {
+  const double speed = (ball.velocity - part.velocity).norm() +
+                       part.angular_velocity.norm() * radius +
+                       (ball.gravity_mps2 + 1.5 * slack_mps2) * time_s;
+  const double most = radius + ball.radius + distance_m + speed * time_s;
+  return (ball.position - part.position).squaredNorm() <= most * most;
 }
 
-/// Whether a ball may come near a part within `time_s` on either side of now: by the sphere about
-/// the part's centre of mass.
-bool may_be_met(const MovingShape& outline, const BodyState& part, const features::FreeFlight& ball,
-                double time_s) {
-  const double radius = outline.centre.norm() + outline.bounding_radius();
-  const double speed = (ball.velocity - part.velocity).norm() +
-                       part.angular_velocity.norm() * radius + ball.gravity_mps2 * time_s;
-  const double most = radius + ball.radius + kClear_m + speed * time_s;
-  return (ball.position - part.position).squaredNorm() <= most * most;
+/// What step_ahead says among the whole figure: those parts that the sweep would rule out by the
+/// spheres about them are not even placed.
+StepAhead step_ahead_among(const FigurePlan& plan, const SimulationOptions& options,
+                           const motion::PerBody<BodyState>& figure,
+                           const features::FreeFlight& ball) {
+  std::array<MovingShape, motion::kBodyCount> shapes;
+  std::size_t count = 0;
+  for (Body body : motion::kBodies) {
+    if (may_be_met(plan.radius[body], figure[body], ball, options.free_step_s, kNear_m,
+                   kMostAcceleration_mps2)) {
+      shapes[count++] = placed_shape(plan.outline[body], figure[body]);
+    }
+  }
+  return step_ahead(ball, std::span(shapes).first(count), options);
 }
 
 /// A ball as it goes on from a time, bouncing off the ground without spin.
@@ -94,7 +105,7 @@ bool stays_clear(const FigurePlan& plan, const SimulationOptions& options,
     if (!may_reach(track.reach[step], then, horizon_s)) continue;
     for (Body body : motion::kBodies) {
       const BodyState& state = track.figure_at(step)[body];
-      if (!may_be_met(plan.outline[body], state, then, options.free_step_s)) continue;
+      if (!may_be_met(plan.radius[body], state, then, options.free_step_s, kClear_m, 0)) continue;
       const MovingShape there =
           placed_shape(plan.outline[body], state).at(from_s - track.begins_s[step]);
       if (time_of_touch(then, there, horizon_s, kClear_m, 0)) return false;
@@ -116,8 +127,7 @@ std::optional<std::size_t> first_meeting(const FigurePlan& plan, const Simulatio
       throw Error("simulation", "a ball reaches the figure before the rehearsal begins, at " +
                                     std::to_string(track.from_s) + " s");
     }
-    const auto shapes = shapes_of(plan, track.figure_at(step));
-    const StepAhead ahead = step_ahead(flight, {&*shapes.begin(), motion::kBodyCount}, options);
+    const StepAhead ahead = step_ahead_among(plan, options, track.figure_at(step), flight);
     if (bounces || ahead.step_s < options.free_step_s) return step;
   }
   return std::nullopt;

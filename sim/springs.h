@@ -25,8 +25,16 @@ struct AxisRow {
   double softness = 0;  ///< m/s/N or rad/s/(N·m); 0 is rigid
 };
 
+// A spring k to an error e and a damper c to a velocity w_d, both taken at the end of a step h:
+//
+//   f = k (e - h w) + c (w_d - w)   <=>   w + f / (h k + c) = (k e + c w_d) / (h k + c)
+//
+// which is ODE's motor row with CFM = 1 / (h k + c) and that velocity. It is stable for every h.
 /// A spring and damper over the next step: `pull` is the spring's force now, N or N·m.
-AxisRow spring_row(const Gains& gains, double pull, double wanted_velocity, double step_s);
+inline AxisRow spring_row(const Gains& gains, double pull, double wanted_velocity, double step_s) {
+  const double stiffness = step_s * gains.stiffness + gains.damping;
+  return {(pull + gains.damping * wanted_velocity) / stiffness, 1 / stiffness};
+}
 
 /// An axis without freedom: it takes `error` back with no give.
 AxisRow rigid_row(double error, double wanted_velocity, double step_s);

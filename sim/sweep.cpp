@@ -5,6 +5,7 @@ namespace flinch::sim {
 
 MovingShape MovingShape::at(double time_s) const {
   MovingShape later = *this;
+  if (time_s == 0) return later;
   later.centre += time_s * velocity;
   const double speed = angular_velocity.norm();
   if (speed > 0) {
@@ -33,7 +34,7 @@ std::optional<double> time_of_touch(const features::FreeFlight& ball, const Movi
   if (!may_be_near(ball, shape, most_m)) return std::nullopt;
   double time_s = 0;
   while (time_s <= horizon_s) {
-    const double gap = clearance(ball.position_at(time_s), ball.radius, shape.at(time_s)).gap -
+    const double gap = features::gap(ball.position_at(time_s), ball.radius, shape.at(time_s)) -
                        0.5 * slack_mps2 * time_s * time_s;
     if (gap <= touch_m) return time_s;
     if (rate <= 0) return std::nullopt;

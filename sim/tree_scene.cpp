@@ -103,17 +103,16 @@ void TreeScene::fall(double time_s) {
 void TreeScene::step(const ReferenceState& target, double step_s) {
   fall(step_s / 2);
   tree_.set_step(bodies_, figure_rows(plan_, bodies_, target, step_s), step_s, gravity_mps2_);
-  motion::PerBody<Twist> impulses;
   Twist on_ball;
-  motion::PerBody<Twist> after = tree_.velocities(impulses);
   if (!contacts_.empty()) {
     make_rows();
-    make_equations(step_s, after);
+    pass_rows();
+    make_equations(step_s);
     if (!solve_rows()) ++solver_messages_;
-    apply(impulses, on_ball);
-    after = tree_.velocities(impulses);
+    apply(on_ball);
   }
-  for (Body body : motion::kBodies) move(bodies_[body], after[body], step_s);
+  tree_.velocities(kAllBodies, after_);
+  for (Body body : motion::kBodies) move(bodies_[body], after_[body], step_s);
   if (ball_) {
     BodyState& ball = ball_->body;
     move(ball,
@@ -162,84 +161,81 @@ void TreeScene::make_rows() {
   }
 }
 
-Twist TreeScene::motion_of(const Party& party, const motion::PerBody<Twist>& bodies,
-                           const Twist& ball) const {
-  switch (party.kind) {
-    case Party::Kind::body:
-      return bodies[party.body];
-    case Party::Kind::ball:
-      return ball;
-    case Party::Kind::ground:
-      break;
-  }
-  return {};
+Twist TreeScene::motion_of(const Party& party) const {
+  if (party.kind == Party::Kind::ground) return {};
+  const BodyState& state = state_of(party);
+  return {state.velocity, state.angular_velocity};
+}
+
+Twist TreeScene::free_motion_of(const Party& party) const {
+  return party.kind == Party::Kind::body ? after_[party.body] : motion_of(party);
 }
 
 /// How fast a row's two part.
-double TreeScene::rate(const Row& row, const motion::PerBody<Twist>& bodies,
-                       const Twist& ball) const {
-  const Contact& contact = contacts_[row.contact];
-  const Twist first = motion_of(contact.first, bodies, ball);
-  const Twist second = motion_of(contact.second, bodies, ball);
+double TreeScene::rate(const Row& row, const Twist& first, const Twist& second) const {
   return row.direction.dot(first.linear - second.linear) + row.first_moment.dot(first.angular) +
          row.second_moment.dot(second.angular);
 }
 
-// With v the rows' velocities without contacts, and A the change of each by a unit impulse of
-// another, A p + softness/h p - (v_wanted - v) complements p.
-void TreeScene::make_equations(double step_s, const motion::PerBody<Twist>& free) {
-  const auto count = static_cast<Eigen::Index>(rows_.size());
-  matrix_.resize(count, count);
-  right_.resize(count);
-  motion::PerBody<Twist> before;
+/// Passes each row's unit impulse on, and finds how those that the rows act on move without it.
+void TreeScene::pass_rows() {
+  if (passed_.size() < rows_.size()) passed_.resize(rows_.size());
   BodySet wanted = 0;
-  for (const Contact& contact : contacts_) {
-    for (const Party& party : {contact.first, contact.second}) {
-      if (party.kind == Party::Kind::body) wanted |= tree_.chain_to(party.body);
-    }
-  }
-  for (Body body : motion::kBodies) {
-    before[body] = {bodies_[body].velocity, bodies_[body].angular_velocity};
-  }
-  Twist ball;
-  if (ball_) ball = {ball_->body.velocity, ball_->body.angular_velocity};
-
-  motion::PerBody<Twist> change;
-  for (Eigen::Index j = 0; j < count; ++j) {
-    const Row& row = rows_[static_cast<std::size_t>(j)];
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    const Row& row = rows_[i];
     const Contact& contact = contacts_[row.contact];
     std::array<Load, 2> loads;
     std::size_t loaded = 0;
-    Twist ball_change;
     if (contact.first.kind == Party::Kind::body) {
       loads[loaded++] = {contact.first.body, {row.direction, row.first_moment}};
-    } else {
-      ball_change = {row.direction / ball_->mass_kg, row.first_moment / ball_->inertia};
     }
     if (contact.second.kind == Party::Kind::body) {
       loads[loaded++] = {contact.second.body, {-row.direction, row.second_moment}};
     }
-    if (loaded > 0) {
-      tree_.response(std::span(loads).first(loaded), wanted, change);
-    } else {
-      change = {};
-    }
-    for (Eigen::Index i = 0; i < count; ++i) {
-      matrix_(i, j) = rate(rows_[static_cast<std::size_t>(i)], change, ball_change);
-    }
-    const Touch& touch = contact.touch;
-    double velocity = 0;
-    double softness = Touch{}.softness;
-    if (row.normal < 0) {
-      velocity = touch.error_reduction * touch.depth_m / step_s - touch.free_closing_mps;
-      softness = touch.softness;
-      const double closing = -rate(row, before, ball);
-      if (touch.bounce > 0 && closing > kRestSpeed_mps) {
-        velocity = std::max(velocity, touch.bounce * closing);
+    tree_.pass(std::span(loads).first(loaded), passed_[i]);
+    wanted |= passed_[i].chain;
+  }
+  tree_.velocities(wanted, after_);
+}
+
+/// The velocity that a contact's law asks of a row at the least.
+double TreeScene::wanted_rate(const Row& row, double step_s) const {
+  if (row.normal >= 0) return 0;
+  const auto& [touch, first, second, measured, impulse_ns] = contacts_[row.contact];
+  const double wanted = touch.error_reduction * touch.depth_m / step_s - touch.free_closing_mps;
+  if (touch.bounce <= 0) return wanted;
+  const double closing = -rate(row, motion_of(first), motion_of(second));
+  return closing > kRestSpeed_mps ? std::max(wanted, touch.bounce * closing) : wanted;
+}
+
+// With v the rows' velocities without contacts, and A the change of each by a unit impulse of
+// another, A p + softness/h p - (v_wanted - v) complements p.
+void TreeScene::make_equations(double step_s) {
+  const auto count = static_cast<Eigen::Index>(rows_.size());
+  matrix_.resize(count, count);
+  right_.resize(count);
+  const auto hits = [this](const Row& row) {
+    return contacts_[row.contact].first.kind == Party::Kind::ball;
+  };
+  for (Eigen::Index j = 0; j < count; ++j) {
+    const auto at = static_cast<std::size_t>(j);
+    const Row& row = rows_[at];
+    for (Eigen::Index i = 0; i <= j; ++i) {
+      const auto other_at = static_cast<std::size_t>(i);
+      const Row& other = rows_[other_at];
+      double change = JointTree::effect(passed_[at], passed_[other_at]);
+      if (hits(row) && hits(other)) {
+        change += row.direction.dot(other.direction) / ball_->mass_kg +
+                  row.first_moment.dot(other.first_moment) / ball_->inertia;
       }
+      matrix_(i, j) = change;
+      matrix_(j, i) = change;
     }
+    const Contact& contact = contacts_[row.contact];
+    const double softness = row.normal < 0 ? contact.touch.softness : Touch{}.softness;
     matrix_(j, j) += softness / step_s;
-    right_[j] = velocity - rate(row, free, ball);
+    right_[j] = wanted_rate(row, step_s) -
+                rate(row, free_motion_of(contact.first), free_motion_of(contact.second));
   }
 }
 
@@ -266,20 +262,17 @@ bool TreeScene::solve_rows() {
   return solved;
 }
 
-void TreeScene::apply(motion::PerBody<Twist>& impulses, Twist& on_ball) {
-  motion::PerBody<Twist>& bodies = impulses;
+void TreeScene::apply(Twist& on_ball) {
   for (Contact& contact : contacts_) contact.impulse_ns = 0;
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     const Row& row = rows_[i];
     const double size = x_[static_cast<Eigen::Index>(i)];
     Contact& contact = contacts_[row.contact];
     contact.impulse_ns = std::hypot(contact.impulse_ns, size);
-    Twist& first = contact.first.kind == Party::Kind::ball ? on_ball : bodies[contact.first.body];
-    first.linear += size * row.direction;
-    first.angular += size * row.first_moment;
-    if (contact.second.kind != Party::Kind::body) continue;
-    bodies[contact.second.body].linear -= size * row.direction;
-    bodies[contact.second.body].angular += size * row.second_moment;
+    tree_.add(passed_[i], size);
+    if (contact.first.kind != Party::Kind::ball) continue;
+    on_ball.linear += size * row.direction;
+    on_ball.angular += size * row.first_moment;
   }
 }
 

@@ -74,13 +74,16 @@ class TreeScene {
 
   void fall(double time_s);
   const BodyState& state_of(const Party& party) const;
-  Twist motion_of(const Party& party, const motion::PerBody<Twist>& bodies,
-                  const Twist& ball) const;
-  double rate(const Row& row, const motion::PerBody<Twist>& bodies, const Twist& ball) const;
+  /// The velocities of a party now, and after the step without contacts.
+  Twist motion_of(const Party& party) const;
+  Twist free_motion_of(const Party& party) const;
+  double rate(const Row& row, const Twist& first, const Twist& second) const;
   void make_rows();
-  void make_equations(double step_s, const motion::PerBody<Twist>& free);
+  void pass_rows();
+  void make_equations(double step_s);
+  double wanted_rate(const Row& row, double step_s) const;
   bool solve_rows();
-  void apply(motion::PerBody<Twist>& impulses, Twist& on_ball);
+  void apply(Twist& on_ball);
   void move(BodyState& state, const Twist& after, double step_s) const;
 
   const FigurePlan& plan_;
@@ -93,8 +96,9 @@ class TreeScene {
   int solver_messages_ = 0;
 
   // Of a step, kept for their memory.
+  motion::PerBody<Twist> after_;
   std::vector<Row> rows_;
-  std::vector<Eigen::Index> normals_;
+  std::vector<PassedImpulse> passed_;  // of each row; may be longer
   Eigen::MatrixXd matrix_;
   Eigen::VectorXd right_, low_, high_, x_;
   BoxLcp lcp_;

@@ -26,6 +26,7 @@ TEST(Clearance, GapIsTheRadiusAtWhichTheBallFirstReachesTheShape) {
     const Outline outline = random.outline();
     const Eigen::Vector3d centre = random.vector(0.8);
     const Clearance near = clearance(centre, 0, outline);
+    EXPECT_EQ(gap(centre, 0, outline), near.gap);
     if (near.gap <= 0) {
       EXPECT_TRUE(contains(outline, centre));
       continue;

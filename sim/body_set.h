@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <bit>
+#include <cstdint>
+
+#include "motion/body.h"
+
+namespace flinch::sim {
+
+/// A set of bodies, one bit each.
+using BodySet = std::uint32_t;
+
+inline constexpr BodySet kAllBodies = (BodySet{1} << motion::kBodyCount) - 1;
+
+constexpr BodySet set_of(motion::Body body) {
+  return BodySet{1} << static_cast<unsigned>(body);
+}
+
+/// The bodies that come after `body`.
+constexpr BodySet after(motion::Body body) {
+  return kAllBodies & ~(2 * set_of(body) - 1);
+}
+
+/// By rising number, parents first.
+template <class Visit>
+void for_each_body(BodySet bodies, Visit visit) {
+  for (; bodies != 0; bodies &= bodies - 1) {
+    visit(motion::kBodies[static_cast<std::size_t>(std::countr_zero(bodies))]);
+  }
+}
+
+}  // namespace flinch::sim
