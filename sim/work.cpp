@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <numbers>
 
 namespace flinch::sim {
@@ -32,23 +31,19 @@ LowPass butterworth(double cutoff_hz, double rate_hz) {
   return {b, 2 * b, b, 2 * (k * k - 1) / n, (1 - std::numbers::sqrt2 * k + k * k) / n};
 }
 
-/// One pass in place, from the state of having rested at the first value for ever.
-template <class Iterator>
-void filter(const LowPass& pass, Iterator begin, Iterator end) {
-  using Positions = typename std::iterator_traits<Iterator>::value_type;
-  Positions x1 = *begin;
-  Positions x2 = x1;
-  Positions y1 = x1;
-  Positions y2 = x1;
-  for (Iterator value = begin; value != end; ++value) {
-    const Positions x = *value;
-    const Positions y =
-        pass.b0 * x + pass.b1 * x1 + pass.b2 * x2 - pass.a1 * y1 - pass.a2 * y2;
+/// One pass, from the state of having rested at the first value for ever.
+template <class In, class Out>
+void filter(const LowPass& pass, In begin, In end, Out out) {
+  const auto* x1 = &*begin;
+  const auto* x2 = x1;
+  const auto* y1 = x1;
+  const auto* y2 = x1;
+  for (In x = begin; x != end; ++x, ++out) {
+    *out = pass.b0 * *x + pass.b1 * *x1 + pass.b2 * *x2 - pass.a1 * *y1 - pass.a2 * *y2;
     x2 = x1;
-    x1 = x;
+    x1 = &*x;
     y2 = y1;
-    y1 = y;
-    *value = y;
+    y1 = &*out;
   }
 }
 
@@ -75,8 +70,9 @@ Path<Positions> smoothed(const Path<Positions>& path, double rate_hz) {
   // Half a second is six periods of the cut-off: transients are gone.
   const auto reach = std::min<std::ptrdiff_t>(std::lround(rate_hz / 2), std::ssize(path) - 1);
   Path<Positions> smooth = extended(path, reach);
-  filter(pass, smooth.begin(), smooth.end());
-  filter(pass, smooth.rbegin(), smooth.rend());
+  Path<Positions> forwards(smooth.size());
+  filter(pass, smooth.begin(), smooth.end(), forwards.begin());
+  filter(pass, forwards.rbegin(), forwards.rend(), smooth.rbegin());
   return {smooth.begin() + reach, smooth.end() - reach};
 }
 
