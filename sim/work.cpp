@@ -73,7 +73,9 @@ Path<Positions> smoothed(const Path<Positions>& path, double rate_hz) {
   Path<Positions> forwards(smooth.size());
   filter(pass, smooth.begin(), smooth.end(), forwards.begin());
   filter(pass, forwards.rbegin(), forwards.rend(), smooth.rbegin());
-  return {smooth.begin() + reach, smooth.end() - reach};
+  smooth.erase(smooth.end() - reach, smooth.end());
+  smooth.erase(smooth.begin(), smooth.begin() + reach);
+  return smooth;
 }
 
 /// W = sum |m a_k . ds_k| with ds_k = (x_(k+1) - x_(k-1)) / 2: the trapezoidal share of pose k.
