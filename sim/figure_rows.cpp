@@ -92,8 +92,7 @@ JointRows joint_rows(const FigurePlan& plan, Body body, const Eigen::Quaterniond
   const Eigen::Quaterniond now = parent_now.conjugate() * now_world;
   const JointAxes axes = axes_of(plan.kinds[body], plan.limits[body], reference);
   Eigen::Vector3d error = motion::rotation_vector(reference * now.conjugate());
-  Eigen::Vector3d velocity =
-      to_parent * (wanted.angular_velocity - wanted_parent.angular_velocity);
+  Eigen::Vector3d velocity = to_parent * (wanted.angular_velocity - wanted_parent.angular_velocity);
   Eigen::Vector3d back = beyond_limits(plan.limits[body], now, reference);
   JointRows rows;
   rows.socket = target.socket[body];

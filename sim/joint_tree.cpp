@@ -30,8 +30,8 @@ Matrix3d symmetric_product(const Matrix3d& first, const Matrix3d& second) {
   Matrix3d product;
   for (int j = 0; j < 3; ++j) {
     for (int i = 0; i <= j; ++i) {
-      product(i, j) = first(i, 0) * second(j, 0) + first(i, 1) * second(j, 1) +
-                      first(i, 2) * second(j, 2);
+      product(i, j) =
+          first(i, 0) * second(j, 0) + first(i, 1) * second(j, 1) + first(i, 2) * second(j, 2);
       product(j, i) = product(i, j);
     }
   }
@@ -114,9 +114,9 @@ Eigen::Matrix<double, 6, 6> inverse(const Inertia& inertia) {
 
 /// How a joint turns under the rows of its turning.
 struct Give {
-  Matrix3d share;              ///< E
-  Vector3d driven;             ///< e
-  Vector3d rigid;              ///< the turning part of c_0
+  Matrix3d share;             ///< E
+  Vector3d driven;            ///< e
+  Vector3d rigid;             ///< the turning part of c_0
   double same_about_all = 0;  ///< D where it is the same about any axis; else 0
 };
 
@@ -131,8 +131,7 @@ Give even_give(const JointRows& rows, double step_s, const Matrix3d& turning) {
 
 Give give_of(const JointRows& rows, double step_s, const Matrix3d& turning) {
   const auto& [first, second, third] = rows.turning;
-  if (first.softness > 0 && first.softness == second.softness &&
-      first.softness == third.softness) {
+  if (first.softness > 0 && first.softness == second.softness && first.softness == third.softness) {
     return even_give(rows, step_s, turning);
   }
   int free = 0;
@@ -214,8 +213,8 @@ JointTree::JointTree(const FigurePlan& plan) : plan_(plan) {
 //   N = [A - B E B^T, D B E; sym., D C E]
 //
 // and C E, which is then symmetric. An impulse f on the bodies changes b, t and the root's velocity
-// in proportion: passed on alone it leaves f_0 at the root and at each joint a moment m, so that the
-// whole inverse is the sum of a term for each joint and the root (effect, pass, add),
+// in proportion: passed on alone it leaves f_0 at the root and at each joint a moment m, so that
+// the whole inverse is the sum of a term for each joint and the root (effect, pass, add),
 //
 //   f^T M^-1 g = f_0^T M_0^-1 g_0 + sum m_f^T E m_g.
 void JointTree::set_step(const motion::PerBody<BodyState>& now, const FigureRows& rows,
@@ -269,9 +268,8 @@ void JointTree::factor(const JointRows& rows, const motion::PerBody<BodyState>& 
 
   const Twist& own = momentum_[body];
   const Twist& forced = link.forced;
-  const Twist free{
-      own.linear - mass * forced.linear - coupling * forced.angular,
-      own.angular - coupling.transpose() * forced.linear - turning * forced.angular};
+  const Twist free{own.linear - mass * forced.linear - coupling * forced.angular,
+                   own.angular - coupling.transpose() * forced.linear - turning * forced.angular};
   link.turning = link.give * free.angular + give.driven;
   const Twist handed{free.linear - coupling * link.turning, free.angular - turning * link.turning};
 

@@ -37,9 +37,9 @@ struct Inertia {
 
 /// An impulse as the joints pass it on to the pelvis.
 struct PassedImpulse {
-  BodySet chain = 0;                         ///< the bodies by whose joints it passes
-  motion::PerBody<Eigen::Vector3d> moment;   ///< at the joint of each; others are not set
-  motion::PerBody<Eigen::Vector3d> turning;  ///< E times that
+  BodySet chain = 0;                              ///< the bodies by whose joints it passes
+  motion::PerBody<Eigen::Vector3d> moment;        ///< at the joint of each; others are not set
+  motion::PerBody<Eigen::Vector3d> turning;       ///< E times that
   Eigen::Vector<double, 6> at_root, root_change;  ///< at the pelvis, and what it does there
 };
 
@@ -74,9 +74,9 @@ class JointTree {
     Body parent{};
     BodySet chain = 0;
     Eigen::Vector3d joint_local = Eigen::Vector3d::Zero();
-    Eigen::Vector3d to_joint;          // from the body's centre of mass, world
-    Eigen::Vector3d parent_to_joint;   // from the parent's
-    Eigen::Vector3d joint_to_joint;    // from the parent's joint
+    Eigen::Vector3d to_joint;         // from the body's centre of mass, world
+    Eigen::Vector3d parent_to_joint;  // from the parent's
+    Eigen::Vector3d joint_to_joint;   // from the parent's joint
     Eigen::Matrix3d give;             // E
     Eigen::Matrix3d coupling_give;    // B E
     Eigen::Matrix3d turning_give;     // C E
@@ -93,7 +93,7 @@ class JointTree {
   // pelvis' centre of mass.
   motion::PerBody<Inertia> inertia_;
   motion::PerBody<Twist> momentum_;
-  Eigen::Matrix<double, 6, 6> root_;         // inverse of the whole figure's inertia at the pelvis
+  Eigen::Matrix<double, 6, 6> root_;        // inverse of the whole figure's inertia at the pelvis
   Eigen::Vector<double, 6> root_velocity_;  // of the pelvis, with all that was added
 };
 

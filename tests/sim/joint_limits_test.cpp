@@ -94,6 +94,33 @@ TEST(JointLimits, GiveWayToTheReference) {
               5 * kDegree, 1e-9);
 }
 
+TEST(JointLimits, AskForNothingExactlyWithinThem) {
+  std::mt19937 generator(9);
+  std::uniform_real_distribution<double> share(-0.3, 1.3);
+  int within = 0;
+  int beyond = 0;
+  for (Body body : motion::kBodies) {
+    if (!parent_of(body)) continue;
+    const JointLimits limits = limits_of(body);
+    // The reference, at angles of 0, is allowed too.
+    const Eigen::Vector3d low = limits.low.cwiseMin(0);
+    const Eigen::Vector3d high = limits.high.cwiseMax(0);
+    for (int i = 0; i < 2000; ++i) {
+      const Eigen::Vector3d at(share(generator), share(generator), share(generator));
+      const Eigen::Vector3d wanted = low + at.cwiseProduct(high - low);
+      const Eigen::Quaterniond rotation = joint_rotation(limits, wanted);
+      const Eigen::Vector3d angles = joint_angles(limits, rotation);
+      if ((angles - wanted).norm() > 1e-6) continue;  // beyond half a turn
+      const bool is_within = (angles - low).minCoeff() >= 0 && (high - angles).minCoeff() >= 0;
+      (is_within ? within : beyond) += 1;
+      EXPECT_EQ(beyond_limits(limits, rotation, limits.reference).norm() == 0, is_within)
+          << name_of(body) << " " << angles.transpose();
+    }
+  }
+  EXPECT_GT(within, 1000);
+  EXPECT_GT(beyond, 1000);
+}
+
 // Angles jump at half a turn; the way back must not.
 TEST(JointLimits, NeverAskForMoreThanTheWayToTheReference) {
   std::mt19937 generator(8);
