@@ -25,8 +25,8 @@ enum class Method : std::uint8_t {
   pairwise_cost,  ///< a linear machine for each pair of clips, weighted by what its mistakes cost
 };
 
-/// The one of least regret on held-out scenarios, of the authored library and of motion capture
-/// alike, among those that choose in microseconds: docs/program.md has the figures.
+/// Of the two of least regret on held-out scenarios, one on an authored library and one on motion
+/// capture, the one that chooses sooner: docs/selectors.md has the figures.
 inline constexpr Method kDefaultMethod = Method::network;
 
 /// As options and `compare`'s rows have it.
