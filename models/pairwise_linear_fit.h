@@ -18,8 +18,8 @@ struct PairwiseParameters {
 };
 
 /// The parameters to choose from by cross-validation: C 1 and 3 with nearness 0.1, and C 1 with
-/// nearness 0.2. Of nine that were tried on an authored library and on motion capture, C from 0.1
-/// to 10, one of the first two was the best, and 10 far from it.
+/// nearness 0.2. Of C from 0.1 to 10 and nearness from 0.05 to 0.2, one of the first two was the
+/// best on an authored library and on motion capture.
 std::vector<PairwiseParameters> pairwise_grid();
 
 /// Fits a machine to each pair of clips by dual coordinate descent (models/weighted_svm.h). Every

@@ -59,19 +59,33 @@ Eigen::Quaternion<Scalar> rotation_by(const Eigen::Vector3<Scalar>& vector) {
   return Eigen::Quaternion<Scalar>(Eigen::AngleAxis<Scalar>(angle, vector / angle));
 }
 
-/// A rotation as a swing after a twist about a unit axis: the sum of the swing's rotation vector,
-/// which is across the axis, and the twist's, which is along it. Radians.
+/// A rotation as a swing across a unit axis after a twist about it.
 template <typename Scalar>
-Eigen::Vector3<Scalar> swing_and_twist(const Eigen::Quaternion<Scalar>& rotation,
-                                       const Eigen::Vector3<Scalar>& axis) {
+struct SwingAndTwist {
+  Eigen::Quaternion<Scalar> swing;
+  Eigen::Quaternion<Scalar> twist;
+};
+template <typename Scalar>
+SwingAndTwist<Scalar> split_at_twist(const Eigen::Quaternion<Scalar>& rotation,
+                                     const Eigen::Vector3<Scalar>& axis) {
   const Scalar along = rotation.vec().dot(axis);
   Eigen::Quaternion<Scalar> twist(rotation.w(), along * axis.x(), along * axis.y(),
                                   along * axis.z());
   const Scalar norm = twist.norm();
   // A swing by half a turn leaves no twist to speak of.
-  if (norm < 8 * std::numeric_limits<Scalar>::epsilon()) return rotation_vector(rotation);
+  if (norm < 8 * std::numeric_limits<Scalar>::epsilon()) {
+    return {rotation, Eigen::Quaternion<Scalar>::Identity()};
+  }
   twist.coeffs() /= norm;
-  const Eigen::Quaternion<Scalar> swing = rotation * twist.conjugate();
+  return {rotation * twist.conjugate(), twist};
+}
+
+/// The sum of the swing's rotation vector, which is across the axis, and the twist's, which is
+/// along it. Radians.
+template <typename Scalar>
+Eigen::Vector3<Scalar> swing_and_twist(const Eigen::Quaternion<Scalar>& rotation,
+                                       const Eigen::Vector3<Scalar>& axis) {
+  const auto [swing, twist] = split_at_twist(rotation, axis);
   return rotation_vector(swing) + rotation_vector(twist);
 }
 

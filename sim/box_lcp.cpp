@@ -43,6 +43,7 @@ bool BoxLcp::solve(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& right,
   x.resize(count);
   places_.clear();
   for (Eigen::Index i = 0; i < count; ++i) {
+    // Without a range there is nothing to find: it costs a pivot to get to where it has to be.
     places_.push_back(low[i] < high[i] ? Place::between : Place::low);
   }
   std::ptrdiff_t fewest = count + 1;

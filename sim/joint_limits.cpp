@@ -70,36 +70,30 @@ JointLimits mirrored(const JointLimits& left) {
 // and so above its tangent at 1 and below the chord:
 //
 //   (4 - c) / 3 <= f(c) <= pi/2 - (pi/2 - 1) c.
+
 /// Where each angle of a rotation may be, at some distance from a guess.
 struct AngleBounds {
   Eigen::Vector3d guess;
   Eigen::Vector3d error;
 
-  void add(const Eigen::Vector3d& vector, double w) {
-    const double cosine = std::min(std::abs(w), 1.0);
+  void add(const Eigen::Quaterniond& rotation) {
+    const double cosine = std::min(std::abs(rotation.w()), 1.0);
     const double least = (4 - cosine) / 3;
     const double most = std::numbers::pi / 2 - (std::numbers::pi / 2 - 1) * cosine;
-    guess += (w < 0 ? -1 : 1) * (least + most) * vector;
-    error += (most - least) * vector.cwiseAbs();
+    guess += (rotation.w() < 0 ? -1 : 1) * (least + most) * rotation.vec();
+    error += (most - least) * rotation.vec().cwiseAbs();
   }
 };
 
 /// Whether a rotation is within the limits for sure: most are, which this finds without the arcus
 /// tangents of joint_angles.
 bool is_well_within(const JointLimits& limits, const Eigen::Quaterniond& rotation) {
-  constexpr double kLeastTwist = 1e-6;  // below, swing and twist cannot be told apart
   constexpr double kMargin_rad = 1e-9;  // for rounding
-  const Eigen::Quaterniond turn = limits.reference.conjugate() * rotation;
-  const double along = turn.vec().dot(limits.bone);
-  const double norm = std::sqrt(turn.w() * turn.w() + along * along);
-  if (norm < kLeastTwist) return false;
-  const Eigen::Vector3d twist = along / norm * limits.bone;
-  const double twist_w = turn.w() / norm;
-  // turn * twist^-1, whose w is the norm.
-  const Eigen::Vector3d swing = twist_w * turn.vec() - turn.w() * twist - turn.vec().cross(twist);
-  AngleBounds angles{Eigen::Vector3d::Constant(0), Eigen::Vector3d::Constant(kMargin_rad)};
-  angles.add(swing, norm);
-  angles.add(twist, twist_w);
+  const auto [swing, twist] =
+      motion::split_at_twist<double>(limits.reference.conjugate() * rotation, limits.bone);
+  AngleBounds angles{Eigen::Vector3d::Zero(), Eigen::Vector3d::Constant(kMargin_rad)};
+  angles.add(swing);
+  angles.add(twist);
   return (angles.guess - angles.error - limits.low).minCoeff() >= 0 &&
          (limits.high - angles.guess - angles.error).minCoeff() >= 0;
 }

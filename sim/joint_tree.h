@@ -65,14 +65,11 @@ class JointTree {
   /// others are not set. `wanted` must contain the parents of all that it contains.
   void velocities(BodySet wanted, motion::PerBody<Twist>& after) const;
 
-  /// A body and all that carry it.
-  BodySet chain_to(motion::Body body) const { return links_[body].chain; }
-
  private:
   using Body = motion::Body;
   struct Link {
     Body parent{};
-    BodySet chain = 0;
+    BodySet chain = 0;  // the body and all that carry it
     Eigen::Vector3d joint_local = Eigen::Vector3d::Zero();
     Eigen::Vector3d to_joint;         // from the body's centre of mass, world
     Eigen::Vector3d parent_to_joint;  // from the parent's

@@ -30,6 +30,10 @@ bool may_reach(const Rehearsal::Track::Sphere& reach, const features::FreeFlight
   return (ball.position - reach.centre).squaredNorm() <= least * least;
 }
 
+// The gap falls by at most (|v_ball - v_part| + |w| radius + g T) T, and by a T^2 / 2 more where
+// the part accelerates; time_of_touch rules out by a rate with a T in full and half as much beside,
+// and so must this, or a step would be cut here that is not cut there.
+
 /// Whether a ball may come within `distance_m` of a part within `time_s` on either side of now: by
 /// the sphere about the part's centre of mass, of `radius`. The part may accelerate by
 /// `slack_mps2`.

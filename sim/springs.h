@@ -30,6 +30,7 @@ struct AxisRow {
 //   f = k (e - h w) + c (w_d - w)   <=>   w + f / (h k + c) = (k e + c w_d) / (h k + c)
 //
 // which is ODE's motor row with CFM = 1 / (h k + c) and that velocity. It is stable for every h.
+
 /// A spring and damper over the next step: `pull` is the spring's force now, N or N·m.
 inline AxisRow spring_row(const Gains& gains, double pull, double wanted_velocity, double step_s) {
   const double stiffness = step_s * gains.stiffness + gains.damping;

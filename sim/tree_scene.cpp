@@ -171,8 +171,8 @@ Twist TreeScene::free_motion_of(const Party& party) const {
   return party.kind == Party::Kind::body ? after_[party.body] : motion_of(party);
 }
 
-/// How fast a row's two part.
-double TreeScene::rate(const Row& row, const Twist& first, const Twist& second) const {
+/// How fast a row's two part who move like this.
+double TreeScene::rate(const Row& row, const Twist& first, const Twist& second) {
   return row.direction.dot(first.linear - second.linear) + row.first_moment.dot(first.angular) +
          row.second_moment.dot(second.angular);
 }
@@ -201,10 +201,11 @@ void TreeScene::pass_rows() {
 /// The velocity that a contact's law asks of a row at the least.
 double TreeScene::wanted_rate(const Row& row, double step_s) const {
   if (row.normal >= 0) return 0;
-  const auto& [touch, first, second, measured, impulse_ns] = contacts_[row.contact];
+  const Contact& contact = contacts_[row.contact];
+  const Touch& touch = contact.touch;
   const double wanted = touch.error_reduction * touch.depth_m / step_s - touch.free_closing_mps;
   if (touch.bounce <= 0) return wanted;
-  const double closing = -rate(row, motion_of(first), motion_of(second));
+  const double closing = -rate(row, motion_of(contact.first), motion_of(contact.second));
   return closing > kRestSpeed_mps ? std::max(wanted, touch.bounce * closing) : wanted;
 }
 

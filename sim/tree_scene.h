@@ -77,7 +77,7 @@ class TreeScene {
   /// The velocities of a party now, and after the step without contacts.
   Twist motion_of(const Party& party) const;
   Twist free_motion_of(const Party& party) const;
-  double rate(const Row& row, const Twist& first, const Twist& second) const;
+  static double rate(const Row& row, const Twist& first, const Twist& second);
   void make_rows();
   void pass_rows();
   void make_equations(double step_s);

@@ -169,54 +169,41 @@ TrainingSet masked_clouds(int count) {
   return set;
 }
 
-/// Whether each choice is that of a model that `fit` makes of the folds without the observation.
-template <typename Fit>
-void expect_choices_of_others(const TrainingSet& set, std::span<const int> fold, const Fit& fit,
-                              std::span<const int> choices) {
-  ASSERT_EQ(choices.size(), set.label.size());
-  for (int f = 0; f <= *std::max_element(fold.begin(), fold.end()); ++f) {
-    const auto model = fit(others_than(set, fold, f));
-    for (int i = 0; i < set.size(); ++i) {
-      if (fold[static_cast<std::size_t>(i)] != f) continue;
-      const int choice = choices[static_cast<std::size_t>(i)];
-      ASSERT_EQ(choice, candidates(model, set.point(i), set.allowed_clips(i), 0).front().clip);
-      ASSERT_TRUE(set.allowed_clips(i)[static_cast<std::size_t>(choice)]);
+/// Whether each held-out choice is that of a model that `fit` makes of the other folds, for all
+/// parameters of the grid.
+template <typename Parameters, typename Fit>
+void expect_choices_of_others(const TrainingSet& set, int fold_count,
+                              const std::vector<Parameters>& grid, const Fit& fit) {
+  const std::vector<int> fold = make_folds(set.label, fold_count, 2);
+  for (const Parameters& parameters : grid) {
+    const std::vector<int> choices = held_out_choices(set, parameters, fold);
+    for (int f = 0; f < fold_count; ++f) {
+      const auto model = fit(others_than(set, fold, f), parameters);
+      for (int i = 0; i < set.size(); ++i) {
+        if (fold[static_cast<std::size_t>(i)] != f) continue;
+        const int choice = choices[static_cast<std::size_t>(i)];
+        ASSERT_EQ(choice, candidates(model, set.point(i), set.allowed_clips(i), 0).front().clip);
+        ASSERT_TRUE(set.allowed_clips(i)[static_cast<std::size_t>(choice)]);
+      }
     }
   }
 }
 
 TEST(HeldOutChoices, AreThoseOfSvmsThatNeverSawTheObservation) {
-  const TrainingSet set = masked_clouds(240);
-  const std::vector<int> fold = make_folds(set.label, 4, 2);
-  for (const SvmParameters& parameters :
-       {SvmParameters{3, 0.2, 0, 1}, SvmParameters{2, 0.5, 1, 10}}) {
-    expect_choices_of_others(
-        set, fold, [&](const TrainingSet& others) { return fit_svm(others, parameters); },
-        held_out_choices(set, parameters, fold));
-  }
+  expect_choices_of_others(masked_clouds(240), 4,
+                           std::vector<SvmParameters>{{3, 0.2, 0, 1}, {2, 0.5, 1, 10}}, fit_svm);
 }
 
 TEST(HeldOutChoices, AreThoseOfNeighboursThatAreNotTheObservation) {
-  const TrainingSet set = with_costs(masked_clouds(240), 9);
-  const std::vector<int> fold = make_folds(set.label, 4, 2);
   std::vector<KnnParameters> grid = knn_grid();
   for (const KnnParameters& parameters : knn_cost_grid()) grid.push_back(parameters);
-  for (const KnnParameters& parameters : grid) {
-    expect_choices_of_others(
-        set, fold, [&](const TrainingSet& others) { return fit_knn(others, parameters); },
-        held_out_choices(set, parameters, fold));
-  }
+  expect_choices_of_others(with_costs(masked_clouds(240), 9), 4, grid, fit_knn);
 }
 
 TEST(HeldOutChoices, AreThoseOfPairwiseMachinesThatNeverSawTheObservation) {
-  const TrainingSet set = with_costs(masked_clouds(90), 10);
-  const std::vector<int> fold = make_folds(set.label, 3, 1);
-  for (const PairwiseParameters& parameters :
-       {PairwiseParameters{}, PairwiseParameters{.c = 0.01, .nearness = 1}}) {
-    expect_choices_of_others(
-        set, fold, [&](const TrainingSet& others) { return fit_pairwise(others, parameters); },
-        held_out_choices(set, parameters, fold));
-  }
+  expect_choices_of_others(with_costs(masked_clouds(90), 10), 3,
+                           std::vector<PairwiseParameters>{{}, {.c = 0.01, .nearness = 1}},
+                           fit_pairwise);
 }
 
 TEST(HeldOutChoices, AreNotAskedForWhatIsNeverHeldOut) {
