@@ -113,8 +113,12 @@ TEST(JointLimits, AskForNothingExactlyWithinThem) {
       if ((angles - wanted).norm() > 1e-6) continue;  // beyond half a turn
       const bool is_within = (angles - low).minCoeff() >= 0 && (high - angles).minCoeff() >= 0;
       (is_within ? within : beyond) += 1;
-      EXPECT_EQ(beyond_limits(limits, rotation, limits.reference).norm() == 0, is_within)
-          << name_of(body) << " " << angles.transpose();
+      // A quaternion and its negative are the same rotation.
+      for (const double sign : {1.0, -1.0}) {
+        const Eigen::Quaterniond same(sign * rotation.coeffs());
+        EXPECT_EQ(beyond_limits(limits, same, limits.reference).norm() == 0, is_within)
+            << name_of(body) << " " << angles.transpose();
+      }
     }
   }
   EXPECT_GT(within, 1000);
