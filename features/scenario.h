@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 
 #include "features/threat.h"
 #include "motion/body.h"
@@ -18,7 +19,9 @@ struct CharacterState {
 };
 
 /// The pose of an idling character `time_s` after perception, world. `idle` has at least one pose.
-motion::Pose idle_pose(const motion::Motion& idle, const CharacterState& state, float time_s);
+/// Where `roles` are not all, the rotations of others are not set.
+motion::Pose idle_pose(const motion::Motion& idle, const CharacterState& state, float time_s,
+                       std::span<const motion::Role> roles = motion::kRoles);
 
 /// A threat and the character's state at perception: what is classified.
 struct Scenario {

@@ -36,21 +36,21 @@ std::string_view name_of(Purpose purpose) {
   return kPurposeNames[static_cast<std::size_t>(purpose)];
 }
 
-Pose sample(const Motion& motion, float time_s) {
+Pose sample(const Motion& motion, float time_s, std::span<const Role> roles) {
   const float last = static_cast<float>(motion.poses.size() - 1);
   const float position = std::clamp(time_s * motion.rate_hz, 0.0F, last);
   const float floor = std::floor(position);
   const auto index = static_cast<std::size_t>(floor);
   const float weight = position - floor;
   if (weight == 0) return motion.poses[index];
-  return blend(motion.poses[index], motion.poses[index + 1], weight);
+  return blend(motion.poses[index], motion.poses[index + 1], weight, roles);
 }
 
-Pose sample_ping_pong(const Motion& motion, float time_s) {
+Pose sample_ping_pong(const Motion& motion, float time_s, std::span<const Role> roles) {
   const float duration = motion.duration_s();
   if (duration <= 0) return motion.poses.front();
   const float phase = std::fmod(std::abs(time_s), 2 * duration);
-  return sample(motion, phase <= duration ? phase : 2 * duration - phase);
+  return sample(motion, phase <= duration ? phase : 2 * duration - phase, roles);
 }
 
 }  // namespace flinch::motion

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -54,11 +55,12 @@ struct Motion {
 };
 
 /// The pose at `time_s`, interpolated between the two nearest; clamped to the first and last.
-Pose sample(const Motion& motion, float time_s);
+/// Where `roles` are not all, the rotations of others are not set.
+Pose sample(const Motion& motion, float time_s, std::span<const Role> roles = kRoles);
 
 /// The pose at `time_s` of a motion that goes back and forth for ever: it turns round at either
-/// end, so it never jumps.
-Pose sample_ping_pong(const Motion& motion, float time_s);
+/// end, so it never jumps. `roles` as in sample().
+Pose sample_ping_pong(const Motion& motion, float time_s, std::span<const Role> roles = kRoles);
 
 /// A recorded or authored motion with what is known about it.
 struct Clip {

@@ -47,10 +47,10 @@ Eigen::Quaternionf slerp(const Eigen::Quaternionf& from, const Eigen::Quaternion
   return slerp_to(from, to, shorter_sign(from, to), weight);
 }
 
-Pose blend(const Pose& from, const Pose& to, float weight) {
+Pose blend(const Pose& from, const Pose& to, float weight, std::span<const Role> roles) {
   Pose result;
   result.root_position = (1 - weight) * from.root_position + weight * to.root_position;
-  for (Role role : kRoles) {
+  for (Role role : roles) {
     result.rotation[role] = slerp(from.rotation[role], to.rotation[role], weight);
   }
   return result;

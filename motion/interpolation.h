@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <span>
+
 #include "motion/skeleton.h"
 
 namespace flinch::motion {
@@ -19,7 +21,8 @@ Eigen::Quaternionf slerp(const Eigen::Quaternionf& from, const Eigen::Quaternion
                          float weight);
 
 /// Pose between two: the root linearly, every joint by slerp. `weight` 0 is `from`, 1 is `to`.
-Pose blend(const Pose& from, const Pose& to, float weight);
+/// Of `roles` only: the rotations of others are not set.
+Pose blend(const Pose& from, const Pose& to, float weight, std::span<const Role> roles = kRoles);
 
 /// The same between two poses that move while the weight changes, without the jump to the other
 /// side that a joint would make when the shorter arc between its two rotations changes sides: every

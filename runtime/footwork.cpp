@@ -2,6 +2,7 @@
 #include "runtime/footwork.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <optional>
 
@@ -103,10 +104,17 @@ Sole make_sole(const motion::Skeleton& skeleton, Side side) {
   return {outline.foot, outline.toes, motion::convex_hull(std::move(points))};
 }
 
+std::span<const Role> roles_to_foot(Side side) {
+  static constexpr std::array kLeft{Role::pelvis, Role::left_thigh, Role::left_shin,
+                                    Role::left_foot};
+  static constexpr std::array kRight{Role::pelvis, Role::right_thigh, Role::right_shin,
+                                     Role::right_foot};
+  return side == Side::left ? kLeft : kRight;
+}
+
 FootPlace foot_of(const motion::Skeleton& skeleton, const motion::Pose& pose, Side side) {
-  const motion::LimbRoles leg = motion::roles_of(motion::leg_of(side));
   FootPlace place{pose.root_position, pose.rotation[Role::pelvis]};
-  for (Role role : {leg.upper, leg.lower, leg.end}) {
+  for (Role role : roles_to_foot(side).subspan(1)) {
     place.ankle += place.orientation * skeleton.offset[role];
     place.orientation = place.orientation * pose.rotation[role];
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "motion/body.h"
@@ -32,6 +33,9 @@ struct Sole {
 };
 
 Sole make_sole(const motion::Skeleton& skeleton, motion::Side side);
+
+/// The pelvis and the leg down to the foot, parents first: what places a foot.
+std::span<const motion::Role> roles_to_foot(motion::Side side);
 
 /// Ankle and orientation of one foot alone, world: cheaper than all joints.
 motion::FootPlace foot_of(const motion::Skeleton& skeleton, const motion::Pose& pose,

@@ -96,12 +96,12 @@ Origin make_origin(const PreparedLibrary& library, const features::CharacterStat
 }
 
 Pose pose_from(const PreparedLibrary& library, const features::CharacterState& state,
-               const Origin& origin, float time_s) noexcept {
-  Pose pose = features::idle_pose(library.idle(), state, time_s);
+               const Origin& origin, float time_s, std::span<const Role> roles) noexcept {
+  Pose pose = features::idle_pose(library.idle(), state, time_s, roles);
   if (origin.idles) return pose;
   const float decay = std::exp(-kSettling * time_s);
   pose.root_position += settled(origin.root, origin.root_velocity, time_s, decay);
-  for (Role role : motion::kRoles) {
+  for (Role role : roles) {
     const Eigen::Vector3f turn =
         settled(origin.turn[role], origin.turn_velocity[role], time_s, decay);
     pose.rotation[role] = (motion::rotation_by<float>(turn) * pose.rotation[role]).normalized();

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <span>
+
 #include "features/scenario.h"
 #include "motion/foot.h"
 #include "runtime/prepared_library.h"
@@ -37,7 +39,9 @@ Origin make_origin(const PreparedLibrary& library, const features::CharacterStat
                    const motion::Pose& before, const motion::Pose& now, float dt_s) noexcept;
 
 /// The pose `time_s` later, if nothing answers. Feet are where the joints lead; see Origin::foot.
+/// Where `roles` are not all, the rotations of others are not set.
 motion::Pose pose_from(const PreparedLibrary& library, const features::CharacterState& state,
-                       const Origin& origin, float time_s) noexcept;
+                       const Origin& origin, float time_s,
+                       std::span<const motion::Role> roles = motion::kRoles) noexcept;
 
 }  // namespace flinch::runtime

@@ -2,6 +2,7 @@
 #include "runtime/response.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "motion/interpolation.h"
@@ -17,6 +18,10 @@ using motion::JointFrames;
 using motion::Pose;
 using motion::Role;
 using motion::Side;
+
+/// All that the feet hang from.
+constexpr std::array kLegs{Role::pelvis,      Role::left_thigh, Role::left_shin, Role::left_foot,
+                           Role::right_thigh, Role::right_shin, Role::right_foot};
 
 bool is_idle(const Response& response) {
   return response.clip == response.library->library->idle;
@@ -147,35 +152,35 @@ Eigen::Vector3f level(const Eigen::Vector3f& vector) {
   return {vector.x(), vector.y(), 0};
 }
 
-Pose source_pose_at(const Response& r, float time_s) {
-  return pose_from(*r.library, r.state, r.origin, time_s);
+Pose source_pose_at(const Response& r, float time_s, std::span<const Role> roles) {
+  return pose_from(*r.library, r.state, r.origin, time_s, roles);
 }
 
-Pose home_pose_at(const Response& r, float time_s) {
-  Pose pose = features::idle_pose(r.library->idle(), r.state, time_s);
+Pose home_pose_at(const Response& r, float time_s, std::span<const Role> roles) {
+  Pose pose = features::idle_pose(r.library->idle(), r.state, time_s, roles);
   pose.root_position += r.travel;
   return pose;
 }
 
 // Clip time is onset + rate (t - begin).
-Pose clip_pose_at(const Response& r, float time_s) {
+Pose clip_pose_at(const Response& r, float time_s, std::span<const Role> roles) {
   const motion::Clip& clip = r.library->clip(r.clip);
   const float clip_time_s = clip.annotation->onset_s + r.playback_rate * (time_s - r.begin_s);
-  return motion::placed(motion::sample(clip.motion, clip_time_s), r.yaw, r.translation);
+  return motion::placed(motion::sample(clip.motion, clip_time_s, roles), r.yaw, r.translation);
 }
 
 FootPlace source_foot_at(const Response& r, Side side, float time_s) {
   const std::size_t i = motion::index_of(side);
   if (!r.origin.idles && r.origin.stands[i]) return r.origin.foot[i];
-  return foot_of(r.library->skeleton(), source_pose_at(r, time_s), side);
+  return foot_of(r.library->skeleton(), source_pose_at(r, time_s, roles_to_foot(side)), side);
 }
 
 FootPlace home_foot_at(const Response& r, Side side, float time_s) {
-  return foot_of(r.library->skeleton(), home_pose_at(r, time_s), side);
+  return foot_of(r.library->skeleton(), home_pose_at(r, time_s, roles_to_foot(side)), side);
 }
 
 FootPlace uncorrected_clip_foot_at(const Response& r, Side side, float time_s) {
-  return foot_of(r.library->skeleton(), clip_pose_at(r, time_s), side);
+  return foot_of(r.library->skeleton(), clip_pose_at(r, time_s, roles_to_foot(side)), side);
 }
 
 FootPlace clip_foot_at(const Response& r, Side side, float time_s) {
@@ -200,7 +205,7 @@ Pose pose_at(const Response& response, float time_s) noexcept {
   if (shift.isZero(0) && is_untouched_clip(r, t)) return pose;
 
   const motion::Skeleton& skeleton = r.library->skeleton();
-  JointFrames frames = motion::forward_kinematics(skeleton, pose);
+  JointFrames frames = motion::forward_kinematics(skeleton, pose, kLegs);
   motion::PerSide<FootPlace> feet;
   for (Side side : motion::kSides) {
     feet[motion::index_of(side)] =
@@ -209,7 +214,7 @@ Pose pose_at(const Response& response, float time_s) noexcept {
   const Eigen::Vector3f move =
       shift + way_down(skeleton, frames, shift, feet) * Eigen::Vector3f::UnitZ();
   pose.root_position += move;
-  for (Eigen::Vector3f& position : frames.position) position += move;
+  for (Role role : kLegs) frames.position[role] += move;
   for (Side side : motion::kSides) {
     const FootPlace& foot = feet[motion::index_of(side)];
     motion::move_limb_end(frames, motion::leg_of(side), foot.ankle, foot.orientation, pose);
