@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "motion/limb_ik.h"
+#include "motion/rotation.h"
 
 namespace flinch::database {
 namespace {
@@ -131,7 +132,7 @@ void level_feet(SourceMotion& motion) {
       up_in_foot += frame.orientation[kFeet[side].lower].conjugate() * Vector3f::UnitZ();
     }
     if (up_in_foot.normalized().z() < kLargest) continue;
-    const Quaternionf correction = Quaternionf::FromTwoVectors(Vector3f::UnitZ(), up_in_foot);
+    const Quaternionf correction = motion::rotation_between<float>(Vector3f::UnitZ(), up_in_foot);
     for (SourceFrame& frame : motion.frames) {
       for (Role role : {kFeet[side].lower, kFeet[side].end}) {
         frame.orientation[role] = (frame.orientation[role] * correction).normalized();
@@ -146,7 +147,8 @@ void align_hinges(SourceMotion& motion) {
     if (!found && limb == Limb::left_leg) found = hinge_across_foot(motion, 0);
     if (!found && limb == Limb::right_leg) found = hinge_across_foot(motion, 1);
     if (!found) continue;
-    const Quaternionf correction = Quaternionf::FromTwoVectors(motion::hinge_axis(limb), *found);
+    const Quaternionf correction =
+        motion::rotation_between<float>(motion::hinge_axis(limb), *found);
     const Role upper = motion::roles_of(limb).upper;
     for (SourceFrame& frame : motion.frames) {
       frame.orientation[upper] = (frame.orientation[upper] * correction).normalized();

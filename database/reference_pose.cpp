@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "motion/rotation.h"
+
 namespace flinch::database {
 namespace {
 
@@ -103,7 +105,7 @@ class Straightener {
     turn_[role] = turn_above(role);
     if (!figure_.end[role]) return;
     const Vector3d carried = turn_[role] * (frame_.end[role] - frame_.position[role]);
-    turn_[role] = Quaterniond::FromTwoVectors(carried, direction) * turn_[role];
+    turn_[role] = motion::rotation_between<double>(carried, direction) * turn_[role];
   }
 
   void straighten_arm(const ArmRoles& arm, const Vector3d& outward) {
@@ -119,7 +121,7 @@ class Straightener {
     if (figure_.end[leg.foot]) {
       Vector3d forward = frame_.end[leg.foot] - frame_.position[leg.foot];
       forward.z() = 0;
-      turn_[leg.foot] = Quaterniond::FromTwoVectors(forward, Vector3d::UnitX());
+      turn_[leg.foot] = motion::rotation_between<double>(forward, Vector3d::UnitX());
     }
     turn_[leg.toes] = turn_[leg.foot];
   }

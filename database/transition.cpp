@@ -238,8 +238,8 @@ Pose pose_at(const Figure& figure, const Transition& transition, float s) {
     const Eigen::Vector3f move = Eigen::Vector3f(error.x(), error.y(), 0) + rise;
     pose.root_position += move;
     const Eigen::Vector3f waist = frames.position[Role::abdomen] + move;
-    const Eigen::Quaternionf swing = Eigen::Quaternionf::FromTwoVectors(
-        frames.position[Role::neck] + move - waist, neck - waist);
+    const Eigen::Quaternionf swing =
+        motion::rotation_between<float>(frames.position[Role::neck] + move - waist, neck - waist);
     pose.rotation[Role::abdomen] =
         (pose.rotation[Role::pelvis].conjugate() * swing * frames.orientation[Role::abdomen])
             .normalized();

@@ -7,6 +7,7 @@
 #include "motion/body.h"
 #include "motion/de_leva.h"
 #include "motion/foot.h"
+#include "motion/rotation.h"
 
 namespace flinch::motion {
 namespace {
@@ -67,7 +68,7 @@ Eigen::Vector3f along(const Eigen::Vector3f& near_end, const Eigen::Vector3f& fa
 
 Eigen::Quaternionf turning(const Eigen::Vector3f& from_axis, const Eigen::Vector3f& to_line) {
   const float sense = from_axis.dot(to_line) < 0 ? -1.0F : 1.0F;  // outlines have no sense
-  return Eigen::Quaternionf::FromTwoVectors(from_axis, sense * to_line);
+  return rotation_between<float>(from_axis, sense * to_line);
 }
 
 // Radius of the capsule of whole length L that holds the mass at limb density, solved by fixed

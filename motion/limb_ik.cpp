@@ -199,7 +199,7 @@ bool move_limb_end(const JointFrames& frames, Limb limb, const Eigen::Vector3f& 
                          std::max(limits.most, bend_of(upper_bone, lower_bone, axis))});
   const Eigen::Quaternionf flex = turn_about(axis, bend.angle);
   const Eigen::Quaternionf swing =
-      Eigen::Quaternionf::FromTwoVectors(upper_bone + flex * lower_bone, end_position - root);
+      rotation_between<float>(upper_bone + flex * lower_bone, end_position - root);
   const Eigen::Quaternionf& parent = frames.orientation[*parent_of(roles.upper)];
   const Eigen::Quaternionf upper = swing * frames.orientation[roles.upper];
   const Eigen::Quaternionf lower = swing * flex * frames.orientation[roles.lower];

@@ -35,6 +35,13 @@ inline Eigen::Quaternionf turn_about(const Eigen::Vector3f& axis, float angle) {
   return Eigen::Quaternionf(Eigen::AngleAxisf(angle, axis));
 }
 
+/// The rotation by the shortest way that takes one direction to the other; they need not be unit.
+/// Opposite ones take a half turn about any axis across them.
+/// Of floats and of doubles.
+template <typename Scalar>
+Eigen::Quaternion<Scalar> rotation_between(const Eigen::Vector3<Scalar>& from,
+                                           const Eigen::Vector3<Scalar>& to);
+
 /// A rotation seen in a mirror in the X-Z plane: how the right side does what the left does. The
 /// axis is mirrored and the sense of rotation turns round.
 inline Eigen::Quaternionf mirrored(const Eigen::Quaternionf& rotation) {

@@ -10,6 +10,7 @@
 #include "database/file_io.h"
 #include "error_of.h"
 #include "glb_reader.h"
+#include "motion/default_character.h"
 #include "tests/motion/random_motion.h"
 #include "tests/scenes/synthetic_library.h"
 #include "tests/scenes/temporary_folder.h"

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+// What the reader would refuse is not written, whatever is wrong with it.
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <limits>
+
+#include "motion/error.h"
+#include "tests/runtime/selector_samples.h"
+#include "train/selector_writer.h"
+
+namespace flinch::runtime {
+namespace {
+
+using models::Selector;
+using motion::Target;
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr float kNanF = std::numeric_limits<float>::quiet_NaN();
+
+using Faults = std::vector<std::function<void(Selector&)>>;
+
+void expect_refused(const Selector& sound, const Faults& faults) {
+  ASSERT_NO_THROW(train::selector_bytes(sound));
+  for (std::size_t i = 0; i < faults.size(); ++i) {
+    Selector faulty = sound;
+    faults[i](faulty);
+    EXPECT_THROW(train::selector_bytes(faulty), Error) << "fault " << i;
+  }
+}
+
+models::SvmModel& svm(Selector& s) {
+  return std::get<models::SvmModel>(s.model);
+}
+models::KnnModel& knn(Selector& s) {
+  return std::get<models::KnnModel>(s.model);
+}
+models::NetworkModel& network(Selector& s) {
+  return std::get<models::NetworkModel>(s.model);
+}
+models::PairwiseModel& pairwise(Selector& s) {
+  return std::get<models::PairwiseModel>(s.model);
+}
+
+TEST(SelectorFault, WhateverTheModelIsNotWritten) {
+  expect_refused(
+      tests::svm_selector(),
+      {[](Selector& s) { s.idle = 8; }, [](Selector& s) { s.idle = -1; },
+       [](Selector& s) { s.clips.clear(); }, [](Selector& s) { s.layout = {}; },
+       [](Selector& s) { s.layout = features::feature_set_named("geometry")->layout; },
+       [](Selector& s) { s.scaling.least.pop_back(); },
+       [](Selector& s) { s.scaling.most[3] = kNan; },
+       [](Selector& s) { s.scaling.least[3] = s.scaling.most[3] + 1; },
+       [](Selector& s) { s.brawn = kNan; }, [](Selector& s) { s.brawn = 1.5; },
+       [](Selector& s) { s.clips[2].annotation->target = static_cast<Target>(4); },
+       [](Selector& s) { s.clips[2].annotation->degree = static_cast<motion::Degree>(2); },
+       [](Selector& s) { s.clips[2].annotation->direction = kNanF; },
+       [](Selector& s) { s.target_centres[3].z() = kNanF; }});
+}
+
+TEST(SelectorFault, OfAnSvmIsNotWritten) {
+  expect_refused(tests::svm_selector(),
+                 {[](Selector& s) { svm(s).label[1] = 8; },
+                  [](Selector& s) { svm(s).label[1] = svm(s).label[0]; },
+                  [](Selector& s) { svm(s).label.clear(); },
+                  [](Selector& s) { svm(s).vectors_of_class[0] += 1; },
+                  [](Selector& s) { svm(s).vectors_of_class[0] = -1; },
+                  [](Selector& s) { svm(s).vectors_of_class.pop_back(); },
+                  [](Selector& s) { svm(s).support_vectors.pop_back(); },
+                  [](Selector& s) { svm(s).coefficients.pop_back(); },
+                  [](Selector& s) { svm(s).machines.pop_back(); },
+                  [](Selector& s) { svm(s).machines[0].rho = kNan; },
+                  [](Selector& s) { svm(s).machines[0].count[0] += 1; },
+                  [](Selector& s) { svm(s).vectors.pop_back(); },
+                  [](Selector& s) { svm(s).vectors[0] = 65535; },
+                  [](Selector& s) { svm(s).vectors[1] = svm(s).vectors[0]; },
+                  [](Selector& s) { svm(s).bound.pop_back(); },
+                  [](Selector& s) { svm(s).bound[0] = kNan; },
+                  [](Selector& s) { svm(s).bound[0] = -1; },
+                  [](Selector& s) { svm(s).kernel = static_cast<models::SvmKernel>(2); },
+                  [](Selector& s) { svm(s).coefficients[2] = -1; },
+                  [](Selector& s) { svm(s).gamma = -1; },
+                  [](Selector& s) { svm(s).coefficients[2] = kNan; },
+                  [](Selector& s) { svm(s).support_vectors[2] = kNanF; },
+                  [](Selector& s) { svm(s).gamma = kNan; },
+                  [](Selector& s) { svm(s).degree = -1; }});
+}
+
+TEST(SelectorFault, BeyondTheFeaturesOfAnSvmIsNotWritten) {
+  const Selector selector = tests::rbf_selector();
+  const auto fill = static_cast<std::size_t>(selector.layout.size());
+  expect_refused(selector, {[fill](Selector& s) { svm(s).support_vectors[fill] = 1; }});
+}
+
+TEST(SelectorFault, OfKnnIsNotWritten) {
+  expect_refused(
+      tests::knn_selector(),
+      {[](Selector& s) { knn(s).k = 0; },
+       [](Selector& s) { knn(s).vote = static_cast<models::KnnVote>(2); },
+       [](Selector& s) { knn(s).label[5] = -1; }, [](Selector& s) { knn(s).label.pop_back(); },
+       [](Selector& s) { knn(s).label.clear(), knn(s).points.clear(); },
+       [](Selector& s) { knn(s).points[5] = kNanF; }});
+}
+
+TEST(SelectorFault, OfKnnByCostIsNotWritten) {
+  expect_refused(
+      tests::knn_cost_selector(),
+      {[](Selector& s) { knn(s).cost.pop_back(); }, [](Selector& s) { knn(s).cost.clear(); },
+       [](Selector& s) { knn(s).vote = models::KnnVote::majority; },
+       [](Selector& s) { knn(s).k = 65536; }, [](Selector& s) { knn(s).cost_step_ns = 0; },
+       [](Selector& s) { knn(s).cost_step_ns = kNanF; }});
+}
+
+TEST(SelectorFault, OfANetworkIsNotWritten) {
+  expect_refused(tests::network_selector(),
+                 {[](Selector& s) { network(s).clip[1] = network(s).clip[0]; },
+                  [](Selector& s) { network(s).clip.back() = 8; },
+                  [](Selector& s) { network(s).clip.clear(); },
+                  [](Selector& s) { network(s).hidden_count = 24; },
+                  [](Selector& s) { network(s).hidden_count = 0; },
+                  [](Selector& s) { network(s).member_count = 3; },
+                  [](Selector& s) { network(s).member_count = 0; },
+                  [](Selector& s) { network(s).weights.pop_back(); },
+                  [](Selector& s) { network(s).weights[7] = kNanF; },
+                  [](Selector& s) { network(s).weights[7] = -2e4F; },
+                  [](Selector& s) { network(s).scale_root = 0; },
+                  [](Selector& s) { network(s).mean_root = kNanF; },
+                  [](Selector& s) { network(s).variance_ns = -1; }});
+}
+
+TEST(SelectorFault, OfPairwiseMachinesIsNotWritten) {
+  expect_refused(tests::pairwise_selector(),
+                 {[](Selector& s) { pairwise(s).clip[1] = pairwise(s).clip[0]; },
+                  [](Selector& s) { pairwise(s).clip.back() = 8; },
+                  [](Selector& s) { pairwise(s).clip.pop_back(); },
+                  [](Selector& s) { pairwise(s).clip.clear(), pairwise(s).machine.clear(); },
+                  [](Selector& s) { pairwise(s).machine.pop_back(); },
+                  [](Selector& s) { pairwise(s).machine[2] = -2; },
+                  [](Selector& s) { pairwise(s).machine[2] = 28; },
+                  [](Selector& s) { pairwise(s).weights.pop_back(); },
+                  [](Selector& s) { pairwise(s).weights.resize(27 * pairwise(s).row_size()); },
+                  [](Selector& s) { std::fill_n(pairwise(s).weights.end() - 17, 17, 0x7FFF); },
+                  [](Selector& s) { std::fill_n(pairwise(s).weights.begin(), 17, -0x8000); }});
+}
+
+}  // namespace
+}  // namespace flinch::runtime

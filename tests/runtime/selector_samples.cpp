@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+#include "tests/runtime/selector_samples.h"
+
+#include "models/knn_fit.h"
+#include "models/network_fit.h"
+#include "models/pairwise_linear_fit.h"
+#include "models/svm_fit.h"
+#include "runtime/selector_file.h"
+#include "tests/models/training_sets.h"
+
+namespace flinch::tests {
+
+using models::Selector;
+using motion::Target;
+
+namespace {
+
+models::TrainingSet training_set() {
+  return models::random_clouds(1, 80, 4, features::kFeatureCount);
+}
+
+}  // namespace
+
+Selector selector_without_model() {
+  Selector selector;
+  selector.library_hash = 0xFEDCBA9876543210;
+  for (int clip = 0; clip < 7; ++clip) {
+    selector.clips.push_back({"clip \"" + std::to_string(clip) + "\"",
+                              motion::Annotation{.target = static_cast<Target>(clip % 4),
+                                                 .direction = -0.1F * static_cast<float>(clip),
+                                                 .degree = motion::Degree::exaggerated,
+                                                 .onset_s = 1.0F / 3,
+                                                 .peak_s = 2.0F / 3,
+                                                 .end_s = 1}});
+  }
+  selector.clips.push_back({"idle", std::nullopt});
+  selector.idle = 7;
+  selector.layout = features::feature_set_named("paper")->layout;
+  for (int i = 0; i < features::kFeatureCount; ++i) {
+    selector.scaling.least.push_back(-1.0 / (i + 3));
+    selector.scaling.most.push_back(1.0 / (i + 7));
+  }
+  selector.brawn = 0.1;
+  for (Eigen::Vector3f& centre : selector.target_centres) centre = {0.1F, -0.2F, 1.0F / 3};
+  return selector;
+}
+
+Selector svm_selector() {
+  Selector selector = selector_without_model();
+  selector.model = models::fit_svm(training_set(), {3, 1.0 / 3, 1.0 / 7, 10});
+  return selector;
+}
+
+Selector rbf_selector() {
+  Selector selector = selector_without_model();
+  selector.layout = features::feature_set_named("geometry")->layout;
+  const int features = selector.layout.size();
+  selector.scaling.least.assign(static_cast<std::size_t>(features), -1.0 / 3);
+  selector.scaling.most.assign(static_cast<std::size_t>(features), 1.0 / 7);
+  selector.model = models::fit_svm(
+      models::random_clouds(1, 80, 4, features),
+      {.gamma = 1.0 / 3, .cost = 1.0 / 7, .kernel = models::SvmKernel::rbf, .balance = 0.5});
+  return selector;
+}
+
+Selector knn_selector() {
+  Selector selector = selector_without_model();
+  selector.model = models::fit_knn(training_set(), {7, models::KnnVote::inverse_distance});
+  return selector;
+}
+
+Selector knn_cost_selector() {
+  Selector selector = selector_without_model();
+  selector.model =
+      models::fit_knn(models::with_costs(training_set(), 5), {7, models::KnnVote::cost});
+  return selector;
+}
+
+Selector network_selector() {
+  Selector selector = selector_without_model();
+  selector.model = models::fit_network(models::with_costs(training_set(), 5),
+                                       {.hidden_count = 16, .member_count = 2, .epoch_count = 1});
+  return selector;
+}
+
+Selector pairwise_selector() {
+  Selector selector = selector_without_model();
+  selector.model = models::fit_pairwise(models::with_costs(training_set(), 5), {});
+  return selector;
+}
+
+std::vector<Selector> one_of_each() {
+  return {svm_selector(),      rbf_selector(),     knn_selector(),
+          knn_cost_selector(), network_selector(), pairwise_selector()};
+}
+
+std::span<const std::byte> bytes_of(const std::string& text) {
+  return std::as_bytes(std::span(text.data(), text.size()));
+}
+
+database::LoadStatus read(const std::string& bytes, Selector& selector) {
+  return runtime::read_selector(bytes_of(bytes), selector);
+}
+
+}  // namespace flinch::tests
