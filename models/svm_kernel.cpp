@@ -97,23 +97,31 @@ KernelValues::KernelValues(const SvmModel& model, std::span<const double> scaled
     : model_(model),
       error_(kernel_error(model, scaled)),
       x_(model.row_size(), 0.0F, memory),
-      value_(static_cast<std::size_t>(model.vector_count()), memory) {
+      first_of_class_(model.label.size(), memory),
+      value_(memory) {
   std::ranges::transform(scaled, x_.begin(), [](double x) { return static_cast<float>(x); });
+  std::size_t count = 0;
+  for (const std::size_t c : classes) {
+    first_of_class_[c] = count;
+    count += static_cast<std::size_t>(model.vectors_of_class[c]);
+  }
+  value_.resize(count);
   for (const std::size_t c : classes) {
     const auto first = static_cast<std::size_t>(model.first_of_class[c]);
-    evaluate(first, first + static_cast<std::size_t>(model.vectors_of_class[c]));
+    evaluate(first, first + static_cast<std::size_t>(model.vectors_of_class[c]),
+             value_.data() + first_of_class_[c]);
   }
 }
 
 /// Of the vectors from begin to end; the last one fills up the rows.
-void KernelValues::evaluate(std::size_t begin, std::size_t end) {
-  for (; begin < end; begin += kRows) {
+void KernelValues::evaluate(std::size_t begin, std::size_t end, float* values) const {
+  for (; begin < end; begin += kRows, values += kRows) {
     std::array<const float*, kRows> rows{};
     for (std::size_t row = 0; row < kRows; ++row) {
       rows[row] = model_.support_vectors.data() + std::min(begin + row, end - 1) * x_.size();
     }
-    const RowValues values = kernels_of(model_, x_, rows);
-    std::copy_n(values.data(), std::min(kRows, end - begin), value_.data() + begin);
+    const RowValues kernels = kernels_of(model_, x_, rows);
+    std::copy_n(kernels.data(), std::min(kRows, end - begin), values);
   }
 }
 

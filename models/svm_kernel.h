@@ -22,17 +22,17 @@ class KernelValues {
   double error() const { return error_; }
 
   /// The values of one of the classes, by index in the class.
-  const float* of_class(std::size_t one) const {
-    return value_.data() + model_.first_of_class[one];
-  }
+  const float* of_class(std::size_t one) const { return value_.data() + first_of_class_[one]; }
 
  private:
-  void evaluate(std::size_t begin, std::size_t end);
+  void evaluate(std::size_t begin, std::size_t end, float* values) const;
 
   const SvmModel& model_;
   double error_;
-  std::pmr::vector<float> x_;      ///< the point, filled up with zeros as the model's vectors are
-  std::pmr::vector<float> value_;  ///< by vector
+  std::pmr::vector<float> x_;  ///< the point, filled up with zeros as the model's vectors are
+  /// In `value_`; only those of the classes. Together they fit the first cache.
+  std::pmr::vector<std::size_t> first_of_class_;
+  std::pmr::vector<float> value_;
 };
 
 }  // namespace flinch::models
