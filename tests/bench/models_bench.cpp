@@ -174,6 +174,7 @@ int libsvm_choice(benchmark::State& state, const features::FeatureVector& x) {
 /// A selector's choice of 42 of 120 clips against svm_predict's, which knows no mask, of all.
 void select_by_svm(benchmark::State& state) {
   const Selector selector = selector_with(svm_model(state));
+  libsvm(state);  // is trained before anything is timed
   time_against(
       state,
       [&](const features::FeatureVector& x) { return select(selector, x, motion::Target::head); },

@@ -17,7 +17,7 @@ import tempfile
 import time
 from pathlib import Path
 
-COMPARED = 2000  # scenarios of the runs that are compared with each other
+COMPARED = 8200  # scenarios of the runs that are compared with each other
 
 
 def measure(*command):

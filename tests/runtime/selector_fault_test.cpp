@@ -2,8 +2,10 @@
 // What the reader would refuse is not written, whatever is wrong with it.
 #include <gtest/gtest.h>
 
+#include <cstddef>
 #include <functional>
 #include <limits>
+#include <vector>
 
 #include "motion/error.h"
 #include "tests/runtime/selector_samples.h"
