@@ -1,11 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "train/program/command.h"
 
-#include <array>
-#include <charconv>
-#include <cmath>
-#include <iostream>
-#include <numbers>
 #include <sstream>
 #include <vector>
 
@@ -50,14 +45,6 @@ std::vector<std::string> method_names() {
   return names;
 }
 
-void print(const Json& document) {
-  std::cout << document.dump(2) << '\n';
-}
-
-void print_line(const Json& document) {
-  std::cout << document.dump() << std::endl;
-}
-
 void add_cost_options(CLI::App& command, CostOptions& options) {
   command.add_option("--brawn", options.brawn, "how much work weighs against damage, from 0 to 1")
       ->check(number_in(0, 1))
@@ -74,29 +61,6 @@ void add_cost_options(CLI::App& command, CostOptions& options) {
 
 const Vulnerability& vulnerability_of(const CostOptions& options) {
   return vulnerability_profile_named(options.vulnerability)->vulnerability;
-}
-
-double degrees(double radians) {
-  return std::round(radians * 180e6 / std::numbers::pi) / 1e6;
-}
-
-double shortest(float value) {
-  std::array<char, 32> text{};
-  const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
-  double same = 0;
-  std::from_chars(text.data(), end, same);
-  return same;
-}
-
-Json to_json(const models::ClipSummary& clip) {
-  if (!clip.annotation) return {};
-  const motion::Annotation& annotation = *clip.annotation;
-  return {{"target", motion::name_of(annotation.target)},
-          {"direction_degrees", std::round(degrees(double{annotation.direction}))},
-          {"degree", motion::name_of(annotation.degree)},
-          {"onset_s", shortest(annotation.onset_s)},
-          {"peak_s", shortest(annotation.peak_s)},
-          {"end_s", shortest(annotation.end_s)}};
 }
 
 }  // namespace flinch::train::program

@@ -2,17 +2,13 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
-#include "models/selector.h"
 #include "train/cost.h"
+#include "train/program/document.h"
 
 namespace flinch::train::program {
-
-/// JSON with its keys in the order that they were written in.
-using Json = nlohmann::ordered_json;
 
 /// Each adds one command with its options to the program; parsing a command line with it runs it.
 /// Commands throw Error for what a user can put right.
@@ -39,11 +35,6 @@ void add_features_option(CLI::App& command, std::string& set);
 /// The names of all methods.
 std::vector<std::string> method_names();
 
-/// Writes the one document that --json prints.
-void print(const Json& document);
-/// Writes a document as one line of several, at once.
-void print_line(const Json& document);
-
 /// How scenarios are labelled, as options say it.
 struct CostOptions {
   double brawn = 0.1;
@@ -51,15 +42,5 @@ struct CostOptions {
 };
 void add_cost_options(CLI::App& command, CostOptions& options);
 const Vulnerability& vulnerability_of(const CostOptions& options);
-
-/// Degrees from radians, rounded to the millionth that floats leave sure.
-double degrees(double radians);
-
-/// The double with the fewest digits that is this float, so that JSON shows 0.4 and not
-/// 0.4000000059604645.
-double shortest(float value);
-
-/// A clip's annotation with its keys as in the design; empty without an annotation.
-Json to_json(const models::ClipSummary& clip);
 
 }  // namespace flinch::train::program

@@ -8,7 +8,7 @@
 #include <iostream>
 #include <string>
 
-#include "train/program/command.h"
+#include "train/program/document.h"
 #include "train/program/table.h"
 
 namespace flinch::train::program {

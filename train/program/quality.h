@@ -4,7 +4,7 @@
 #include <string>
 
 #include "database/library.h"
-#include "train/program/command.h"
+#include "train/program/document.h"
 
 namespace flinch::train::program {
 
