@@ -30,8 +30,8 @@ class KernelValues {
   const SvmModel& model_;
   double error_;
   std::pmr::vector<float> x_;  ///< the point, filled up with zeros as the model's vectors are
-  /// In `value_`; only those of the classes. Together they fit the first cache.
-  std::pmr::vector<std::size_t> first_of_class_;
+  std::pmr::vector<std::size_t> first_of_class_;  ///< in `value_`, of the asked classes alone
+  /// The asked classes' one after the other, so that those of a mask stay in the first cache.
   std::pmr::vector<float> value_;
 };
 

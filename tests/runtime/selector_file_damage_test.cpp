@@ -17,32 +17,26 @@ namespace {
 using database::LoadStatus;
 using models::Selector;
 using motion::Target;
-using tests::bytes_of;
-using tests::knn_selector;
-using tests::one_of_each;
-using tests::read;
-using tests::selector_without_model;
-using tests::svm_selector;
 
 void expect_every_byte_counts(const Selector& small) {
   const std::string bytes = train::selector_bytes(small);
-  Selector untouched = knn_selector();
+  Selector untouched = tests::knn_selector();
   std::mt19937_64 random(3);
   for (std::size_t i = 0; i < bytes.size(); ++i) {
     std::string changed = bytes;
     changed[i] = static_cast<char>(changed[i] ^ static_cast<char>(1 + random() % 255));
-    ASSERT_NE(read(changed, untouched), LoadStatus::ok) << "byte " << i;
+    ASSERT_NE(tests::read(changed, untouched), LoadStatus::ok) << "byte " << i;
   }
   for (std::size_t size = 0; size < bytes.size(); ++size) {
-    ASSERT_NE(read(bytes.substr(0, size), untouched), LoadStatus::ok) << size << " bytes";
+    ASSERT_NE(tests::read(bytes.substr(0, size), untouched), LoadStatus::ok) << size << " bytes";
   }
-  EXPECT_NE(read(bytes + '\0', untouched), LoadStatus::ok);
-  EXPECT_EQ(train::selector_bytes(untouched), train::selector_bytes(knn_selector()));
+  EXPECT_NE(tests::read(bytes + '\0', untouched), LoadStatus::ok);
+  EXPECT_EQ(train::selector_bytes(untouched), train::selector_bytes(tests::knn_selector()));
 }
 
 TEST(SelectorFileDamage, IsNoticedInAnyByteAndTouchesNothing) {
   const models::TrainingSet set = models::random_clouds(1, 6, 2, features::kFeatureCount);
-  Selector small = selector_without_model();
+  Selector small = tests::selector_without_model();
   small.model = models::fit_svm(set, {3, 1.0 / 3, 0, 1});
   expect_every_byte_counts(small);
   small.model = models::fit_pairwise(models::with_costs(set, 2), {});
@@ -50,12 +44,12 @@ TEST(SelectorFileDamage, IsNoticedInAnyByteAndTouchesNothing) {
 }
 
 TEST(SelectorFileDamage, OtherFilesAreToldApart) {
-  std::string bytes = train::selector_bytes(knn_selector());
+  std::string bytes = train::selector_bytes(tests::knn_selector());
   Selector selector;
-  EXPECT_EQ(read("", selector), LoadStatus::not_a_library);
-  EXPECT_EQ(read("HIERARCHY\nROOT Hips\n{\n", selector), LoadStatus::not_a_library);
+  EXPECT_EQ(tests::read("", selector), LoadStatus::not_a_library);
+  EXPECT_EQ(tests::read("HIERARCHY\nROOT Hips\n{\n", selector), LoadStatus::not_a_library);
   bytes[7] = static_cast<char>(bytes[7] + 1);
-  EXPECT_EQ(read(bytes, selector), LoadStatus::other_version);
+  EXPECT_EQ(tests::read(bytes, selector), LoadStatus::other_version);
 }
 
 /// The bytes of a selector that was sealed properly but whose content differs: every occurrence of
@@ -68,22 +62,22 @@ std::string resealed_with(std::string bytes, const std::string& from, const std:
     ++replaced;
   }
   EXPECT_GT(replaced, 0U) << from;
-  const auto seal =
-      database::make_seal(database::kSelectorKind, bytes_of(bytes).subspan(database::kSealSize));
+  const auto seal = database::make_seal(database::kSelectorKind,
+                                        tests::bytes_of(bytes).subspan(database::kSealSize));
   return bytes.replace(0, seal.size(), reinterpret_cast<const char*>(seal.data()), seal.size());
 }
 
 TEST(SelectorFileDamage, AnotherFeatureLayoutIsRefusedAsSuch) {
-  const std::string bytes = train::selector_bytes(svm_selector());
+  const std::string bytes = train::selector_bytes(tests::svm_selector());
   Selector selector;
-  EXPECT_EQ(read(resealed_with(bytes, "speed_mps", "speed_mph"), selector),
+  EXPECT_EQ(tests::read(resealed_with(bytes, "speed_mps", "speed_mph"), selector),
             LoadStatus::other_layout);
 }
 
 // Damage that the seal cannot see, because who sealed it meant it: the verifier and the checks that
 // follow must still keep anything out that would be read beyond its bounds.
 TEST(SelectorFileDamage, SealedNonsenseNeverGetsThroughUnsound) {
-  for (const Selector& original : one_of_each()) {
+  for (const Selector& original : tests::one_of_each()) {
     const std::string bytes = train::selector_bytes(original);
     std::mt19937_64 random(4);
     int refused = 0;
@@ -94,10 +88,10 @@ TEST(SelectorFileDamage, SealedNonsenseNeverGetsThroughUnsound) {
       const std::size_t at = random() % 2 == 0 ? random() % content : random() % 400;
       changed[database::kSealSize + at] = static_cast<char>(random());
       const auto seal = database::make_seal(database::kSelectorKind,
-                                            bytes_of(changed).subspan(database::kSealSize));
+                                            tests::bytes_of(changed).subspan(database::kSealSize));
       changed.replace(0, seal.size(), reinterpret_cast<const char*>(seal.data()), seal.size());
       Selector selector;
-      if (read(changed, selector) != LoadStatus::ok) {
+      if (tests::read(changed, selector) != LoadStatus::ok) {
         ++refused;
         continue;
       }
