@@ -36,8 +36,7 @@ inline Eigen::Quaternionf turn_about(const Eigen::Vector3f& axis, float angle) {
 }
 
 /// The rotation by the shortest way that takes one direction to the other; they need not be unit.
-/// Opposite ones take a half turn about any axis across them.
-/// Of floats and of doubles.
+/// Opposite ones take a half turn about any axis across them. For floats and doubles.
 template <typename Scalar>
 Eigen::Quaternion<Scalar> rotation_between(const Eigen::Vector3<Scalar>& from,
                                            const Eigen::Vector3<Scalar>& to);

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <random>
 
 #include "tests/motion/random_motion.h"
@@ -24,6 +26,25 @@ TEST(RotationVector, OfNoRotationIsZeroInFloatToo) {
   EXPECT_EQ(rotation_vector(Eigen::Quaternionf::Identity()).norm(), 0);
   const Eigen::Vector3f tiny(1e-20F, 0, 0);
   EXPECT_TRUE(rotation_by<float>(tiny).coeffs().allFinite());
+}
+
+TEST(RotationBetween, TakesOneDirectionToTheOtherByTheShortestWay) {
+  std::mt19937 generator(6);
+  const Eigen::Vector3d from(0.3, -2, 1);
+  for (int i = 0; i < 200; ++i) {
+    const Eigen::Vector3d to = tests::uniform_rotation(generator) * from;
+    const Eigen::Quaterniond rotation = rotation_between<double>(from, 3 * to);
+    EXPECT_LT((rotation * from - to).norm(), 1e-9);
+    const double angle = std::acos(std::clamp(from.dot(to) / from.squaredNorm(), -1.0, 1.0));
+    EXPECT_NEAR(rotation_vector(rotation).norm(), angle, 1e-7);
+  }
+}
+
+TEST(RotationBetween, OfOppositeDirectionsIsAHalfTurnAcross) {
+  const Eigen::Vector3f from(0.3F, -2, 1);
+  const Eigen::Quaternionf rotation = rotation_between<float>(from, -from);
+  EXPECT_LT((rotation * from + from).norm(), 1e-5F);
+  EXPECT_NEAR(rotation.vec().dot(from), 0, 1e-5F);
 }
 
 TEST(SwingAndTwist, GiveTheRotationBackAboutAnyAxis) {
