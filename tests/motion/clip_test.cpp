@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <numbers>
 
 #include "motion/default_character.h"
@@ -34,6 +35,18 @@ TEST(Sample, GivesThePosesAtTheirTimesAndClampsBeyond) {
   }
   EXPECT_EQ(tests::distance(sample(motion, -1), motion.poses.front()), 0);
   EXPECT_EQ(tests::distance(sample(motion, 99), motion.poses.back()), 0);
+}
+
+TEST(Sample, OfSomeRolesHasTheBitsOfAll) {
+  constexpr std::array kSome{Role::pelvis, Role::right_thigh, Role::right_shin};
+  std::mt19937 random(3);
+  const Motion motion = smooth_motion(random, 31);
+  for (const float time_s : {-1.0F, 0.1F, 0.123F, 0.77F, 99.0F}) {
+    const Pose all = sample_ping_pong(motion, time_s);
+    const Pose some = sample_ping_pong(motion, time_s, kSome);
+    EXPECT_EQ(some.root_position, all.root_position);
+    for (const Role role : kSome) EXPECT_EQ(some.rotation[role], all.rotation[role]);
+  }
 }
 
 TEST(SamplePingPong, GoesToAndFroWithoutAJump) {
