@@ -5,11 +5,9 @@
 #include <string_view>
 
 #include "features/scenario.h"
+#include "features/target_centres.h"
 
 namespace flinch::features {
-
-/// One point a target, m.
-using TargetCentres = std::array<Eigen::Vector3f, motion::kTargetCount>;
 
 /// A character at the predicted contact, if it keeps on idling until then. World, m.
 struct CharacterAhead {

@@ -8,7 +8,7 @@
 #include "sim/figure_plan.h"
 #include "sim/reference.h"
 #include "sim/rehearsal.h"
-#include "sim/simulator.h"
+#include "sim/simulation_options.h"
 
 namespace flinch::sim {
 

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "sim/rehearsal_track.h"
+#include "sim/simulator.h"
 
 namespace flinch::sim {
 

@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "sim/simulator.h"
+#include "sim/simulation_options.h"
 #include "sim/sweep.h"
 
 namespace flinch::sim {

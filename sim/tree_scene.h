@@ -9,7 +9,7 @@
 #include "sim/box_lcp.h"
 #include "sim/contact_impulse.h"
 #include "sim/joint_tree.h"
-#include "sim/simulator.h"
+#include "sim/simulation_options.h"
 #include "sim/touch.h"
 
 namespace flinch::sim {
