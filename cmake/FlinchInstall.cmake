@@ -10,20 +10,11 @@ list(FILTER runtime_libraries INCLUDE REGEX "^flinch_")
 list(REMOVE_ITEM runtime_libraries flinch_flags)
 install(TARGETS ${runtime_libraries} EXPORT flinch ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 
-# Headers keep their room: `#include "runtime/response.h"`. A room's header belongs to its offline
-# library where that has a source of the same name.
+# Headers keep their folder: `#include "runtime/response/response.h"`.
 foreach(library IN LISTS runtime_libraries)
-  get_target_property(room ${library} SOURCE_DIR)
-  get_property(targets DIRECTORY ${room} PROPERTY BUILDSYSTEM_TARGETS)
-  list(REMOVE_ITEM targets ${library})
-  file(GLOB headers CONFIGURE_DEPENDS RELATIVE ${room} ${room}/*.h)
-  foreach(target IN LISTS targets)
-    get_target_property(sources ${target} SOURCES)
-    list(TRANSFORM sources REPLACE "\\.cpp$" ".h")
-    list(REMOVE_ITEM headers ${sources})
-  endforeach()
-  list(TRANSFORM headers PREPEND ${room}/)
-  get_filename_component(name ${room} NAME)
+  get_target_property(folder ${library} SOURCE_DIR)
+  file(GLOB headers CONFIGURE_DEPENDS ${folder}/*.h)
+  file(RELATIVE_PATH name ${PROJECT_SOURCE_DIR} ${folder})
   install(FILES ${headers} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/flinch/${name})
 endforeach()
 
@@ -49,14 +40,19 @@ install(FILES ${PROJECT_BINARY_DIR}/flinch.pc DESTINATION ${CMAKE_INSTALL_LIBDIR
 
 # The reaction links ODE, which the package then looks for as this build did.
 if(TARGET flinch_reaction)
-  install(TARGETS flinch_reaction flinch_sim EXPORT flinch_reaction
+  flinch_link_closure(reaction_libraries flinch_reaction)
+  list(FILTER reaction_libraries INCLUDE REGEX "^flinch_")
+  list(REMOVE_ITEM reaction_libraries flinch_flags ${runtime_libraries})
+  install(TARGETS ${reaction_libraries} EXPORT flinch_reaction
     ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
   install(EXPORT flinch_reaction NAMESPACE flinch:: FILE flinchReactionTargets.cmake
     DESTINATION ${package_directory})
   install(FILES ${CMAKE_CURRENT_LIST_DIR}/FindODE.cmake DESTINATION ${package_directory})
-  foreach(header reacting_character reaction reaction_clips recovery rehearsal simulator)
-    install(FILES ${PROJECT_SOURCE_DIR}/sim/${header}.h
-      DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/flinch/sim)
+  foreach(header reaction/reacting_character reaction/reaction reaction/reaction_clips
+          reaction/recovery sim/rehearsal/rehearsal sim/rehearsal/simulator sim/simulation_options)
+    get_filename_component(folder ${header} DIRECTORY)
+    install(FILES ${PROJECT_SOURCE_DIR}/${header}.h
+      DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/flinch/${folder})
   endforeach()
 endif()
 

@@ -103,8 +103,15 @@ function(flinch_schema target schema)
             ${CMAKE_CURRENT_SOURCE_DIR}/${schema}
     DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${schema} COMMENT "flatc ${schema}")
   target_sources(${target} PRIVATE ${header})
+  flinch_use_schema(${target} ${target})
+endfunction()
+
+# flinch_use_schema(TARGET OWNER)
+# Lets TARGET's own sources include the header that flinch_schema generates for OWNER.
+function(flinch_use_schema target owner)
+  get_target_property(binary_directory ${owner} BINARY_DIR)
   # FlatBuffers' headers only: nothing of its library is linked.
-  target_include_directories(${target} SYSTEM PRIVATE ${directory}
+  target_include_directories(${target} SYSTEM PRIVATE ${binary_directory}/schema
     $<TARGET_PROPERTY:flatbuffers::flatbuffers,INTERFACE_INCLUDE_DIRECTORIES>)
 endfunction()
 

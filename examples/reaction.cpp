@@ -7,7 +7,7 @@
 // kit.
 #include <cstdio>
 
-#include "sim/reacting_character.h"
+#include "reaction/reacting_character.h"
 
 using namespace flinch;
 

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "features/free_flight.h"
-#include "features/outline.h"
+#include "motion/outline.h"
 
 namespace flinch::features {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "features/outline.h"
+#include "motion/outline.h"
 #include "motion/rotation.h"
 
 namespace flinch::features {

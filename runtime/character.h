@@ -7,7 +7,7 @@
 #include "models/candidate.h"
 #include "runtime/library.h"
 #include "runtime/perception.h"
-#include "runtime/response.h"
+#include "runtime/response/response.h"
 #include "runtime/workspace.h"
 
 namespace flinch::runtime {

@@ -6,9 +6,9 @@
 #include <span>
 #include <string>
 
-#include "database/library_file.h"
+#include "database/library/library_file.h"
 #include "models/selector.h"
-#include "runtime/prepared_library.h"
+#include "runtime/response/prepared_library.h"
 
 namespace flinch::runtime {
 

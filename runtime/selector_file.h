@@ -6,7 +6,7 @@
 #include <span>
 #include <string>
 
-#include "database/library_file.h"
+#include "database/library/library_file.h"
 #include "models/selector.h"
 
 namespace flinch::runtime {

@@ -13,8 +13,9 @@ import subprocess
 import sys
 from pathlib import Path
 
-ALLOWED_TARGETS = {"flinch_flags", "flinch_motion", "flinch_database", "flinch_features",
-                   "flinch_models", "flinch_runtime", "flinch_c", "Eigen3::Eigen"}
+ALLOWED_TARGETS = {"flinch_flags", "flinch_motion", "flinch_features", "flinch_database_library",
+                   "flinch_models", "flinch_runtime_response", "flinch_runtime", "flinch_c",
+                   "Eigen3::Eigen"}
 ALLOWED_LIBRARIES = {"libstdc++.so", "libm.so", "libgcc_s.so", "libc.so", "ld-linux-x86-64.so",
                      "ld-linux-aarch64.so"}
 # No socket, no thread, no clock, no chance, no words on the user's terminal, no end of the game.

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <vector>
 
-#include "database/authored_library.h"
-#include "database/stance.h"
-#include "database/static_balance.h"
+#include "database/author/authored_library.h"
+#include "database/author/stance.h"
+#include "database/author/static_balance.h"
 #include "motion/default_character.h"
 #include "motion/rotation.h"
 

@@ -5,7 +5,7 @@
 
 #include <random>
 
-#include "database/authored_library.h"
+#include "database/author/authored_library.h"
 #include "motion/default_character.h"
 #include "runtime/character.h"
 #include "tests/motion/random_motion.h"

@@ -5,10 +5,10 @@
 #include <span>
 #include <string>
 
-#include "database/bvh.h"
-#include "database/library_file.h"
-#include "database/library_writer.h"
-#include "tests/database/random_library.h"
+#include "database/import/bvh.h"
+#include "database/import/library_writer.h"
+#include "database/library/library_file.h"
+#include "tests/database/library/random_library.h"
 
 namespace flinch::database {
 namespace {

@@ -12,13 +12,13 @@
 #include <span>
 #include <vector>
 
-#include "models/cross_validation.h"
-#include "models/network_fit.h"
-#include "models/pairwise_linear_fit.h"
+#include "models/fit/cross_validation.h"
+#include "models/fit/network_fit.h"
+#include "models/fit/pairwise_linear_fit.h"
 #include "models/selector.h"
-#include "tests/models/libsvm_oracle.h"
+#include "tests/models/fit/libsvm_oracle.h"
 #include "tests/models/training_sets.h"
-#include "train/selector_writer.h"
+#include "train/fit/selector_writer.h"
 
 namespace flinch::models {
 namespace {

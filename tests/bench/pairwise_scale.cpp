@@ -8,7 +8,7 @@
 #include <string>
 
 #include "features/feature_vector.h"
-#include "models/pairwise_linear_fit.h"
+#include "models/fit/pairwise_linear_fit.h"
 #include "tests/models/training_sets.h"
 
 namespace flinch::models {

@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "database/library_file.h"
+#include "database/library/library_file.h"
 #include "features/impact_prediction.h"
 #include "runtime/perception.h"
-#include "train/scenario_sampling.h"
+#include "train/scenario/scenario_sampling.h"
 
 namespace flinch {
 namespace {

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <ctime>
 
-#include "sim/reaction_clips.h"
-#include "tests/sim/reaction_scenes.h"
+#include "reaction/reaction_clips.h"
+#include "tests/reaction/reaction_scenes.h"
 
 namespace flinch {
 namespace {

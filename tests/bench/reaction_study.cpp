@@ -8,9 +8,9 @@
 #include <cstdio>
 #include <ctime>
 
-#include "database/library_file.h"
-#include "sim/reaction_clips.h"
-#include "tests/sim/reaction_scenes.h"
+#include "database/library/library_file.h"
+#include "reaction/reaction_clips.h"
+#include "tests/reaction/reaction_scenes.h"
 
 namespace flinch {
 namespace {

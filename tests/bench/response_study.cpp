@@ -10,8 +10,8 @@
 #include <random>
 #include <vector>
 
-#include "database/library_file.h"
-#include "tests/runtime/response_quality.h"
+#include "database/library/library_file.h"
+#include "tests/runtime/response/response_quality.h"
 
 namespace flinch {
 namespace {

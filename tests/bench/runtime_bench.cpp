@@ -5,7 +5,7 @@
 
 #include <array>
 
-#include "database/file_io.h"
+#include "database/import/file_io.h"
 #include "runtime/library.h"
 #include "runtime/workspace.h"
 #include "tests/runtime/made_up_selector.h"

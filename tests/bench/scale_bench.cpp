@@ -4,12 +4,12 @@
 
 #include <ctime>
 
-#include "database/authored_library.h"
+#include "database/author/authored_library.h"
 #include "motion/default_character.h"
 #include "tests/scenes/temporary_folder.h"
-#include "train/crew_messages.h"
-#include "train/simulate.h"
-#include "train/store_trials.h"
+#include "train/simulate/crew_messages.h"
+#include "train/simulate/simulate.h"
+#include "train/store/store_trials.h"
 
 namespace flinch::train {
 namespace {

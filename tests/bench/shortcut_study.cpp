@@ -11,10 +11,10 @@
 #include <string>
 #include <vector>
 
-#include "database/library_file.h"
-#include "runtime/response.h"
-#include "train/labels.h"
-#include "train/simulate.h"
+#include "database/library/library_file.h"
+#include "runtime/response/response.h"
+#include "train/fit/labels.h"
+#include "train/simulate/simulate.h"
 
 namespace flinch {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <type_traits>
 
-#include "sim/encounter.h"
+#include "sim/encounter/encounter.h"
 #include "tests/sim/random_hits.h"
 
 namespace flinch {

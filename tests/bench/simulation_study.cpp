@@ -10,7 +10,7 @@
 #include <ctime>
 #include <numeric>
 
-#include "database/library_file.h"
+#include "database/library/library_file.h"
 #include "tests/sim/random_hits.h"
 
 namespace flinch {

@@ -4,9 +4,9 @@
 #include <filesystem>
 #include <memory>
 
-#include "tests/train/made_up_store.h"
-#include "train/labels.h"
-#include "train/merge.h"
+#include "tests/train/store/made_up_store.h"
+#include "train/fit/labels.h"
+#include "train/store/merge.h"
 
 namespace flinch::train {
 namespace {

@@ -2,7 +2,7 @@
 #include <benchmark/benchmark.h>
 
 #include "tests/scenes/synthetic_library.h"
-#include "train/simulate.h"
+#include "train/simulate/simulate.h"
 
 namespace flinch::train {
 namespace {

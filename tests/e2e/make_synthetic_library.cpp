@@ -2,7 +2,7 @@
 #include <exception>
 #include <iostream>
 
-#include "database/library_writer.h"
+#include "database/import/library_writer.h"
 #include "tests/scenes/synthetic_library.h"
 
 /// Writes the synthetic library: `make_synthetic_library FILE [NAME]`.

@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "features/free_flight.h"
-#include "features/outline.h"
+#include "motion/outline.h"
 #include "motion/rotation.h"
 #include "tests/features/swaying_figure.h"
 #include "tests/motion/random_motion.h"

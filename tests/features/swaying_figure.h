@@ -6,8 +6,8 @@
 #include <limits>
 
 #include "features/impact_prediction.h"
-#include "features/outline.h"
 #include "motion/default_character.h"
+#include "motion/outline.h"
 
 namespace flinch::tests {
 

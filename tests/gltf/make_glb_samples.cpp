@@ -6,8 +6,8 @@
 #include <cstring>
 #include <filesystem>
 
-#include "database/file_io.h"
-#include "database/gltf_writer.h"
+#include "database/export/gltf_writer.h"
+#include "database/import/file_io.h"
 #include "motion/error.h"
 #include "tests/scenes/synthetic_library.h"
 

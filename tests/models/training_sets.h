@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "models/training_set.h"
+#include "models/fit/training_set.h"
 
 namespace flinch::models {
 

@@ -7,12 +7,12 @@
 #include <limits>
 #include <random>
 
-#include "database/authored_library.h"
+#include "database/author/authored_library.h"
 #include "motion/default_character.h"
 #include "motion/rotation.h"
 #include "tests/motion/random_motion.h"
-#include "tests/runtime/allocation_count.h"
 #include "tests/runtime/made_up_selector.h"
+#include "tests/scenes/allocation_count.h"
 
 namespace flinch::runtime {
 namespace {

@@ -6,7 +6,7 @@
 #include <functional>
 #include <random>
 
-#include "database/file_io.h"
+#include "database/import/file_io.h"
 #include "motion/error.h"
 #include "runtime/selector_file.h"
 #include "runtime/workspace.h"

@@ -4,15 +4,15 @@
 #include <span>
 #include <string>
 
-#include "database/library_writer.h"
-#include "database/sealed_file.h"
-#include "models/knn_fit.h"
-#include "models/network_fit.h"
-#include "models/pairwise_linear_fit.h"
-#include "models/svm_fit.h"
+#include "database/import/library_writer.h"
+#include "database/library/sealed_file.h"
+#include "models/fit/knn_fit.h"
+#include "models/fit/network_fit.h"
+#include "models/fit/pairwise_linear_fit.h"
+#include "models/fit/svm_fit.h"
 #include "tests/models/training_sets.h"
 #include "tests/scenes/synthetic_library.h"
-#include "train/selector_writer.h"
+#include "train/fit/selector_writer.h"
 
 namespace flinch::tests {
 

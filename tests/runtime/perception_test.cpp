@@ -10,7 +10,7 @@
 
 #include "features/impact_prediction.h"
 #include "motion/default_character.h"
-#include "tests/runtime/allocation_count.h"
+#include "tests/scenes/allocation_count.h"
 
 namespace flinch::runtime {
 namespace {

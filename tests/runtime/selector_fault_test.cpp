@@ -9,7 +9,7 @@
 
 #include "motion/error.h"
 #include "tests/runtime/selector_samples.h"
-#include "train/selector_writer.h"
+#include "train/fit/selector_writer.h"
 
 namespace flinch::runtime {
 namespace {

@@ -3,13 +3,13 @@
 
 #include <random>
 
-#include "database/sealed_file.h"
-#include "models/pairwise_linear_fit.h"
-#include "models/svm_fit.h"
+#include "database/library/sealed_file.h"
+#include "models/fit/pairwise_linear_fit.h"
+#include "models/fit/svm_fit.h"
 #include "runtime/selector_file.h"
 #include "tests/models/training_sets.h"
 #include "tests/runtime/selector_samples.h"
-#include "train/selector_writer.h"
+#include "train/fit/selector_writer.h"
 
 namespace flinch::runtime {
 namespace {

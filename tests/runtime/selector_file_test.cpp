@@ -9,10 +9,10 @@
 #include <random>
 #include <type_traits>
 
-#include "database/file_io.h"
+#include "database/import/file_io.h"
 #include "tests/models/training_sets.h"
 #include "tests/runtime/selector_samples.h"
-#include "train/selector_writer.h"
+#include "train/fit/selector_writer.h"
 
 namespace flinch::runtime {
 namespace {

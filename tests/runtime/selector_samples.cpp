@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "tests/runtime/selector_samples.h"
 
-#include "models/knn_fit.h"
-#include "models/network_fit.h"
-#include "models/pairwise_linear_fit.h"
-#include "models/svm_fit.h"
+#include "models/fit/knn_fit.h"
+#include "models/fit/network_fit.h"
+#include "models/fit/pairwise_linear_fit.h"
+#include "models/fit/svm_fit.h"
 #include "runtime/selector_file.h"
 #include "tests/models/training_sets.h"
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "database/library_file.h"
+#include "database/library/library_file.h"
 #include "models/selector.h"
 
 namespace flinch::tests {

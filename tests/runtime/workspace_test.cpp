@@ -6,8 +6,8 @@
 #include <limits>
 #include <random>
 
-#include "tests/runtime/allocation_count.h"
 #include "tests/runtime/made_up_selector.h"
+#include "tests/scenes/allocation_count.h"
 
 namespace flinch::runtime {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "database/library.h"
+#include "database/library/library.h"
 
 namespace flinch::scenes {
 

@@ -7,7 +7,7 @@
 #include "motion/default_character.h"
 #include "motion/interpolation.h"
 #include "motion/mirror.h"
-#include "sim/simulator.h"
+#include "sim/rehearsal/simulator.h"
 
 // Motions by rule and aimed balls, for the tests, the study and the benchmark of the simulation.
 namespace flinch::scenes {

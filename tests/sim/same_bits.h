@@ -8,7 +8,7 @@
 #include <thread>
 #include <vector>
 
-#include "sim/simulator.h"
+#include "sim/rehearsal/simulator.h"
 
 namespace flinch::scenes {
 

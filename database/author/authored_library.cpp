@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: MIT
+#include "database/author/authored_library.h"
+
+#include <cmath>
+#include <string>
+
+#include "database/author/evasion.h"
+#include "database/author/protective_motion.h"
+#include "database/author/stance.h"
+#include "database/author/static_balance.h"
+#include "motion/error.h"
+#include "motion/mirror.h"
+#include "motion/rotation.h"
+
+namespace flinch::database {
+namespace {
+
+using motion::Clip;
+using motion::Degree;
+using motion::degrees;
+using motion::JointFrames;
+using motion::Pose;
+using motion::radians;
+using motion::Target;
+
+// Front, and the left; mirroring gives the right.
+constexpr std::array<float, 5> kDirections{0, 45, 90, 135, 180};
+constexpr std::array<std::string_view, 5> kDirectionNames{"front", "front_left", "left",
+                                                          "back_left", "back"};
+
+// Clips are played so that their peak meets the impact, so they need the pace of an urgent
+// threat, not of one of their own: equation 4.1 with this speed gives 0.33 to 0.46 s.
+constexpr float kUrgency = 0.9F;
+constexpr float kDistance = 5;  // m, at which the authored threats begin
+
+struct Author {
+  Figure figure;
+  Pose start;
+  JointFrames frames;
+  motion::Motion idle;
+  bool with_startle;
+  float rate_hz;
+};
+
+// A threat from a direction, a little from above, at the middle of a target.
+Danger danger_from(const Author& author, Target target, float azimuth) {
+  constexpr float kElevation = radians(12);
+  Danger danger;
+  danger.target_point = motion::target_centre(author.figure.bodies, author.frames, target);
+  const Eigen::Vector3f from(std::cos(kElevation) * std::cos(azimuth),
+                             std::cos(kElevation) * std::sin(azimuth), std::sin(kElevation));
+  danger.position = danger.target_point + kDistance * from;
+  danger.speed_mps = 25;
+  return danger;
+}
+
+RuleControls controls_of(Degree degree) {
+  if (degree == Degree::mild) return {0.35F, 0.3F, 0.35F, {0.55F, 0.55F}, {0.5F, 0.5F}};
+  return {0.75F, 0.7F, 0.9F, {0.85F, 0.85F}, {0.8F, 0.8F}};
+}
+
+Clip make_clip(const Author& author, std::string_view kind, Target target, std::size_t direction,
+               Degree degree, const Pose& sustained, float pace,
+               const std::optional<Pose>& startled = std::nullopt) {
+  const float azimuth = radians(kDirections[direction]);
+  ProtectiveTiming timing;
+  timing.protect_s = pace * time_to_contact_s(kUrgency, std::cos(azimuth));
+  Clip clip;
+  clip.name = std::string(kind) + "_" + std::string(motion::name_of(target)) + "_" +
+              std::string(kDirectionNames[direction]) + "_" + std::string(motion::name_of(degree));
+  clip.kind = kind;
+  clip.source = "authored by rule";
+  clip.motion =
+      protective_motion(author.figure, author.start, startled, sustained, timing, author.rate_hz);
+  motion::Annotation annotation;
+  annotation.target = target;
+  annotation.direction = azimuth;
+  annotation.degree = degree;
+  annotation.onset_s = 0;
+  annotation.peak_s = timing.protect_s + timing.settle_s;
+  annotation.end_s = clip.motion.duration_s();
+  clip.annotation = annotation;
+  return clip;
+}
+
+// From the side a chest that turns away has the threat behind it, and hands would go to the head.
+// That is right for the head; trunk and pelvis are met by arms across them, the chest still facing
+// the threat a little.
+Clip block_clip(const Author& author, Target target, std::size_t direction, Degree degree) {
+  constexpr float kBeforeTheShoulders = 75;  // degrees
+  const bool across = target != Target::head && kDirections[direction] == 90;
+  const float azimuth = across ? kBeforeTheShoulders : kDirections[direction];
+  RuleControls controls = controls_of(degree);
+  if (across) controls.turn = 0;
+  const ProtectivePoses poses =
+      protective_poses(author.figure, author.idle, 0, danger_from(author, target, radians(azimuth)),
+                       controls, author.with_startle);
+  return make_clip(author, "block", target, direction, degree, poses.sustained.pose, 1,
+                   poses.startled);
+}
+
+Clip evasive_clip(const Author& author, std::string_view kind, Target target, std::size_t direction,
+                  Degree degree, const Evasion& evasion, float pace) {
+  return make_clip(author, kind, target, direction, degree,
+                   evasive_pose(author.figure, author.start, evasion), pace);
+}
+
+Clip idle_clip(const Author& author) {
+  Clip clip;
+  clip.name = "idle";
+  clip.purpose = motion::Purpose::idle;
+  clip.kind = "idle";
+  clip.source = "authored by rule";
+  clip.motion = author.idle;
+  return clip;
+}
+
+// The clips against threats from one direction. Hands do not reach behind the back, so a pelvis is
+// blocked only from the front half; mild ducks, dodges and lifts are left out where the exaggerated
+// ones or a neighbour's do the same.
+std::vector<Clip> clips_from(const Author& author, std::size_t direction) {
+  const float azimuth = radians(kDirections[direction]);
+  const bool from_behind = kDirections[direction] > 90;
+  constexpr Degree kMild = Degree::mild;
+  constexpr Degree kExaggerated = Degree::exaggerated;
+  std::vector<Clip> clips;
+  for (Target target : {Target::head, Target::trunk, Target::pelvis}) {
+    if (target == Target::pelvis && from_behind) continue;
+    clips.push_back(block_clip(author, target, direction, kMild));
+    clips.push_back(block_clip(author, target, direction, kExaggerated));
+  }
+  const auto evade = [&](std::string_view kind, Target target, Degree degree,
+                         const Evasion& evasion, float pace) {
+    clips.push_back(evasive_clip(author, kind, target, direction, degree, evasion, pace));
+  };
+  if (!from_behind) evade("duck", Target::head, kMild, duck(azimuth, 0.6F), 1);
+  evade("duck", Target::head, kExaggerated, duck(azimuth, 0.95F), 1.1F);
+  evade("dodge", Target::head, kExaggerated, dodge(azimuth, -1, 1), 1);
+  evade("sidestep", Target::trunk, kExaggerated, sidestep(azimuth, -1, 1), 1.2F);
+  evade("sidestep", Target::pelvis, kExaggerated, sidestep(azimuth, 1, 1), 1.2F);
+  evade("sidestep", Target::legs, kMild, sidestep(azimuth, -1, 0.7F), 1.1F);
+  if (!from_behind) {
+    evade("lift", Target::legs, kMild, lift_leg(azimuth, 0.5F), 1);
+    evade("lift", Target::legs, kExaggerated, lift_leg(azimuth, 1), 1.1F);
+  }
+  evade("sidestep", Target::legs, kExaggerated, sidestep(azimuth, -1, 0.9F), 1.2F);
+  return clips;
+}
+
+}  // namespace
+
+Library authored_library(const motion::Character& character, bool with_startle, float rate_hz) {
+  Author author{make_figure(character), {}, {}, {}, with_startle, rate_hz};
+  author.start = standing_pose(author.figure);
+  author.idle = idle_motion(author.figure, rate_hz);
+  author.frames = motion::forward_kinematics(character.skeleton, author.start);
+  Library library;
+  library.name = "authored";
+  library.character = character;
+  library.rate_hz = rate_hz;
+  library.clips.push_back(idle_clip(author));
+  for (std::size_t direction = 0; direction < kDirections.size(); ++direction) {
+    for (Clip& clip : clips_from(author, direction)) {
+      Clip mirror = motion::mirrored(clip);
+      library.clips.push_back(std::move(clip));
+      library.clips.push_back(std::move(mirror));
+    }
+  }
+  return library;
+}
+
+}  // namespace flinch::database

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: MIT
+#include "database/author/character_toml.h"
+
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "database/import/toml_reader.h"
+#include "motion/default_character.h"
+#include "motion/error.h"
+#include "motion/foot.h"
+
+namespace flinch::database {
+namespace {
+
+using motion::Role;
+using motion::Skeleton;
+
+struct NamedProportion {
+  std::string_view name;
+  float Proportions::*factor;
+};
+constexpr std::array<NamedProportion, 9> kProportions{{{"legs", &Proportions::legs},
+                                                       {"arms", &Proportions::arms},
+                                                       {"trunk", &Proportions::trunk},
+                                                       {"neck", &Proportions::neck},
+                                                       {"head", &Proportions::head},
+                                                       {"hands", &Proportions::hands},
+                                                       {"feet", &Proportions::feet},
+                                                       {"shoulders", &Proportions::shoulders},
+                                                       {"hips", &Proportions::hips}}};
+
+struct Range {
+  float least, most;
+};
+constexpr Range kHeight{0.9F, 2.5F};
+constexpr Range kMassIndex{10, 60};  // kg/m^2
+constexpr Range kProportion{0.6F, 1.6F};
+
+bool is_in(float value, const Range& range) {
+  return value >= range.least && value <= range.most;  // false for what is not a number
+}
+
+std::string shown(float value) {
+  std::string text = std::to_string(value);
+  text.erase(text.find_last_not_of('0') + 1);
+  if (text.ends_with('.')) text.pop_back();
+  return text;
+}
+
+void check(bool possible, const std::string& where, std::string_view name, float value,
+           const Range& range) {
+  if (possible) return;
+  throw Error(where, std::string(name) + " " + shown(value) + " is not a person's: give one from " +
+                         shown(range.least) + " to " + shown(range.most));
+}
+
+void scale(Skeleton& skeleton, Role role, float factor) {
+  skeleton.offset[role] *= factor;
+}
+
+// Offsets first, tips after them: a tip is the next joint's offset but at the ends of chains.
+Skeleton shaped(Skeleton skeleton, const Proportions& proportions) {
+  scale(skeleton, Role::abdomen, proportions.trunk);
+  scale(skeleton, Role::chest, proportions.trunk);
+  scale(skeleton, Role::neck, proportions.trunk);
+  scale(skeleton, Role::head, proportions.neck);
+  skeleton.tip[Role::head] *= proportions.head;
+  for (Role left : {Role::left_clavicle, Role::left_upper_arm, Role::left_forearm, Role::left_hand,
+                    Role::left_thigh, Role::left_shin, Role::left_foot, Role::left_toes}) {
+    for (Role role : {left, motion::mirrored(left)}) {
+      Eigen::Vector3f& offset = skeleton.offset[role];
+      if (left == Role::left_clavicle) {
+        offset.y() *= proportions.shoulders;
+        offset.z() *= proportions.trunk;
+      } else if (left == Role::left_upper_arm) {
+        offset.y() *= proportions.shoulders;
+      } else if (left == Role::left_forearm || left == Role::left_hand) {
+        offset *= proportions.arms;
+      } else if (left == Role::left_thigh) {
+        offset.y() *= proportions.hips;
+      } else if (left == Role::left_shin || left == Role::left_foot) {
+        offset *= proportions.legs;
+      } else {
+        offset *= proportions.feet;
+      }
+    }
+  }
+  for (Role hand : {Role::left_hand, Role::right_hand}) skeleton.tip[hand] *= proportions.hands;
+  for (Role toes : {Role::left_toes, Role::right_toes}) skeleton.tip[toes] *= proportions.feet;
+  return skeleton;
+}
+
+// The far end of each segment that another one follows.
+void set_tips(Skeleton& skeleton) {
+  for (auto [role, next] : {std::pair{Role::pelvis, Role::abdomen},
+                            {Role::abdomen, Role::chest},
+                            {Role::chest, Role::neck},
+                            {Role::neck, Role::head},
+                            {Role::left_clavicle, Role::left_upper_arm},
+                            {Role::left_upper_arm, Role::left_forearm},
+                            {Role::left_forearm, Role::left_hand},
+                            {Role::left_thigh, Role::left_shin},
+                            {Role::left_shin, Role::left_foot},
+                            {Role::left_foot, Role::left_toes}}) {
+    skeleton.tip[role] = skeleton.offset[next];
+    skeleton.tip[motion::mirrored(role)] = skeleton.offset[motion::mirrored(next)];
+  }
+}
+
+float crown_height(const Skeleton& skeleton) {
+  const motion::JointFrames rest =
+      motion::forward_kinematics(skeleton, motion::rest_pose(skeleton));
+  return rest.position[Role::head].z() + skeleton.tip[Role::head].z();
+}
+
+// The ankle's height above the sole goes with the feet.
+void stand_on_ground(Skeleton& skeleton, float ankle_height_m) {
+  float below_pelvis = 0;
+  for (Role role : {Role::left_thigh, Role::left_shin, Role::left_foot}) {
+    below_pelvis += skeleton.offset[role].z();
+  }
+  skeleton.offset[Role::pelvis].z() = ankle_height_m - below_pelvis;
+}
+
+}  // namespace
+
+motion::Character make_character(float height_m, float mass_kg, motion::Sex sex,
+                                 const Proportions& proportions, const std::string& where) {
+  check(is_in(height_m, kHeight), where, "height_m", height_m, kHeight);
+  const float square = height_m * height_m;
+  const Range masses{kMassIndex.least * square, kMassIndex.most * square};
+  check(is_in(mass_kg, masses), where, "mass_kg", mass_kg, masses);
+  for (const NamedProportion& named : kProportions) {
+    const float factor = proportions.*named.factor;
+    check(is_in(factor, kProportion), where, named.name, factor, kProportion);
+  }
+  const motion::Character mean = motion::default_character();
+  motion::Character character{shaped(mean.skeleton, proportions), mass_kg, sex};
+  Skeleton& skeleton = character.skeleton;
+  const float mean_ankle = motion::measure_foot(mean.skeleton, motion::Side::left).ankle_height;
+  stand_on_ground(skeleton, proportions.feet * mean_ankle);
+  const float factor = height_m / crown_height(skeleton);
+  for (Eigen::Vector3f& offset : skeleton.offset) offset *= factor;
+  for (Eigen::Vector3f& tip : skeleton.tip) tip *= factor;
+  set_tips(skeleton);
+  return character;
+}
+
+motion::Character read_character(const std::string& path) {
+  const toml::table table = read_toml(path);
+  const TomlReader reader(table, path, "the character");
+  reader.expect_keys({"height_m", "mass_kg", "sex", "proportions"});
+  const motion::Character mean = motion::default_character();
+  motion::Sex sex = mean.sex;
+  if (const std::optional<std::string> name = reader.text("sex")) {
+    const std::optional<motion::Sex> known = motion::sex_named(*name);
+    if (!known) reader.fail("sex", "has an unknown sex \"" + *name + "\"; known are: female, male");
+    sex = *known;
+  }
+  Proportions proportions;
+  if (reader.has("proportions")) {
+    const toml::table* factors = table["proportions"].as_table();
+    if (factors == nullptr) reader.fail("proportions", "needs [proportions] to be a table");
+    const TomlReader inner(*factors, path, "[proportions]");
+    inner.expect_keys(
+        {"legs", "arms", "trunk", "neck", "head", "hands", "feet", "shoulders", "hips"});
+    for (const NamedProportion& named : kProportions) {
+      const auto factor = inner.number(named.name);
+      if (!factor) continue;
+      proportions.*named.factor = static_cast<float>(*factor);
+      check(is_in(proportions.*named.factor, kProportion), inner.where(named.name), named.name,
+            proportions.*named.factor, kProportion);
+    }
+  }
+  // Someone of another height weighs what keeps the mean man's body mass index.
+  const float mean_height = crown_height(mean.skeleton);
+  const auto height = static_cast<float>(reader.number("height_m").value_or(mean_height));
+  const float share = height / mean_height;
+  const auto mass =
+      static_cast<float>(reader.number("mass_kg").value_or(mean.mass_kg * share * share));
+  const std::string where = reader.where(is_in(height, kHeight) ? "mass_kg" : "height_m");
+  return make_character(height, mass, sex, proportions, where);
+}
+
+}  // namespace flinch::database

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: MIT
+#include "database/author/evasion.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "database/author/pose_rules.h"
+#include "motion/rotation.h"
+#include "motion/support_polygon.h"
+
+namespace flinch::database {
+namespace {
+
+using motion::JointFrames;
+using motion::Pose;
+using motion::radians;
+using motion::Role;
+using motion::Side;
+using motion::turn_about;
+
+Eigen::Quaternionf turn_of(const Eigen::Vector3f& angles) {
+  return turn_about(Eigen::Vector3f::UnitZ(), angles.z()) *
+         turn_about(Eigen::Vector3f::UnitX(), angles.x()) *
+         turn_about(Eigen::Vector3f::UnitY(), angles.y());
+}
+
+void turn_joint(Pose& pose, Role role, const Eigen::Vector3f& angles) {
+  pose.rotation[role] = (pose.rotation[role] * turn_of(angles)).normalized();
+}
+
+Eigen::Vector3f toward(float azimuth) {
+  return {std::cos(azimuth), std::sin(azimuth), 0};
+}
+
+// The angles by which an upright part tilts toward a horizontal direction.
+Eigen::Vector3f tilt(float azimuth, float angle) {
+  return {-std::sin(azimuth) * angle, std::cos(azimuth) * angle, 0};
+}
+
+Pose with_arms(const Figure& figure, const Pose& pose, ArmManner manner) {
+  if (manner == ArmManner::cover) return cover_head(figure, pose);
+  Pose result = pose;
+  for (Side side : kSides) {
+    switch (manner) {
+      case ArmManner::guard:
+        set_arm(result, side, {radians(38), radians(16), radians(-6), radians(112)});
+        break;
+      case ArmManner::balance:
+        set_arm(result, side, {radians(14), radians(42), radians(-8), radians(48)});
+        break;
+      case ArmManner::hang:
+      case ArmManner::cover:
+        break;
+    }
+  }
+  return result;
+}
+
+// Moves the pelvis by what the centre of mass lacks to be above the soles, until it is.
+Pose balanced(const Figure& figure, const PerSide<FootPlace>& feet, Pose pose, ArmManner arms) {
+  constexpr float kMargin = 0.03F;
+  constexpr int kRounds = 12;
+  for (int round = 0;; ++round) {
+    const JointFrames trunk = motion::forward_kinematics(figure.skeleton(), pose);
+    pose.root_position.z() =
+        std::min(pose.root_position.z(), highest_pelvis(figure.skeleton(), trunk, feet));
+    const Pose standing = with_feet(figure.skeleton(), pose, feet);
+    const Pose result = with_arms(figure, standing, arms);
+    const JointFrames frames = motion::forward_kinematics(figure.skeleton(), result);
+    const std::vector<Eigen::Vector2f> soles =
+        motion::support_polygon(figure.skeleton(), frames, 0.005F);
+    const Eigen::Vector2f centre = motion::centre_of_mass(figure.bodies, frames).head<2>();
+    const float lacking = kMargin - motion::signed_distance_inside(soles, centre);
+    if (!(lacking > 0) || soles.empty() || round == kRounds) return result;
+    Eigen::Vector2f middle = Eigen::Vector2f::Zero();
+    for (const Eigen::Vector2f& point : soles) middle += point;
+    middle /= static_cast<float>(soles.size());
+    const Eigen::Vector2f inward = middle - centre;
+    const float distance = inward.norm();
+    if (distance <= 0) return result;
+    pose.root_position.head<2>() += std::min(lacking, distance) / distance * inward;
+  }
+}
+
+}  // namespace
+
+Pose evasive_pose(const Figure& figure, const Pose& start, const Evasion& evasion) {
+  const motion::Skeleton& skeleton = figure.skeleton();
+  const float leg = motion::limb_length(skeleton, motion::Limb::left_leg);
+  const JointFrames frames = motion::forward_kinematics(skeleton, start);
+  const Eigen::Quaternionf facing = turn_about(Eigen::Vector3f::UnitZ(), motion::facing(start));
+  PerSide<FootPlace> feet;
+  for (Side side : kSides) {
+    const std::size_t i = index_of(side);
+    feet[i] = foot_place(frames, side);
+    feet[i].ankle += facing * (leg * evasion.foot_shift[i]);
+    feet[i].orientation =
+        feet[i].orientation * turn_about(Eigen::Vector3f::UnitY(), evasion.foot_pitch[i]);
+  }
+  Pose pose = recoil(start, evasion.shrug);
+  pose.root_position += facing * (leg * evasion.pelvis_shift);
+  turn_joint(pose, Role::pelvis, evasion.pelvis_turn);
+  turn_joint(pose, Role::abdomen, evasion.waist_turn);
+  turn_joint(pose, Role::chest, evasion.back_turn);
+  turn_joint(pose, Role::neck, 0.5F * evasion.neck_turn);
+  turn_joint(pose, Role::head, 0.5F * evasion.neck_turn);
+  return balanced(figure, feet, pose, evasion.arms);
+}
+
+Evasion duck(float azimuth, float amount) {
+  // Bows forward, and a little away from a threat at the side.
+  const float bow = radians(82) * amount;
+  const float aside = -0.3F * std::sin(azimuth) * bow;
+  Evasion evasion;
+  evasion.pelvis_shift = {-0.12F * amount, 0, -0.32F * amount};
+  evasion.pelvis_turn = {0, 0.36F * bow, 0};
+  evasion.waist_turn = {-0.4F * aside, 0.34F * bow, 0};
+  evasion.back_turn = {-0.6F * aside, 0.30F * bow, 0};
+  evasion.neck_turn = {0, radians(18) * amount, 0};
+  evasion.shrug = 0.6F * amount;
+  evasion.arms = amount > 0.7F ? ArmManner::cover : ArmManner::guard;
+  return evasion;
+}
+
+Evasion dodge(float azimuth, float sense, float amount) {
+  const float way = azimuth + sense * radians(90);
+  Evasion evasion;
+  evasion.pelvis_shift = 0.10F * amount * toward(way) + Eigen::Vector3f(0, 0, -0.10F * amount);
+  evasion.pelvis_turn = tilt(way, radians(14) * amount);
+  evasion.waist_turn = tilt(way, radians(17) * amount);
+  evasion.back_turn = tilt(way, radians(17) * amount);
+  evasion.neck_turn = tilt(way, radians(14) * amount);
+  evasion.shrug = 0.3F * amount;
+  evasion.arms = ArmManner::guard;
+  return evasion;
+}
+
+Evasion sidestep(float azimuth, float sense, float amount) {
+  const float way = azimuth + sense * radians(90);
+  // A body is broader than deep, and knees bend less forward than legs open sideways.
+  const Eigen::Vector3f shift = amount * toward(way).cwiseProduct(Eigen::Vector3f(0.37F, 0.48F, 0));
+  // The foot on the way's side goes ahead; straight forward or back it is the right one.
+  const std::size_t lead = std::sin(way) > 0.1F ? 0 : 1;
+  Evasion evasion;
+  evasion.pelvis_shift = shift + Eigen::Vector3f(0, 0, -0.04F);
+  evasion.waist_turn = tilt(way, radians(7) * amount);
+  evasion.back_turn = tilt(way, radians(7) * amount);
+  evasion.foot_shift[lead] = shift + 0.08F * toward(way);
+  if (amount >= 0.5F) {
+    evasion.foot_shift[1 - lead] = shift - 0.08F * toward(way);
+  } else {
+    evasion.foot_shift[lead] *= 1.5F;
+  }
+  evasion.arms = ArmManner::guard;
+  return evasion;
+}
+
+Evasion lift_leg(float azimuth, float amount) {
+  // The near leg: the left for a threat from the left; from straight ahead or behind, the right.
+  const std::size_t near = std::sin(azimuth) > 0.1F ? 0 : 1;
+  const float near_sign = near == 0 ? 1.0F : -1.0F;
+  const bool from_front = std::cos(azimuth) > -0.1F;
+  Evasion evasion;
+  evasion.pelvis_shift = {0, -0.17F * near_sign, -0.05F};
+  evasion.pelvis_turn = {radians(8) * near_sign * amount, 0, -radians(12) * near_sign * amount};
+  evasion.waist_turn = {-radians(9) * near_sign * amount, 0, 0};
+  evasion.foot_shift[near] = {from_front ? -0.10F * amount : 0.22F * amount, -0.02F * near_sign,
+                              (from_front ? 0.36F : 0.30F) * amount};
+  evasion.foot_pitch[near] = radians(from_front ? 38 : 15) * amount;
+  evasion.arms = ArmManner::balance;
+  return evasion;
+}
+
+}  // namespace flinch::database

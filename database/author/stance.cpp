@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#include "database/author/stance.h"
+
+#include <cmath>
+
+#include "motion/rotation.h"
+
+namespace flinch::database {
+namespace {
+
+using motion::JointFrames;
+using motion::Pose;
+using motion::radians;
+using motion::Role;
+using motion::Side;
+using motion::turn_about;
+
+constexpr float kTurnOut = radians(8);
+constexpr float kIdle = 8;  // s, a whole number of breaths
+
+PerSide<FootPlace> feet_at(const Figure& figure, float forward_m, float half_between_m) {
+  const float ankle_height = motion::measure_foot(figure.skeleton(), Side::left).ankle_height;
+  PerSide<FootPlace> feet;
+  for (Side side : kSides) {
+    feet[index_of(side)] = {{forward_m, sign_of(side) * half_between_m, ankle_height},
+                            turn_about(Eigen::Vector3f::UnitZ(), sign_of(side) * kTurnOut)};
+  }
+  return feet;
+}
+
+// What moves in `idle_motion`, each 0 at either end.
+struct Sway {
+  float breath;    // 0 out, 1 in
+  float sideways;  // -1 to 1
+  float forward;
+};
+
+// 1 - cos vanishes with its derivative where the argument is a whole number of turns.
+Sway sway_at(float time_s) {
+  const float turn = 2 * std::numbers::pi_v<float> * time_s / kIdle;
+  return {0.5F * (1 - std::cos(2 * turn)), 0.5F * (std::cos(2 * turn) - std::cos(turn)),
+          0.5F * (std::cos(3 * turn) - std::cos(turn))};
+}
+
+}  // namespace
+
+Pose standing_pose(const Figure& figure) {
+  const motion::Skeleton& skeleton = figure.skeleton();
+  const float height = stature(skeleton);
+  Pose pose = motion::rest_pose(skeleton);
+  pose.root_position.z() -= 0.008F * height;  // bends the knees a little
+  pose.rotation[Role::abdomen] = turn_about(Eigen::Vector3f::UnitY(), radians(2));
+  pose.rotation[Role::neck] = turn_about(Eigen::Vector3f::UnitY(), radians(4));
+  pose.rotation[Role::head] = turn_about(Eigen::Vector3f::UnitY(), radians(-5));
+  for (Side side : kSides) {
+    set_arm(pose, side, {radians(2), radians(9), radians(-10), radians(18)});
+  }
+  // The sole's middle is a fifth of the foot's length before the ankle.
+  const float forward = -0.2F * motion::measure_foot(skeleton, Side::left).length;
+  const float half_between = skeleton.offset[Role::left_thigh].y() + 0.012F * height;
+  Pose standing = with_feet(skeleton, pose, feet_at(figure, forward, half_between));
+  const Eigen::Vector3f centre =
+      motion::centre_of_mass(figure.bodies, motion::forward_kinematics(skeleton, standing));
+  return with_feet(skeleton, pose, feet_at(figure, forward + centre.x(), half_between));
+}
+
+motion::Motion idle_motion(const Figure& figure, float rate_hz) {
+  const motion::Skeleton& skeleton = figure.skeleton();
+  const float height = stature(skeleton);
+  const Pose standing = standing_pose(figure);
+  const JointFrames frames = motion::forward_kinematics(skeleton, standing);
+  const PerSide<FootPlace> feet{foot_place(frames, Side::left), foot_place(frames, Side::right)};
+
+  motion::Motion idle;
+  idle.rate_hz = rate_hz;
+  const int count = static_cast<int>(std::lround(kIdle * rate_hz)) + 1;
+  for (int k = 0; k < count; ++k) {
+    const Sway sway = sway_at(static_cast<float>(k) / rate_hz);
+    Pose pose = standing;
+    pose.root_position +=
+        height * Eigen::Vector3f(0.003F * sway.forward, 0.005F * sway.sideways, 0);
+    const float lift = radians(1.2F) * sway.breath;
+    pose.rotation[Role::chest] =
+        pose.rotation[Role::chest] * turn_about(Eigen::Vector3f::UnitY(), -lift);
+    pose.rotation[Role::neck] =
+        pose.rotation[Role::neck] * turn_about(Eigen::Vector3f::UnitY(), 0.8F * lift);
+    pose.rotation[Role::abdomen] = pose.rotation[Role::abdomen] *
+                                   turn_about(Eigen::Vector3f::UnitX(), radians(1) * sway.sideways);
+    for (Side side : kSides) {
+      const Role clavicle = side == Side::left ? Role::left_clavicle : Role::right_clavicle;
+      pose.rotation[clavicle] = turn_about(Eigen::Vector3f::UnitX(), sign_of(side) * 1.5F * lift);
+    }
+    idle.poses.push_back(with_feet(skeleton, pose, feet));
+  }
+  return idle;
+}
+
+}  // namespace flinch::database

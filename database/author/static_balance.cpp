@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: MIT
+#include "database/author/static_balance.h"
+
+#include <lbfgs.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "motion/rotation.h"
+#include "motion/support_polygon.h"
+
+namespace flinch::database {
+
+using motion::JointFrames;
+using motion::Pose;
+using motion::Role;
+using motion::Side;
+using motion::turn_about;
+
+namespace {
+
+constexpr float kOffset = 0.01F;  // of the midpoint differences, as in the thesis
+constexpr int kMostIterations = 7;
+// The optimiser works in these units, so that one unit of each matters about alike.
+constexpr std::array<float, 10> kUnits{0.1F,  0.1F,  0.1F,  0.25F, 0.25F,
+                                       0.25F, 0.25F, 0.25F, 0.25F, 0.25F};
+
+// The angle between two orientations: 2 asin of half the distance of the unit quaternions.
+float angle_between(const Eigen::Quaternionf& a, const Eigen::Quaternionf& b) {
+  return 2 * std::asin(std::min((a.conjugate() * b).vec().norm(), 1.0F));
+}
+
+// Both feet flat on the ground below where they are.
+PerSide<FootPlace> planted_feet(const Figure& figure, const JointFrames& frames) {
+  PerSide<FootPlace> feet;
+  for (Side side : kSides) {
+    FootPlace& place = feet[index_of(side)];
+    place = foot_place(frames, side);
+    place.ankle.z() = motion::measure_foot(figure.skeleton(), side).ankle_height;
+    place.orientation = turn_about(Eigen::Vector3f::UnitZ(), motion::yaw_of(place.orientation));
+  }
+  return feet;
+}
+
+// The hip too high for the leg to reach the ground: the foot is left in the air (section 3.3).
+Pose planted(const Figure& figure, const Pose& pose) {
+  const JointFrames frames = motion::forward_kinematics(figure.skeleton(), pose);
+  PerSide<FootPlace> feet = planted_feet(figure, frames);
+  for (Side side : kSides) {
+    const motion::LimbRoles roles = motion::roles_of(leg_of(side));
+    const FootPlace& place = feet[index_of(side)];
+    const float needed = (place.ankle - frames.position[roles.upper]).norm();
+    const float length = motion::limb_length(figure.skeleton(), leg_of(side));
+    if (needed > length) feet[index_of(side)] = foot_place(frames, side);
+  }
+  return with_feet(figure.skeleton(), pose, feet);
+}
+
+struct Run {
+  const BalanceProblem* problem;
+  int iterations = 0;
+};
+
+lbfgsfloatval_t evaluate(void* instance, const lbfgsfloatval_t* x, lbfgsfloatval_t* gradient,
+                         const int /*n*/, const lbfgsfloatval_t /*step*/) {
+  const BalanceProblem& problem = *static_cast<Run*>(instance)->problem;
+  std::array<float, 10> values{};
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] = static_cast<float>(x[i]) * kUnits[i];
+  const BalanceVariables variables = from_array(values);
+  const std::array<float, 10> slope = problem.gradient(variables, kOffset);
+  for (std::size_t i = 0; i < slope.size(); ++i) gradient[i] = slope[i] * kUnits[i];
+  return problem.error_of(problem.pose_of(variables), kRounding).total();
+}
+
+int count_iterations(void* instance, const lbfgsfloatval_t*, const lbfgsfloatval_t*,
+                     const lbfgsfloatval_t, const lbfgsfloatval_t, const lbfgsfloatval_t,
+                     const lbfgsfloatval_t, int, int iteration, int) {
+  static_cast<Run*>(instance)->iterations = iteration;
+  return 0;
+}
+
+}  // namespace
+
+std::array<float, 10> to_array(const BalanceVariables& variables) {
+  const RuleControls& c = variables.controls;
+  const Eigen::Vector3f& shift = variables.pelvis_shift;
+  return {shift.x(), shift.y(),  shift.z(),  c.lean,      c.turn,
+          c.recoil,  c.reach[0], c.reach[1], c.swivel[0], c.swivel[1]};
+}
+
+BalanceVariables from_array(const std::array<float, 10>& values) {
+  BalanceVariables variables;
+  variables.pelvis_shift = {values[0], values[1], values[2]};
+  variables.controls = {
+      values[3], values[4], values[5], {values[6], values[7]}, {values[8], values[9]}};
+  return variables;
+}
+
+BalanceProblem::BalanceProblem(const Figure& figure, const Pose& pose, const Danger& danger,
+                               const RuleControls& controls, float brace_m)
+    : figure_(figure), start_(planted(figure, pose)), aim_(aim_of(figure, start_, danger)) {
+  const motion::Skeleton& skeleton = figure.skeleton();
+  const JointFrames frames = motion::forward_kinematics(skeleton, start_);
+  feet_ = {foot_place(frames, Side::left), foot_place(frames, Side::right)};
+  const Pose unbalanced = pose_of({Eigen::Vector3f::Zero(), controls});
+  reference_ = motion::forward_kinematics(skeleton, unbalanced);
+  hands_on_head_ = guards_head_from_behind(reference_, aim_);
+  const Eigen::Vector2f centre = motion::centre_of_mass(figure.bodies, reference_).head<2>();
+  Eigen::Vector2f toward = (danger.position - danger.target_point).head<2>();
+  if (toward.norm() > 0) toward.normalize();  // straight from above there is nothing to lean into
+  wanted_ = centre + brace_m * toward;
+  balanced_before_ =
+      motion::signed_distance_inside(motion::support_polygon(skeleton, reference_), centre) >= 0;
+}
+
+Pose BalanceProblem::pose_of(const BalanceVariables& variables, bool* feet_reach) const {
+  Pose moved = start_;
+  moved.root_position += variables.pelvis_shift;
+  return apply_rules(figure_, moved, aim_, variables.controls, feet_, feet_reach);
+}
+
+BalanceError BalanceProblem::error_of(const Pose& pose, float rounding) const {
+  const JointFrames frames = motion::forward_kinematics(figure_.skeleton(), pose);
+  const auto rounded = [rounding](float distance) {
+    return std::sqrt(distance * distance + rounding * rounding) - rounding;
+  };
+  const auto moved = [&](Role role) {
+    return rounded((frames.position[role] - reference_.position[role]).norm());
+  };
+  const auto hand = [&](Role role) {
+    if (!hands_on_head_) return moved(role);
+    const Eigen::Vector3f now = frames.position[role] - frames.position[Role::head];
+    const Eigen::Vector3f then = reference_.position[role] - reference_.position[Role::head];
+    return rounded((now - then).norm());
+  };
+  const auto turned = [&](Role role) {
+    return rounded(angle_between(frames.orientation[role], reference_.orientation[role]));
+  };
+  const Eigen::Vector2f centre = motion::centre_of_mass(figure_.bodies, frames).head<2>();
+  const float rise = frames.position[Role::pelvis].z() - reference_.position[Role::pelvis].z();
+  return {rounded((centre - wanted_).norm()), hand(Role::left_hand) + hand(Role::right_hand),
+          turned(Role::pelvis) + turned(Role::abdomen) + turned(Role::chest), rounded(rise),
+          moved(Role::left_foot) + moved(Role::right_foot)};
+}
+
+std::array<float, 10> BalanceProblem::gradient(const BalanceVariables& variables,
+                                               float offset) const {
+  const std::array<float, 10> middle = to_array(variables);
+  std::array<float, 10> slope{};
+  for (std::size_t i = 0; i < slope.size(); ++i) {
+    const auto error_at = [&](float value) {
+      std::array<float, 10> values = middle;
+      values[i] = value;
+      return error_of(pose_of(from_array(values)), kRounding).total();
+    };
+    slope[i] = (error_at(middle[i] + offset) - error_at(middle[i] - offset)) / (2 * offset);
+  }
+  return slope;
+}
+
+// The pelvis goes by what the centre of mass lacks, a sixth more for the parts that stay, and hands
+// on the threat's line are drawn in by what it takes them along. Where that is no better than to
+// stay, to stay.
+BalanceVariables BalanceProblem::first_guess(const RuleControls& controls) const {
+  const BalanceVariables stay{Eigen::Vector3f::Zero(), controls};
+  const Eigen::Vector2f centre = motion::centre_of_mass(figure_.bodies, reference_).head<2>();
+  const Eigen::Vector2f shift = 1.17F * (wanted_ - centre);
+  BalanceVariables guess{{shift.x(), shift.y(), 0}, controls};
+  if (!hands_on_head_) {
+    const float closer = shift.dot(aim_.to_threat.head<2>()) / reach_range(figure_, aim_.weights);
+    for (float& reach : guess.controls.reach) reach = std::clamp(reach + closer, 0.0F, 1.0F);
+  }
+  const auto error = [this](const BalanceVariables& variables) {
+    return error_of(pose_of(variables), kRounding).total();
+  };
+  return error(guess) < error(stay) ? guess : stay;
+}
+
+BalanceCase BalanceProblem::balance_of(const Pose& pose) const {
+  const JointFrames frames = motion::forward_kinematics(figure_.skeleton(), pose);
+  const bool balanced =
+      motion::signed_distance_inside(motion::support_polygon(figure_.skeleton(), frames),
+                                     motion::centre_of_mass(figure_.bodies, frames).head<2>()) >= 0;
+  if (balanced) return BalanceCase::balanced;
+  return balanced_before_ ? BalanceCase::braced : BalanceCase::beyond_balance;
+}
+
+// liblbfgs (Okazaki's C port of Nocedal's L-BFGS): small, quasi-Newton as in the thesis, and the
+// same steps every time.
+BalancedPose balanced_pose(const Figure& figure, const Pose& pose, const Danger& danger,
+                           const RuleControls& controls, float brace_m) {
+  check_danger(figure, pose, danger);
+  const BalanceProblem problem(figure, pose, danger, controls, brace_m);
+  std::array<lbfgsfloatval_t, 10> x{};
+  const std::array<float, 10> start = to_array(problem.first_guess(controls));
+  for (std::size_t i = 0; i < x.size(); ++i) x[i] = start[i] / kUnits[i];
+
+  lbfgs_parameter_t parameters;
+  lbfgs_parameter_init(&parameters);
+  parameters.max_iterations = kMostIterations;
+  parameters.max_linesearch = 10;
+  parameters.epsilon = 1e-3;
+  parameters.past = 3;
+  parameters.delta = 2e-3;
+  Run run{&problem, 0};
+  // Stopping at the last iteration or for want of progress still leaves the best point in x.
+  lbfgs(static_cast<int>(x.size()), x.data(), nullptr, evaluate, count_iterations, &run,
+        &parameters);
+
+  std::array<float, 10> found{};
+  for (std::size_t i = 0; i < x.size(); ++i) found[i] = static_cast<float>(x[i]) * kUnits[i];
+  BalancedPose result;
+  result.variables = from_array(found);
+  result.pose = problem.pose_of(result.variables, &result.feet_reach);
+  result.error = problem.error_of(result.pose);
+  result.iterations = run.iterations;
+  result.balance = problem.balance_of(result.pose);
+  return result;
+}
+
+}  // namespace flinch::database

@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: MIT
+#include "database/author/transition.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "motion/body_distance.h"
+#include "motion/interpolation.h"
+#include "motion/joint_limits.h"
+#include "motion/rotation.h"
+
+namespace flinch::database {
+namespace {
+
+using motion::JointFrames;
+using motion::LimbRoles;
+using motion::limit_arm;
+using motion::Pose;
+using motion::radians;
+using motion::Role;
+using motion::Side;
+using motion::Skeleton;
+
+// Not all parts of a body start at once: the head leads, the hands follow.
+constexpr float kHeadLead = 0.1F;
+constexpr float kHandLag = 0.06F;
+
+float eased_between(float s, float begin, float end) {
+  return motion::ease_in_ease_out((s - begin) / (end - begin));
+}
+
+Eigen::Vector3f mix(const Eigen::Vector3f& a, const Eigen::Vector3f& b, float weight) {
+  return a + weight * (b - a);
+}
+
+// The pole of both arms from which swivels are interpolated: down and backward of the chest, where
+// no arm points.
+Eigen::Vector3f arm_pole(const JointFrames& frames) {
+  return frames.orientation[Role::chest] * Eigen::Vector3f(-1, 0, -1).normalized();
+}
+
+bool differ(const FootPlace& a, const FootPlace& b) {
+  constexpr float kNear = 0.005F;  // m
+  return (a.ankle - b.ankle).norm() > kNear ||
+         a.orientation.angularDistance(b.orientation) > radians(1);
+}
+
+float lift_of(const Step& step) {
+  const bool lands = std::abs(step.from.ankle.z() - step.to.ankle.z()) < 0.01F;
+  const float length = (step.to.ankle - step.from.ankle).norm();
+  return lands ? std::clamp(0.25F * length, 0.03F, 0.09F) : 0;
+}
+
+PerSide<Step> steps_of(const JointFrames& from, const JointFrames& to,
+                       const Eigen::Vector3f& travel) {
+  PerSide<Step> steps;
+  for (Side side : kSides) {
+    Step& step = steps[index_of(side)];
+    step.from = foot_place(from, side);
+    step.to = foot_place(to, side);
+    step.moves = differ(step.from, step.to);
+    if (!step.moves) step.to = step.from;
+    step.lift_m = step.moves ? lift_of(step) : 0;
+    step.begin = 0.04F;
+    step.end = 0.86F;
+  }
+  if (steps[0].moves && steps[1].moves) {
+    const bool left_leads = (steps[0].from.ankle - steps[1].from.ankle).dot(travel) > 0;
+    Step& first = steps[left_leads ? 0 : 1];
+    Step& second = steps[left_leads ? 1 : 0];
+    first.begin = 0.02F;
+    first.end = 0.5F;
+    second.begin = 0.5F;
+    second.end = 0.98F;
+  }
+  return steps;
+}
+
+std::optional<Side> support_of(const PerSide<Step>& steps, const Eigen::Vector3f& centre) {
+  std::optional<Side> support;
+  float nearest = 0;
+  for (Side side : kSides) {
+    const Step& step = steps[index_of(side)];
+    if (step.moves) continue;
+    const float distance = (step.from.ankle - centre).head<2>().norm();
+    if (!support || distance < nearest) {
+      support = side;
+      nearest = distance;
+    }
+  }
+  return support;
+}
+
+FootPlace place_in_step(const Step& step, float s) {
+  if (!step.moves) return step.from;
+  const float u = std::clamp((s - step.begin) / (step.end - step.begin), 0.0F, 1.0F);
+  // It is lifted before it travels, and has arrived before it is put down.
+  constexpr float kOnlyLift = 0.1F;
+  const float weight = eased_between(u, kOnlyLift, 1 - kOnlyLift);
+  FootPlace place = blend(step.from, step.to, weight);
+  // 16 u^2 (1-u)^2 leaves and meets the ground without a jolt.
+  place.ankle.z() += step.lift_m * 16 * u * u * (1 - u) * (1 - u);
+  return place;
+}
+
+// Where the pelvis is, hung from a foot by the rotations of its leg.
+void hang_from_foot(const Skeleton& skeleton, Side side, const FootPlace& place, Pose& pose) {
+  const LimbRoles leg = motion::roles_of(leg_of(side));
+  const Eigen::Quaternionf shin = place.orientation * pose.rotation[leg.end].conjugate();
+  const Eigen::Quaternionf thigh = shin * pose.rotation[leg.lower].conjugate();
+  const Eigen::Quaternionf pelvis = (thigh * pose.rotation[leg.upper].conjugate()).normalized();
+  pose.rotation[Role::pelvis] = pelvis;
+  pose.root_position = place.ankle - shin * skeleton.offset[leg.end] -
+                       thigh * skeleton.offset[leg.lower] - pelvis * skeleton.offset[leg.upper];
+}
+
+void slerp_joint(const Transition& transition, Role role, float weight, Pose& pose) {
+  pose.rotation[role] =
+      motion::slerp(transition.from.rotation[role], transition.to.rotation[role], weight);
+}
+
+// First pass: every joint by itself, hung from the support foot.
+Pose first_pass(const Figure& figure, const Transition& transition, float s) {
+  const float weight = motion::ease_in_ease_out(s);
+  Pose pose = motion::blend(transition.from, transition.to, weight);
+  const float head_weight = eased_between(s, 0, 1 - kHeadLead);
+  slerp_joint(transition, Role::neck, head_weight, pose);
+  slerp_joint(transition, Role::head, head_weight, pose);
+  const float hand_weight = eased_between(s, kHandLag, 1);
+  for (Side side : kSides) {
+    const LimbRoles arm = motion::roles_of(arm_of(side));
+    for (Role role : {arm.upper, arm.lower, arm.end}) {
+      slerp_joint(transition, role, hand_weight, pose);
+    }
+  }
+  if (transition.support) {
+    const Step& step = transition.steps[index_of(*transition.support)];
+    hang_from_foot(figure.skeleton(), *transition.support, step.from, pose);
+  }
+  return pose;
+}
+
+PerSide<HandPlace> hands_at(const Transition& transition, const JointFrames& frames, float s) {
+  const float weight = eased_between(s, kHandLag, 1);
+  PerSide<HandPlace> hands;
+  for (Side side : kSides) {
+    const std::size_t i = index_of(side);
+    const Role hand = motion::roles_of(arm_of(side)).end;
+    const float turn = motion::wrapped(transition.to_swivel[i] - transition.from_swivel[i]);
+    hands[i] = {
+        mix(transition.from_frames.position[hand], transition.to_frames.position[hand], weight),
+        arm_pole(frames), transition.from_swivel[i] + weight * turn};
+  }
+  return hands;
+}
+
+// Whether hands on their straight ways would come too near to head or trunk, or so near to the
+// shoulder that the arm would have to fold up. The ends are where they should be.
+PerSide<bool> blocked_hands(const Figure& figure, const Transition& transition) {
+  constexpr float kNearBody = 0.015F;
+  constexpr float kNearShoulder = 0.4F;  // of the arm's length
+  constexpr int kSamples = 12;
+  PerSide<bool> blocked{};
+  for (int k = 2; k < kSamples - 1; ++k) {
+    const JointFrames frames = motion::forward_kinematics(
+        figure.skeleton(),
+        pose_at(figure, transition, static_cast<float>(k) / static_cast<float>(kSamples)));
+    for (Side side : kSides) {
+      bool& is_blocked = blocked[index_of(side)];
+      const LimbRoles arm = motion::roles_of(arm_of(side));
+      const float reach = (frames.position[arm.end] - frames.position[arm.upper]).norm();
+      is_blocked = is_blocked ||
+                   reach < kNearShoulder * motion::limb_length(figure.skeleton(), arm_of(side));
+      const Capsule hand = capsule_of(figure, frames, motion::body_of(arm.end));
+      for (motion::Body body : kCoreBodies) {
+        is_blocked = is_blocked || distance_between(figure, frames, body, hand) < kNearBody;
+      }
+    }
+  }
+  return blocked;
+}
+
+}  // namespace
+
+Transition make_transition(const Figure& figure, const Pose& from, const Pose& to) {
+  const Skeleton& skeleton = figure.skeleton();
+  Transition transition;
+  transition.from = from;
+  transition.to = to;
+  transition.from_frames = motion::forward_kinematics(skeleton, from);
+  transition.to_frames = motion::forward_kinematics(skeleton, to);
+  transition.from_centre = motion::centre_of_mass(figure.bodies, transition.from_frames);
+  transition.to_centre = motion::centre_of_mass(figure.bodies, transition.to_frames);
+  transition.steps = steps_of(transition.from_frames, transition.to_frames,
+                              transition.to_centre - transition.from_centre);
+  transition.support = support_of(transition.steps, transition.from_centre);
+  for (Side side : kSides) {
+    const std::size_t i = index_of(side);
+    transition.from_swivel[i] =
+        swivel_of(transition.from_frames, side, arm_pole(transition.from_frames));
+    transition.to_swivel[i] = swivel_of(transition.to_frames, side, arm_pole(transition.to_frames));
+  }
+  transition.hand_swings = blocked_hands(figure, transition);
+  return transition;
+}
+
+// Second pass. Pelvis and waist are corrected in turns: moving the pelvis by the error of the
+// centre of mass brings it over its line, raising it by the neck's error and swinging the waist
+// brings the neck to its own; a handful of rounds settle all three to well below a millimetre.
+Pose pose_at(const Figure& figure, const Transition& transition, float s) {
+  constexpr int kRounds = 6;
+  const Skeleton& skeleton = figure.skeleton();
+  const float part = std::clamp(s, 0.0F, 1.0F);
+  const float weight = motion::ease_in_ease_out(part);
+  const PerSide<FootPlace> feet{place_in_step(transition.steps[0], part),
+                                place_in_step(transition.steps[1], part)};
+  const Eigen::Vector3f centre = mix(transition.from_centre, transition.to_centre, weight);
+  const Eigen::Vector3f neck = mix(transition.from_frames.position[Role::neck],
+                                   transition.to_frames.position[Role::neck], weight);
+  Pose pose = first_pass(figure, transition, part);
+  for (int round = 0; round < kRounds; ++round) {
+    JointFrames trunk = motion::forward_kinematics(skeleton, pose);
+    const float lower =
+        std::min(highest_pelvis(skeleton, trunk, feet) - pose.root_position.z(), 0.0F);
+    pose.root_position.z() += lower;
+    for (Eigen::Vector3f& position : trunk.position) position.z() += lower;
+    put_feet(skeleton, trunk, feet, pose);
+    const PerSide<HandPlace> hands = hands_at(transition, trunk, part);
+    for (Side side : kSides) {
+      const std::size_t i = index_of(side);
+      if (!transition.hand_swings[i]) put_hand(skeleton, trunk, side, hands[i], pose);
+      limit_arm(pose, side);
+    }
+    if (round + 1 == kRounds) break;
+    const JointFrames frames = motion::forward_kinematics(skeleton, pose);
+    const Eigen::Vector3f error = centre - motion::centre_of_mass(figure.bodies, frames);
+    const Eigen::Vector3f rise(0, 0, neck.z() - frames.position[Role::neck].z());
+    const Eigen::Vector3f move = Eigen::Vector3f(error.x(), error.y(), 0) + rise;
+    pose.root_position += move;
+    const Eigen::Vector3f waist = frames.position[Role::abdomen] + move;
+    const Eigen::Quaternionf swing =
+        motion::rotation_between<float>(frames.position[Role::neck] + move - waist, neck - waist);
+    pose.rotation[Role::abdomen] =
+        (pose.rotation[Role::pelvis].conjugate() * swing * frames.orientation[Role::abdomen])
+            .normalized();
+  }
+  return pose;
+}
+
+}  // namespace flinch::database

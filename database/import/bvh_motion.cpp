@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+#include "database/import/bvh_motion.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace flinch::database {
+namespace {
+
+/// How the lines of the motion fall on its frames.
+///
+/// A frame may be broken over lines and a line may hold several whole frames. A frame that ends in
+/// the middle of a line is where a value is missing or one too many, unless the whole text was
+/// wrapped without regard to frames.
+class FrameLines {
+ public:
+  explicit FrameLines(std::size_t width) : width_(width) {}
+
+  /// One line, with `count` > 0 values of which the first is value `first` of the motion.
+  void add(std::size_t line, std::size_t first, std::size_t count) {
+    const std::size_t begun = first % width_;
+    if (begun == 0) {
+      frame_ = {.line = line, .values_on_line = count, .number = first / width_ + 1};
+    }
+    const bool holds_whole_frames = begun == 0 && count % width_ == 0;
+    if (begun + count > width_ && !holds_whole_frames && crossing_.line == 0) crossing_ = frame_;
+    if (begun == 0 && count == width_) some_line_is_a_frame_ = true;
+  }
+
+  struct Frame {
+    std::size_t line = 0;  ///< that it begins on, from 1; 0 for no frame
+    std::size_t values_on_line = 0;
+    std::size_t number = 0;  ///< from 1
+  };
+  /// The first frame that ends in the middle of a line, if any does.
+  const Frame& crossing() const { return crossing_; }
+  bool some_line_is_a_frame() const { return some_line_is_a_frame_; }
+
+ private:
+  std::size_t width_;
+  Frame frame_;
+  Frame crossing_;
+  bool some_line_is_a_frame_ = false;
+};
+
+std::string plural(std::size_t count, const std::string& noun) {
+  return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
+}
+
+/// What the header of the motion says.
+struct Declared {
+  std::size_t frames = 0;
+  std::size_t frames_line = 0;
+  std::size_t channels = 0;
+};
+
+Declared parse_motion_header(BvhLexer& lexer, Bvh& bvh) {
+  if (!lexer.accept_label("frames")) {
+    const std::string found = quoted(lexer.peek_word());
+    lexer.fail("expected `Frames:` after MOTION, found " + found);
+  }
+  const long long frames = lexer.next_whole_number("the number of frames");
+  const std::size_t frames_line = lexer.line();
+  if (frames < 1 || frames > std::numeric_limits<int>::max()) {
+    lexer.fail("declares " + std::to_string(frames) + " frames; there must be at least one");
+  }
+  bvh.frame_count = static_cast<int>(frames);
+
+  if (!lexer.accept_label("frame") || !lexer.accept_label("time")) {
+    const std::string found = quoted(lexer.peek_word());
+    lexer.fail("expected `Frame Time:` after the number of frames, found " + found);
+  }
+  bvh.frame_time_s = lexer.next_number("the frame time");
+  if (bvh.frame_time_s <= 0) lexer.fail("the frame time must be above 0 seconds");
+  return {.frames = static_cast<std::size_t>(frames),
+          .frames_line = frames_line,
+          .channels = static_cast<std::size_t>(bvh.channel_count)};
+}
+
+[[noreturn]] void fail_at_crossing(const BvhLexer& lexer, const FrameLines::Frame& frame,
+                                   const Declared& declared) {
+  lexer.fail_at(frame.line, "frame " + std::to_string(frame.number) + " begins with " +
+                                plural(frame.values_on_line, "value") + " on this line and ends " +
+                                "inside a line, but the CHANNELS of the hierarchy make " +
+                                plural(declared.channels, "value") + " a frame");
+}
+
+[[noreturn]] void fail_with_too_few(const BvhLexer& lexer, std::size_t last_line,
+                                    std::size_t values, const Declared& declared) {
+  const std::size_t whole = values / declared.channels;
+  const std::size_t rest = values % declared.channels;
+  std::string what = "the file ends after " + plural(whole, "frame");
+  if (rest > 0) what += " and " + plural(rest, "value") + " of the next";
+  what += " of " + plural(declared.channels, "value") + ", but line " +
+          std::to_string(declared.frames_line) + " declares " + plural(declared.frames, "frame") +
+          "; get the whole file or correct that line";
+  lexer.fail_at(last_line, what);
+}
+
+[[noreturn]] void fail_with_too_many(const BvhLexer& lexer, std::size_t line,
+                                     const Declared& declared) {
+  lexer.fail_at(line, "values go on after the " + plural(declared.frames, "frame") + " of " +
+                          plural(declared.channels, "value") + " that line " +
+                          std::to_string(declared.frames_line) +
+                          " declares; correct that line, or the CHANNELS of the hierarchy");
+}
+
+}  // namespace
+
+void parse_bvh_motion(BvhLexer& lexer, Bvh& bvh) {
+  const Declared declared = parse_motion_header(lexer, bvh);
+  const std::size_t expected = declared.frames * declared.channels;
+  // A value takes two bytes of text or more: a count that lies reserves no more than that.
+  bvh.values.reserve(std::min(expected, lexer.bytes_left() / 2 + 1));
+
+  FrameLines lines(declared.channels);
+  std::size_t first_line_too_many = 0;
+  std::size_t last_line = lexer.line();
+  do {
+    const std::size_t first = bvh.values.size();
+    double value = 0;
+    while (lexer.next_number_on_line(value)) bvh.values.push_back(value);
+    const std::size_t count = bvh.values.size() - first;
+    if (count == 0) continue;
+    last_line = lexer.line();
+    lines.add(last_line, first, count);
+    if (bvh.values.size() > expected && first_line_too_many == 0) first_line_too_many = last_line;
+  } while (lexer.next_line());
+
+  const std::size_t found = bvh.values.size();
+  if (lines.crossing().line != 0) {
+    if (found != expected || lines.some_line_is_a_frame()) {
+      fail_at_crossing(lexer, lines.crossing(), declared);
+    }
+    bvh.warnings.push_back(lexer.where(lines.crossing().line) +
+                           ": lines break without regard to frames; read as one run of values");
+  }
+  if (found < expected) fail_with_too_few(lexer, last_line, found, declared);
+  if (found > expected) fail_with_too_many(lexer, first_line_too_many, declared);
+}
+
+}  // namespace flinch::database

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#include "database/import/file_kind.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "database/library/sealed_file.h"
+
+namespace flinch::database {
+namespace {
+
+struct Opening {
+  std::string_view bytes;
+  FileKind kind;
+};
+
+constexpr std::array kOpenings{
+    Opening{kLibraryKind.mark, FileKind::library},
+    Opening{kSelectorKind.mark, FileKind::selector},
+    Opening{std::string_view("SQLite format 3\0", 16), FileKind::store},
+    Opening{"HIERARCHY", FileKind::bvh},
+    Opening{"glTF", FileKind::gltf},
+    Opening{"PK\x03\x04", FileKind::archive},
+    Opening{"\x1F\x8B", FileKind::archive},
+    Opening{"\xFD"
+            "7zXZ",
+            FileKind::archive},
+};
+
+bool is_text_byte(char c) {
+  const auto byte = static_cast<unsigned char>(c);
+  return byte >= 0x20 || (byte >= '\t' && byte <= '\r');
+}
+
+}  // namespace
+
+FileKind file_kind_of(std::string_view bytes) {
+  if (bytes.empty()) return FileKind::empty;
+  const auto opening = std::find_if(kOpenings.begin(), kOpenings.end(), [&](const Opening& known) {
+    return bytes.starts_with(known.bytes);
+  });
+  if (opening != kOpenings.end()) return opening->kind;
+  const std::string_view start = bytes.substr(0, 512);
+  return std::all_of(start.begin(), start.end(), is_text_byte) ? FileKind::text : FileKind::unknown;
+}
+
+std::string_view name_of(FileKind kind) {
+  constexpr std::array<std::string_view, 9> kNames{"an empty file",
+                                                   "a library",
+                                                   "a selector",
+                                                   "a store or other SQLite database",
+                                                   "a BVH file",
+                                                   "a binary glTF file",
+                                                   "an archive",
+                                                   "a text file",
+                                                   "no file that Flinch knows"};
+  return kNames[static_cast<std::size_t>(kind)];
+}
+
+}  // namespace flinch::database

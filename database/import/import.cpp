@@ -1,0 +1,324 @@
+// SPDX-License-Identifier: MIT
+#include "database/import/import.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "database/import/manifest.h"
+#include "motion/error.h"
+#include "motion/mirror.h"
+
+namespace flinch::database {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr float kDefaultRate = 60;  // Hz
+
+std::string seconds(double time_s) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3f s", time_s);
+  return text;
+}
+
+// A file's motion, made once for all the clips that are cut from it.
+struct LoadedSource {
+  Source source;
+  SourceMotion motion;
+};
+
+// All files of an import by the path that they were opened with, in the order of first use.
+class SourceSet {
+ public:
+  // Throws Error.
+  void add(const std::string& path, const SourceOptions& options) {
+    if (index_.contains(path)) return;
+    loaded_.push_back({understand(read_bvh(path), options), {}});
+    index_[path] = loaded_.size() - 1;
+  }
+
+  // Once all are added: the same skeleton stands the same way in every file.
+  void finish() {
+    for (LoadedSource& one : loaded_) share_reference(one.source);
+    for (LoadedSource& one : loaded_) one.motion = source_motion(one.source);
+  }
+
+  const LoadedSource& at(const std::string& path) const { return loaded_[index_.at(path)]; }
+  const std::vector<LoadedSource>& all() const { return loaded_; }
+
+ private:
+  static bool same_skeleton(const Bvh& one, const Bvh& other) {
+    return std::equal(one.joints.begin(), one.joints.end(), other.joints.begin(),
+                      other.joints.end(), [](const BvhJoint& a, const BvhJoint& b) {
+                        return a.name == b.name && a.parent == b.parent && a.offset == b.offset;
+                      });
+  }
+
+  void share_reference(Source& source) const {
+    if (source.reference.frame < 0) return;
+    for (const LoadedSource& other : loaded_) {
+      const ReferencePose& theirs = other.source.reference;
+      if (theirs.frame < 0 || theirs.doubt >= source.reference.doubt) continue;
+      const motion::PerRole<int>& joints = source.figure.joint;
+      if (std::equal(joints.begin(), joints.end(), other.source.figure.joint.begin()) &&
+          same_skeleton(other.source.bvh, source.bvh)) {
+        source.reference = theirs;
+      }
+    }
+  }
+
+  std::vector<LoadedSource> loaded_;
+  std::map<std::string, std::size_t> index_;
+};
+
+// Where an entry's file is: below one of the folders, in their order.
+std::string resolved(const std::string& file, const std::vector<fs::path>& folders,
+                     const std::string& where) {
+  if (fs::path(file).is_absolute() && fs::exists(file)) return file;
+  std::string tried;
+  for (const fs::path& folder : folders) {
+    const fs::path path = (folder / file).lexically_normal();
+    if (fs::exists(path)) return path.string();
+    tried += (tried.empty() ? "" : ", ") + folder.string();
+  }
+  throw Error(where, "the file \"" + file + "\" is in none of: " + tried);
+}
+
+std::vector<fs::path> folders_of(const std::vector<std::string>& paths,
+                                 const std::string& manifest_path) {
+  std::vector<fs::path> folders;
+  for (const std::string& path : paths) {
+    if (!fs::exists(path)) throw Error(path, "there is no such file or folder");
+    folders.push_back(fs::is_directory(path) ? fs::path(path) : fs::path(path).parent_path());
+  }
+  folders.push_back(fs::path(manifest_path).parent_path());
+  for (fs::path& folder : folders) {
+    if (folder.empty()) folder = ".";
+  }
+  folders.erase(std::unique(folders.begin(), folders.end()), folders.end());
+  return folders;
+}
+
+// The entry's times within the file's; the last frame may be missed by rounding.
+Segment segment_of(const ManifestEntry& entry, const SourceMotion& source) {
+  const double duration = source.duration_s();
+  const double slack = source.frame_time_s;
+  Segment segment{entry.start_s.value_or(0), entry.end_s.value_or(duration), entry.heading};
+  if (segment.start_s > duration || segment.end_s > duration + slack) {
+    throw Error(entry.where, "[" + seconds(segment.start_s) + ", " + seconds(segment.end_s) +
+                                 "] is outside \"" + entry.file + "\", which lasts " +
+                                 seconds(duration));
+  }
+  segment.end_s = std::min(segment.end_s, duration);
+  return segment;
+}
+
+// From times in the file to times in the clip.
+motion::Annotation annotation_in(const ManifestEntry& entry, const Segment& segment,
+                                 float duration_s) {
+  motion::Annotation annotation = *entry.annotation;
+  const auto start = static_cast<float>(segment.start_s);
+  annotation.onset_s = std::max(annotation.onset_s - start, 0.0F);
+  annotation.peak_s = std::min(annotation.peak_s - start, duration_s);
+  annotation.end_s = duration_s;
+  if (annotation.onset_s >= annotation.peak_s) {
+    throw Error(entry.where, "the peak of \"" + entry.name +
+                                 "\" is no later than its onset once cut to its file");
+  }
+  return annotation;
+}
+
+void add_clip(const ManifestEntry& entry, const LoadedSource& loaded, ImportResult& result) {
+  Library& library = result.library;
+  const motion::Skeleton& skeleton = library.character.skeleton;
+  const Segment segment = segment_of(entry, loaded.motion);
+  motion::Clip clip;
+  clip.name = entry.name;
+  clip.purpose = entry.purpose;
+  clip.kind = entry.kind;
+  clip.source = entry.file;
+  clip.motion = retarget(loaded.motion, skeleton, segment, library.rate_hz);
+  if (entry.annotation) {
+    clip.annotation = annotation_in(entry, segment, clip.motion.duration_s());
+  }
+  result.report.clips.push_back(
+      {clip.name, clip.purpose, clip.source, clip.motion.duration_s(), clip.annotation.has_value(),
+       measure_foot_drift(loaded.motion, skeleton, segment, clip.motion)});
+  library.clips.push_back(clip);
+  if (clip.annotation) library.clips.push_back(motion::mirrored(clip));
+}
+
+void warn_of_unannotated(ImportReport& report) {
+  std::string names;
+  int count = 0;
+  for (const ClipReport& clip : report.clips) {
+    if (clip.purpose != motion::Purpose::anticipation || clip.is_annotated) continue;
+    names += (count++ == 0 ? "" : ", ") + clip.name;
+  }
+  if (count == 0) return;
+  report.warnings.push_back(std::to_string(count) +
+                            " clips are not annotated and will not answer threats: " + names);
+}
+
+// What both kinds of import share. `paths[i]` is where the file of entry i is.
+ImportResult build(const Manifest& manifest, const std::vector<std::string>& paths,
+                   const std::string& skeleton_path, const SourceSet& sources, float rate_hz) {
+  ImportResult result;
+  result.library.name = manifest.name;
+  result.library.rate_hz = rate_hz;
+  result.library.character = character_of(sources.at(skeleton_path).source, manifest.character);
+  for (std::size_t i = 0; i < manifest.entries.size(); ++i) {
+    add_clip(manifest.entries[i], sources.at(paths[i]), result);
+  }
+  for (const LoadedSource& one : sources.all()) {
+    result.report.sources.push_back(one.source.report);
+  }
+  warn_of_unannotated(result.report);
+  return result;
+}
+
+SourceOptions merged(SourceOptions options, const SourceOptions& stronger) {
+  if (stronger.unit) options.unit = stronger.unit;
+  if (stronger.up) options.up = stronger.up;
+  for (const auto& [role, joint] : stronger.roles) options.roles[role] = joint;
+  return options;
+}
+
+ImportResult import_with_manifest(const std::vector<std::string>& paths,
+                                  const std::string& manifest_path, const ImportOptions& options) {
+  Manifest manifest = read_manifest(manifest_path);
+  if (manifest.name.empty()) manifest.name = fs::path(manifest_path).stem().string();
+  const std::vector<fs::path> folders = folders_of(paths, manifest_path);
+  SourceSet sources;
+  const auto add = [&](const std::string& file, const std::string& where) {
+    const std::string path = resolved(file, folders, where);
+    sources.add(path, merged(options.source, options_for(manifest, file)));
+    return path;
+  };
+  const std::string skeleton = add(manifest.skeleton, manifest.skeleton_where);
+  std::vector<std::string> entry_paths;
+  for (const ManifestEntry& entry : manifest.entries) {
+    entry_paths.push_back(add(entry.file, entry.where));
+  }
+  sources.finish();
+  const float rate = options.rate_hz.value_or(manifest.rate_hz.value_or(kDefaultRate));
+  return build(manifest, entry_paths, skeleton, sources, rate);
+}
+
+bool is_bvh(const fs::path& path) {
+  std::string extension = path.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension == ".bvh";
+}
+
+struct FoundFile {
+  std::string path;
+  std::string name;       // of its clip
+  bool was_named = true;  // false: found in a folder
+};
+
+std::vector<FoundFile> find_files(const std::vector<std::string>& paths) {
+  std::vector<FoundFile> files;
+  for (const std::string& path : paths) {
+    if (!fs::exists(path)) throw Error(path, "there is no such file or folder");
+    if (!fs::is_directory(path)) {
+      files.push_back({path, fs::path(path).stem().string(), true});
+      continue;
+    }
+    std::vector<fs::path> found;
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(path)) {
+      if (entry.is_regular_file() && is_bvh(entry.path())) found.push_back(entry.path());
+    }
+    std::sort(found.begin(), found.end());
+    for (const fs::path& one : found) files.push_back({one.string(), one.stem().string(), false});
+  }
+  // Files of the same name in different folders are told apart by their paths.
+  std::map<std::string, int> count;
+  for (const FoundFile& file : files) ++count[file.name];
+  for (FoundFile& file : files) {
+    if (count[file.name] > 1) file.name = fs::path(file.path).replace_extension().string();
+  }
+  return files;
+}
+
+ManifestEntry whole_file(const FoundFile& file) {
+  ManifestEntry entry;
+  entry.name = file.name;
+  entry.file = file.path;
+  entry.where = file.path;
+  return entry;
+}
+
+ManifestEntry& idle_of(std::vector<ManifestEntry>& entries) {
+  const auto is_idle = [](const ManifestEntry& entry) {
+    return entry.name.find("idle") != std::string::npos;
+  };
+  const auto found = std::find_if(entries.begin(), entries.end(), is_idle);
+  return found == entries.end() ? entries.front() : *found;
+}
+
+ImportResult import_without_manifest(const std::vector<std::string>& paths,
+                                     const ImportOptions& options) {
+  const std::vector<FoundFile> files = find_files(paths);
+  if (files.empty()) {
+    throw Error(paths.empty() ? "" : paths.front(), "there are no BVH files to import");
+  }
+  SourceSet sources;
+  Manifest manifest;
+  manifest.name = fs::path(paths.front()).filename().replace_extension().string();
+  if (manifest.name.empty()) manifest.name = "library";
+  std::vector<std::string> entry_paths;
+  std::vector<SkippedFile> skipped;
+  for (const FoundFile& file : files) {
+    try {
+      sources.add(file.path, options.source);
+    } catch (const Error& error) {
+      if (file.was_named || files.size() == 1) throw;
+      skipped.push_back({file.path, error.what()});
+      continue;
+    }
+    manifest.entries.push_back(whole_file(file));
+    entry_paths.push_back(file.path);
+  }
+  if (manifest.entries.empty()) throw Error("", skipped.front().reason);
+
+  ManifestEntry& idle = idle_of(manifest.entries);
+  idle.purpose = motion::Purpose::idle;
+  idle.kind = "idle";
+  const std::string skeleton = options.skeleton.value_or(idle.file);
+  sources.add(skeleton, options.source);
+  sources.finish();
+  ImportResult result =
+      build(manifest, entry_paths, skeleton, sources, options.rate_hz.value_or(kDefaultRate));
+  result.report.skipped = std::move(skipped);
+  result.report.warnings.push_back("without a manifest, \"" + idle.name +
+                                   "\" is taken for the idle clip");
+  const auto is_idle = [](const motion::Clip& clip) {
+    return clip.purpose == motion::Purpose::idle;
+  };
+  const std::vector<motion::Clip>& clips = result.library.clips;
+  result.library.idle =
+      static_cast<int>(std::find_if(clips.begin(), clips.end(), is_idle) - clips.begin());
+  return result;
+}
+
+}  // namespace
+
+ImportResult import_library(const std::vector<std::string>& paths,
+                            const std::optional<std::string>& manifest_path,
+                            const ImportOptions& options) {
+  return manifest_path ? import_with_manifest(paths, *manifest_path, options)
+                       : import_without_manifest(paths, options);
+}
+
+SourceReport inspect_bvh(const std::string& path, const SourceOptions& options) {
+  return understand(read_bvh(path), options).report;
+}
+
+}  // namespace flinch::database

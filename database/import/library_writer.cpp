@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: MIT
+#include "database/import/library_writer.h"
+
+#include <algorithm>
+#include <span>
+#include <vector>
+
+#include "database/import/file_io.h"
+#include "database/import/file_kind.h"
+#include "database/library/library_file.h"
+#include "database/library/library_layout.h"
+#include "library_generated.h"
+#include "motion/error.h"
+
+namespace flinch::database {
+namespace {
+
+using flatbuffers::FlatBufferBuilder;
+using flatbuffers::Offset;
+
+void append(const Eigen::Vector3f& vector, std::vector<float>& floats) {
+  floats.insert(floats.end(), vector.begin(), vector.end());
+}
+
+std::vector<float> floats_of(const motion::PerRole<Eigen::Vector3f>& vectors) {
+  std::vector<float> floats;
+  floats.reserve(kFloatsASkeletonVector);
+  for (const Eigen::Vector3f& vector : vectors) append(vector, floats);
+  return floats;
+}
+
+std::vector<float> floats_of(const std::vector<motion::Pose>& poses) {
+  std::vector<float> floats;
+  floats.reserve(poses.size() * kFloatsAPose);
+  for (const motion::Pose& pose : poses) {
+    append(pose.root_position, floats);
+    for (const Eigen::Quaternionf& rotation : pose.rotation) {
+      floats.push_back(rotation.w());
+      append(rotation.vec(), floats);
+    }
+  }
+  return floats;
+}
+
+Offset<schema::Annotation> store(FlatBufferBuilder& builder, const motion::Annotation& annotation) {
+  return schema::CreateAnnotation(builder, static_cast<std::uint8_t>(annotation.target),
+                                  static_cast<std::uint8_t>(annotation.degree),
+                                  annotation.direction, annotation.onset_s, annotation.peak_s,
+                                  annotation.end_s);
+}
+
+// The parts are stored one statement each: the order of a call's arguments is the compiler's to
+// choose, and the bytes must not depend on it.
+Offset<schema::Clip> store(FlatBufferBuilder& builder, const motion::Clip& clip) {
+  const auto name = builder.CreateString(clip.name);
+  const auto kind = builder.CreateString(clip.kind);
+  const auto source = builder.CreateString(clip.source);
+  const auto mirrored_from = builder.CreateString(clip.mirrored_from);
+  Offset<schema::Annotation> annotation;
+  if (clip.annotation) annotation = store(builder, *clip.annotation);
+  const auto poses = builder.CreateVector(floats_of(clip.motion.poses));
+  return schema::CreateClip(builder, name, static_cast<std::uint8_t>(clip.purpose), kind, source,
+                            mirrored_from, annotation, poses);
+}
+
+Offset<schema::Character> store(FlatBufferBuilder& builder, const motion::Character& character) {
+  const auto offsets = builder.CreateVector(floats_of(character.skeleton.offset));
+  const auto tips = builder.CreateVector(floats_of(character.skeleton.tip));
+  return schema::CreateCharacter(builder, offsets, tips, character.mass_kg,
+                                 static_cast<std::uint8_t>(character.sex));
+}
+
+void store(FlatBufferBuilder& builder, const Library& library) {
+  const auto name = builder.CreateString(library.name);
+  const auto character = store(builder, library.character);
+  std::vector<Offset<schema::Clip>> stored;
+  for (const motion::Clip& clip : library.clips) stored.push_back(store(builder, clip));
+  const auto clips = builder.CreateVector(stored);
+  schema::FinishLibraryBuffer(
+      builder, schema::CreateLibrary(builder, name, character, library.rate_hz,
+                                     static_cast<std::uint32_t>(library.idle), clips));
+}
+
+// FlatBuffers cannot go beyond 2 GiB; half of that leaves room for all that is not poses.
+constexpr std::size_t kMostPoses = (std::size_t{1} << 30) / (kFloatsAPose * sizeof(float));
+
+std::size_t poses_in(const Library& library) {
+  std::size_t count = 0;
+  for (const motion::Clip& clip : library.clips) count += clip.motion.poses.size();
+  return count;
+}
+
+std::string text_of(const Library& library, const LibraryFault& fault) {
+  if (!fault.clip) return fault.what;
+  return "clip " + std::to_string(*fault.clip) + " (" + library.clips[*fault.clip].name + ") " +
+         fault.what;
+}
+
+std::span<const std::byte> bytes_of(std::string_view text) {
+  return std::as_bytes(std::span(text));
+}
+
+}  // namespace
+
+std::string library_bytes(const Library& library) {
+  const std::string where = "library " + library.name;
+  if (const auto fault = fault_of(library)) {
+    throw Error(where, "cannot be written: " + text_of(library, *fault));
+  }
+  if (poses_in(library) > kMostPoses) {
+    throw Error(where, "cannot be written: holds more than " + std::to_string(kMostPoses) +
+                           " poses; split it");
+  }
+  FlatBufferBuilder builder;
+  store(builder, library);
+  const std::string_view content(reinterpret_cast<const char*>(builder.GetBufferPointer()),
+                                 builder.GetSize());
+  const auto seal = make_seal(kLibraryKind, bytes_of(content));
+  std::string bytes(seal.size(), '\0');
+  std::transform(seal.begin(), seal.end(), bytes.begin(),
+                 [](std::byte byte) { return static_cast<char>(byte); });
+  return bytes.append(content);
+}
+
+std::uint64_t write_library(const Library& library, const std::string& path) {
+  const std::string bytes = library_bytes(library);
+  write_file_atomically(path, bytes);
+  return content_hash(bytes_of(bytes).subspan(kSealSize));
+}
+
+Library load_library(const std::string& path) {
+  const std::string bytes = read_file(path);
+  Library library;
+  const LoadStatus status = read_library(bytes_of(bytes), library);
+  if (status == LoadStatus::ok) return library;
+  if (status == LoadStatus::not_a_library) {
+    throw Error(path, "is " + std::string(name_of(file_kind_of(bytes))) +
+                          ", not a library; `flinch import` makes one");
+  }
+  throw Error(path, std::string("the library ") + message_of(status) + "; make it anew");
+}
+
+}  // namespace flinch::database

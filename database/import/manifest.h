@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "database/import/source_character.h"
+#include "database/import/source_motion.h"
+#include "motion/clip.h"
+
+namespace flinch::database {
+
+/// One [[idle]], [[clip]] or [[push]]. Times are seconds from the start of its file.
+struct ManifestEntry {
+  std::string name;
+  std::string file;  ///< relative to one of the folders given to import, or to the manifest's
+  motion::Purpose purpose = motion::Purpose::anticipation;
+  std::string kind;
+  std::optional<double> start_s;  ///< none: the file's
+  std::optional<double> end_s;    ///< none: the file's
+  double heading = 0;             ///< see Segment, radians
+  /// Onset and peak are still from the file's start; `end_s` is not set. None: unannotated.
+  std::optional<motion::Annotation> annotation;
+  std::string where;  ///< "FILE:LINE" of the manifest, for messages
+};
+
+/// [source."folder or file"]: what is fixed for the files that it names.
+struct ManifestSource {
+  std::string path;  ///< a file, or a folder that holds it, as entries write it
+  SourceOptions options;
+};
+
+/// What a manifest asks for. Its format is documented in docs/importing.md.
+struct Manifest {
+  std::string path;
+  std::string name;
+  std::optional<float> rate_hz;
+  std::string skeleton;        ///< file whose skeleton the library uses
+  std::string skeleton_where;  ///< "FILE:LINE"
+  CharacterOptions character;
+  std::vector<ManifestEntry> entries;  ///< idles first, then clips, then pushes
+  std::vector<ManifestSource> sources;
+};
+
+/// Reads and checks a manifest; the files that it names are not looked at. Throws Error
+/// "FILE:LINE: …" for whatever is unknown, missing, doubled, of the wrong type or out of range.
+Manifest read_manifest(const std::string& path);
+
+/// What the manifest fixes for a file: of all [source] tables that name it or a folder above it,
+/// the longer path wins.
+SourceOptions options_for(const Manifest& manifest, const std::string& file);
+
+}  // namespace flinch::database

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: MIT
+#include "database/import/reference_pose.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "motion/rotation.h"
+
+namespace flinch::database {
+namespace {
+
+using Eigen::Quaterniond;
+using Eigen::Vector3d;
+using motion::kRoles;
+using motion::PerRole;
+using motion::Role;
+
+constexpr int kFramesLookedAt = 2000;
+
+struct ArmRoles {
+  Role upper_arm, forearm, hand;
+};
+struct LegRoles {
+  Role thigh, shin, foot, toes;
+};
+constexpr std::array<ArmRoles, 2> kArms{
+    {{Role::left_upper_arm, Role::left_forearm, Role::left_hand},
+     {Role::right_upper_arm, Role::right_forearm, Role::right_hand}}};
+constexpr std::array<LegRoles, 2> kLegs{
+    {{Role::left_thigh, Role::left_shin, Role::left_foot, Role::left_toes},
+     {Role::right_thigh, Role::right_shin, Role::right_foot, Role::right_toes}}};
+
+Vector3d bone(const FigureFrame& frame, Role role) {
+  return (frame.end[role] - frame.position[role]).normalized();
+}
+
+double cosine_between(const Vector3d& one, const Vector3d& other) {
+  return one.normalized().dot(other.normalized());
+}
+
+// How far a frame is from standing upright and symmetric; 0 is perfect. Each term is 1 - cos of an
+// angle that is 0 when standing, or a difference of heights in leg lengths.
+double doubt_of(const FigureFrame& frame) {
+  const Vector3d up = Vector3d::UnitZ();
+  const Vector3d hips = frame.position[Role::left_thigh] - frame.position[Role::right_thigh];
+  const Vector3d shoulders =
+      frame.position[Role::left_upper_arm] - frame.position[Role::right_upper_arm];
+  double doubt = 1 - cosine_between(frame.position[Role::head] - hip_centre(frame), up);
+  doubt += 1 - cosine_between(hips, shoulders);
+  for (const LegRoles& leg : kLegs) {
+    doubt += 1 + bone(frame, leg.thigh).dot(up);
+    doubt += 1 + bone(frame, leg.shin).dot(up);
+  }
+  for (const ArmRoles& arm : kArms) {
+    doubt += 0.25 * (1 - bone(frame, arm.upper_arm).dot(bone(frame, arm.forearm)));
+  }
+  const Vector3d feet = frame.position[Role::left_foot] - frame.position[Role::right_foot];
+  const double leg_length =
+      (frame.position[Role::left_thigh] - frame.position[Role::left_foot]).norm();
+  return doubt + std::abs(feet.z()) / leg_length;
+}
+
+// The rotation of each role from the frame as it stands to the T-pose.
+class Straightener {
+ public:
+  Straightener(const SourceFigure& figure, const FigureFrame& frame, bool is_rest)
+      : figure_(figure), frame_(frame) {
+    for (Quaterniond& turn : turn_) turn.setIdentity();
+    if (!is_rest) straighten_trunk();
+    for (std::size_t side = 0; side < 2; ++side) {
+      straighten_arm(kArms[side], side == 0 ? Vector3d(0, 1, 0) : Vector3d(0, -1, 0));
+      straighten_leg(kLegs[side]);
+    }
+  }
+
+  const PerRole<Quaterniond>& turns() const { return turn_; }
+
+ private:
+  // A motion's frame leans a little and turns its shoulders; a rest figure is as its author made
+  // it, and is left alone.
+  void straighten_trunk() {
+    const Vector3d hips = frame_.position[Role::left_thigh] - frame_.position[Role::right_thigh];
+    const Vector3d shoulders =
+        frame_.position[Role::left_upper_arm] - frame_.position[Role::right_upper_arm];
+    const Vector3d neck =
+        0.5 * (frame_.position[Role::left_upper_arm] + frame_.position[Role::right_upper_arm]);
+    const Vector3d spine = neck - hip_centre(frame_);
+    turn_[Role::pelvis] = to_world(spine.normalized(), hips.cross(spine));
+    turn_[Role::chest] = to_world(spine.normalized(), shoulders.cross(spine));
+    turn_[Role::abdomen] = turn_[Role::pelvis].slerp(0.5, turn_[Role::chest]);
+    turn_[Role::left_clavicle] = turn_[Role::chest];
+    turn_[Role::right_clavicle] = turn_[Role::chest];
+  }
+
+  Quaterniond turn_above(Role role) const {
+    const std::optional<Role> parent = parent_in(figure_, role);
+    return parent ? turn_[*parent] : Quaterniond::Identity();
+  }
+
+  // The rotation above, followed by the least one that brings the bone to `direction`.
+  void align(Role role, const Vector3d& direction) {
+    if (!figure_.has(role)) return;
+    turn_[role] = turn_above(role);
+    if (!figure_.end[role]) return;
+    const Vector3d carried = turn_[role] * (frame_.end[role] - frame_.position[role]);
+    turn_[role] = motion::rotation_between<double>(carried, direction) * turn_[role];
+  }
+
+  void straighten_arm(const ArmRoles& arm, const Vector3d& outward) {
+    align(arm.upper_arm, outward);
+    align(arm.forearm, outward);
+    align(arm.hand, outward);
+  }
+
+  void straighten_leg(const LegRoles& leg) {
+    align(leg.thigh, -Vector3d::UnitZ());
+    align(leg.shin, -Vector3d::UnitZ());
+    turn_[leg.foot] = turn_above(leg.foot);
+    if (figure_.end[leg.foot]) {
+      Vector3d forward = frame_.end[leg.foot] - frame_.position[leg.foot];
+      forward.z() = 0;
+      turn_[leg.foot] = motion::rotation_between<double>(forward, Vector3d::UnitX());
+    }
+    turn_[leg.toes] = turn_[leg.foot];
+  }
+
+  const SourceFigure& figure_;
+  const FigureFrame& frame_;
+  PerRole<Quaterniond> turn_;
+};
+
+ReferencePose reference_from(const SourceFigure& figure, const FigureFrame& frame, int number) {
+  const PerRole<Quaterniond> turn = Straightener(figure, frame, number < 0).turns();
+  ReferencePose reference;
+  reference.frame = number;
+  for (Role role : kRoles) {
+    reference.orientation[role].setIdentity();
+    reference.position[role].setZero();
+    reference.end[role].setZero();
+    if (!figure.has(role)) continue;
+    reference.orientation[role] = turn[role] * frame.orientation[role];
+    if (const std::optional<Role> parent = parent_in(figure, role)) {
+      reference.position[role] = reference.position[*parent] +
+                                 turn[*parent] * (frame.position[role] - frame.position[*parent]);
+    }
+    reference.end[role] =
+        reference.position[role] + turn[role] * (frame.end[role] - frame.position[role]);
+  }
+  return reference;
+}
+
+// Rest figures are drawn along the axes: a facing that is nearly one is that axis.
+Vector3d snapped(const Vector3d& direction) {
+  const Vector3d axis = direction_of(nearest_axis(direction));
+  return direction.normalized().dot(axis) > std::cos(0.25) ? axis : direction;
+}
+
+FigureFrame facing_x(const SourceFigure& figure, const BvhFrame& frame, const Vector3d& up,
+                     bool is_rest) {
+  const FigureFrame as_it_is = figure_frame(figure, frame, Quaterniond::Identity());
+  const Vector3d forward = leftward(as_it_is).cross(up);
+  return figure_frame(figure, frame, to_world(up, is_rest ? snapped(forward) : forward));
+}
+
+}  // namespace
+
+bool stands_like_human(const SourceFigure& figure, const FigureFrame& frame) {
+  constexpr double kStraight = 0.85;
+  const Vector3d up = Vector3d::UnitZ();
+  const Vector3d hips = frame.position[Role::left_thigh] - frame.position[Role::right_thigh];
+  if (hips.norm() == 0 || std::abs(cosine_between(hips, up)) > 0.5) return false;
+  if (cosine_between(frame.position[Role::head] - hip_centre(frame), up) < kStraight) return false;
+  for (const LegRoles& leg : kLegs) {
+    if (bone(frame, leg.thigh).dot(up) > -kStraight) return false;
+    if (bone(frame, leg.shin).dot(up) > -kStraight) return false;
+  }
+  return std::all_of(kArms.begin(), kArms.end(), [&](const ArmRoles& arm) {
+    const Vector3d upper_arm = bone(frame, arm.upper_arm);
+    if (upper_arm.dot(up) > 0.5) return false;
+    return !figure.end[arm.forearm] || upper_arm.dot(bone(frame, arm.forearm)) > kStraight;
+  });
+}
+
+ReferencePose find_reference_pose(const Bvh& bvh, const SourceFigure& figure, UpAxis up) {
+  const BvhFrame rest = rest_frame(bvh);
+  const Vector3d rest_up =
+      direction_of(nearest_axis(feet_to_head(figure_frame(figure, rest, Quaterniond::Identity()))));
+  const FigureFrame standing = facing_x(figure, rest, rest_up, true);
+  if (stands_like_human(figure, standing)) return reference_from(figure, standing, -1);
+
+  const int step = std::max(1, bvh.frame_count / kFramesLookedAt);
+  double least_doubt = std::numeric_limits<double>::infinity();
+  int best = 0;
+  for (int number = 0; number < bvh.frame_count; number += step) {
+    const FigureFrame frame = figure_frame(figure, forward_kinematics(bvh, number), to_world(up));
+    const double doubt = doubt_of(frame);
+    if (doubt >= least_doubt) continue;
+    least_doubt = doubt;
+    best = number;
+  }
+  const FigureFrame frame =
+      facing_x(figure, forward_kinematics(bvh, best), direction_of(up), false);
+  ReferencePose reference = reference_from(figure, frame, best);
+  reference.doubt = least_doubt;
+  return reference;
+}
+
+}  // namespace flinch::database

@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: MIT
+#include "database/import/retarget.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "database/import/foot_placement.h"
+#include "motion/interpolation.h"
+#include "motion/limb_ik.h"
+#include "motion/support_polygon.h"
+
+namespace flinch::database {
+namespace {
+
+using Eigen::Quaternionf;
+using Eigen::Vector3f;
+using motion::JointFrames;
+using motion::kRoles;
+using motion::Limb;
+using motion::Pose;
+using motion::Role;
+using motion::Skeleton;
+
+struct Leg {
+  Limb limb;
+  Role thigh, foot, toes;
+  motion::Side side;
+};
+constexpr std::array<Leg, 2> kLegs{
+    {{Limb::left_leg, Role::left_thigh, Role::left_foot, Role::left_toes, motion::Side::left},
+     {Limb::right_leg, Role::right_thigh, Role::right_foot, Role::right_toes,
+      motion::Side::right}}};
+
+// All that does not change from frame to frame.
+struct Target {
+  const SourceMotion& source;
+  const Skeleton& skeleton;
+  float scale;
+  JointFrames rest;
+  std::array<motion::SoleOutline, 2> sole;
+};
+
+Target make_target(const SourceMotion& source, const Skeleton& skeleton) {
+  return {source,
+          skeleton,
+          leg_ratio(source, skeleton),
+          forward_kinematics(skeleton, motion::rest_pose(skeleton)),
+          {motion::sole_outline(skeleton, motion::Side::left),
+           motion::sole_outline(skeleton, motion::Side::right)}};
+}
+
+Vector3f between_hips(const Skeleton& skeleton) {
+  return 0.5F * (skeleton.offset[Role::left_thigh] + skeleton.offset[Role::right_thigh]);
+}
+
+// Heights above a planted ankle scale; the planted ankle itself is the skeleton's.
+float planted_ankle_height(const SourceMotion& source) {
+  return 0.5F * (source.ankle_height_m[0] + source.ankle_height_m[1]);
+}
+
+Pose transferred(const Target& target, const SourceFrame& frame) {
+  JointFrames frames;
+  frames.orientation = frame.orientation;
+  Vector3f hips = target.scale * frame.hip_centre;
+  hips.z() = target.scale * (frame.hip_centre.z() - planted_ankle_height(target.source)) +
+             target.rest.position[Role::left_foot].z();
+  frames.position[Role::pelvis] =
+      hips - frame.orientation[Role::pelvis] * between_hips(target.skeleton);
+  return motion::pose_from_frames(frames);
+}
+
+// How much lower the pelvis must be for a leg to reach, m. A hip at horizontal distance d from the
+// ankle can be at most sqrt(L^2 - d^2) above it.
+float sinking_needed(const Target& target, const Vector3f& hip, const Vector3f& ankle,
+                     std::size_t side) {
+  constexpr float kNearlyStraight = 0.99998F;  // of the leg's length: within the hinge's limit
+  const float reach = kNearlyStraight * motion::limb_length(target.skeleton, kLegs[side].limb);
+  const float across = (ankle - hip).head<2>().norm();
+  if (across >= reach) return 0;  // sinking does not help
+  return std::max(0.0F, hip.z() - motion::highest_upper(hip, ankle, reach));
+}
+
+// 1 while a foot is down, going over to 0 while it is lifted: only feet that carry pull the pelvis.
+float groundedness(const Target& target, const Vector3f& ankle, std::size_t side) {
+  constexpr float kDown = 0.05F;  // m above the planted height
+  constexpr float kUp = 0.20F;
+  const float lift = ankle.z() - target.rest.position[kLegs[side].foot].z();
+  return 1 - motion::ease_in_ease_out((lift - kDown) / (kUp - kDown));
+}
+
+void sink_pelvis(const Target& target, const AnkleGoals& goals, Pose& pose) {
+  const JointFrames frames = forward_kinematics(target.skeleton, pose);
+  float sinking = 0;
+  for (std::size_t side = 0; side < 2; ++side) {
+    sinking = std::max(
+        sinking, groundedness(target, goals[side], side) *
+                     sinking_needed(target, frames.position[kLegs[side].thigh], goals[side], side));
+  }
+  pose.root_position.z() -= sinking;
+}
+
+// Toes that would go under the ground bend up about the foot's width instead.
+void keep_toes_up(const Target& target, std::size_t side, Pose& pose) {
+  const Leg& leg = kLegs[side];
+  const JointFrames frames = forward_kinematics(target.skeleton, pose);
+  const float ball = frames.position[leg.toes].z();
+  const float depth =
+      -motion::lowest_point(target.sole[side].toes, frames.orientation[leg.toes]) - ball;
+  if (depth <= 0) return;
+  const float length = target.skeleton.tip[leg.toes].norm();
+  const Vector3f tip = frames.orientation[leg.toes] * target.skeleton.tip[leg.toes];
+  const float slope = std::asin(std::clamp(tip.z() / length, -1.0F, 1.0F));
+  const float needed = std::asin(std::clamp((tip.z() + depth) / length, -1.0F, 1.0F)) - slope;
+  const Eigen::AngleAxisf bend(-needed, Vector3f::UnitY());
+  pose.rotation[leg.toes] = (pose.rotation[leg.toes] * Quaternionf(bend)).normalized();
+}
+
+// Of a leg that is nearly straight, bow legs and noise decide where its knee sticks out. There it
+// bends by as much, but about the hinge; in between one goes over into the other.
+void straighten_bow_leg(Limb limb, Pose& pose) {
+  constexpr float kStraight = 0.17F;  // radians, 10 degrees
+  constexpr float kBent = 0.52F;      // 30 degrees
+  Quaternionf& knee = pose.rotation[motion::roles_of(limb).lower];
+  const float bend = std::acos(std::clamp((knee * Vector3f::UnitZ()).z(), -1.0F, 1.0F));
+  const Quaternionf about_hinge(Eigen::AngleAxisf(bend, motion::hinge_axis(limb)));
+  const float weight = motion::ease_in_ease_out((bend - kStraight) / (kBent - kStraight));
+  knee = motion::slerp(about_hinge, knee, weight);
+}
+
+Pose retargeted(const Target& target, const SourceFrame& frame, const AnkleGoals& goals) {
+  Pose pose = transferred(target, frame);
+  for (const Leg& leg : kLegs) straighten_bow_leg(leg.limb, pose);
+  sink_pelvis(target, goals, pose);
+  for (std::size_t side = 0; side < 2; ++side) {
+    const Leg& leg = kLegs[side];
+    pose = motion::with_limb_end(target.skeleton, pose, leg.limb, goals[side],
+                                 frame.orientation[leg.foot]);
+    keep_toes_up(target, side, pose);
+  }
+  // The ends of the arms stay where they are; what the elbows did besides bending goes to shoulder
+  // and wrist.
+  const JointFrames frames = forward_kinematics(target.skeleton, pose);
+  for (Limb arm : {Limb::left_arm, Limb::right_arm}) {
+    const Role hand = motion::roles_of(arm).end;
+    pose = motion::with_limb_end(target.skeleton, pose, arm, frames.position[hand],
+                                 frames.orientation[hand]);
+  }
+  return pose;
+}
+
+// q and -q are one rotation: of both, the one nearer to the frame before.
+void make_continuous(motion::Motion& motion) {
+  for (std::size_t k = 1; k < motion.poses.size(); ++k) {
+    for (Role role : kRoles) {
+      Quaternionf& rotation = motion.poses[k].rotation[role];
+      if (rotation.dot(motion.poses[k - 1].rotation[role]) < 0) rotation.coeffs() *= -1;
+    }
+  }
+}
+
+// The horizontal normal of the line from the right hip to the left one.
+float pelvis_facing(const SourceFrame& frame) {
+  const Vector3f left = frame.orientation[Role::pelvis] * Vector3f::UnitY();
+  return std::atan2(-left.x(), left.y());
+}
+
+}  // namespace
+
+float leg_ratio(const SourceMotion& source, const Skeleton& skeleton) {
+  return motion::limb_length(skeleton, kLegs[0].limb) / source.leg_length_m;
+}
+
+SourceFrame sample(const SourceMotion& source, double time_s) {
+  const double last = static_cast<double>(source.frames.size() - 1);
+  const double position = std::clamp(time_s / source.frame_time_s, 0.0, last);
+  const auto index = static_cast<std::size_t>(position);
+  const auto weight = static_cast<float>(position - static_cast<double>(index));
+  if (weight == 0) return source.frames[index];
+  const SourceFrame& from = source.frames[index];
+  const SourceFrame& to = source.frames[index + 1];
+  const auto mixed = [weight](const Vector3f& one, const Vector3f& other) -> Vector3f {
+    return (1 - weight) * one + weight * other;
+  };
+  SourceFrame frame;
+  for (Role role : kRoles) {
+    frame.orientation[role] = motion::slerp(from.orientation[role], to.orientation[role], weight);
+  }
+  frame.hip_centre = mixed(from.hip_centre, to.hip_centre);
+  for (std::size_t side = 0; side < 2; ++side) {
+    frame.foot[side].ankle = mixed(from.foot[side].ankle, to.foot[side].ankle);
+    frame.foot[side].ball = mixed(from.foot[side].ball, to.foot[side].ball);
+  }
+  return frame;
+}
+
+Placement placement_of(const SourceMotion& source, const Skeleton& skeleton,
+                       const Segment& segment) {
+  const SourceFrame first = sample(source, segment.start_s);
+  const Pose pose = transferred(make_target(source, skeleton), first);
+  Placement placement;
+  placement.yaw = -(pelvis_facing(first) + static_cast<float>(segment.heading));
+  Vector3f start = pose.root_position;
+  start.z() = 0;
+  placement.shift = -(Eigen::AngleAxisf(placement.yaw, Vector3f::UnitZ()) * start);
+  return placement;
+}
+
+motion::Motion retarget(const SourceMotion& source, const Skeleton& skeleton,
+                        const Segment& segment, float rate_hz) {
+  const Target target = make_target(source, skeleton);
+  const Placement placement = placement_of(source, skeleton, segment);
+  const auto intervals = static_cast<std::size_t>(
+      std::lround((segment.end_s - segment.start_s) * static_cast<double>(rate_hz)));
+  std::vector<SourceFrame> frames;
+  for (std::size_t k = 0; k <= intervals; ++k) {
+    const double time_s = segment.start_s + static_cast<double>(k) / static_cast<double>(rate_hz);
+    frames.push_back(sample(source, std::min(time_s, segment.end_s)));
+  }
+  const std::vector<AnkleGoals> goals =
+      place_feet(source, skeleton, frames, 1 / rate_hz, target.scale);
+  motion::Motion motion;
+  motion.rate_hz = rate_hz;
+  for (std::size_t k = 0; k <= intervals; ++k) {
+    const Pose pose = retargeted(target, frames[k], goals[k]);
+    motion.poses.push_back(motion::placed(pose, placement.yaw, placement.shift));
+  }
+  make_continuous(motion);
+  return motion;
+}
+
+}  // namespace flinch::database

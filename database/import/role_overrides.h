@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "database/import/role_map.h"
+#include "database/import/toml_reader.h"
+
+namespace flinch::database {
+
+/// The lines `role = "joint name"` of a table. Throws Error at an unknown role.
+RoleOverrides role_overrides(const TomlReader& roles);
+
+}  // namespace flinch::database

@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: MIT
+#include "database/import/source_character.h"
+
+#include <algorithm>
+
+#include "motion/default_character.h"
+
+namespace flinch::database {
+namespace {
+
+using Eigen::Vector3d;
+using Eigen::Vector3f;
+using motion::kRoles;
+using motion::mirrored;
+using motion::PerRole;
+using motion::Role;
+using motion::Skeleton;
+
+// Where spine joints may lie between the hips and the neck's base, as fractions of that line. The
+// default character has the abdomen at 0.22 and the chest at 0.59.
+constexpr double kLeastAbdomen = 0.10;
+constexpr double kMostAbdomen = 0.35;
+constexpr double kLeastChest = 0.45;
+constexpr double kMostChest = 0.75;
+// The neck's base between the line of the shoulders and the head's joint, as the default character
+// has it, rounded.
+constexpr double kNeckAboveShoulders = 0.3;
+
+// A source's reference pose as lengths: all in metres, of the left side, averaged with the right.
+class Measures {
+ public:
+  explicit Measures(const Source& source) : source_(source) {
+    const motion::JointFrames rest =
+        forward_kinematics(proportions_, motion::rest_pose(proportions_));
+    for (Role role : kRoles) default_height_[role] = rest.position[role].z();
+    scale_ = (place(Role::head).z() - place(Role::left_foot).z()) /
+             (default_height_[Role::head] - default_height_[Role::left_foot]);
+  }
+
+  bool has(Role role) const { return source_.figure.has(role); }
+  bool has_end(Role role) const {
+    return source_.figure.end[role].has_value() && source_.figure.end[mirrored(role)].has_value();
+  }
+
+  // A joint's place, the pelvis at the origin.
+  Vector3d place(Role role) const { return symmetric(source_.reference.position, role); }
+  // Where its segment ends.
+  Vector3d end(Role role) const { return symmetric(source_.reference.end, role); }
+  // Of its segment.
+  double length(Role role) const {
+    const auto of = [&](Role one) {
+      return (source_.reference.end[one] - source_.reference.position[one]).norm();
+    };
+    return 0.5 * source_.metres_per_unit * (of(role) + of(mirrored(role)));
+  }
+  // The default character's, at this figure's size.
+  Vector3d default_offset(Role role) const {
+    return scale_ * proportions_.offset[role].cast<double>();
+  }
+  Vector3d default_tip(Role role) const { return scale_ * proportions_.tip[role].cast<double>(); }
+  double default_height(Role role) const { return scale_ * default_height_[role]; }
+  double default_fraction(Role role) const {
+    return (default_height_[role] - default_height_[Role::left_thigh]) /
+           (default_height_[Role::neck] - default_height_[Role::left_thigh]);
+  }
+
+ private:
+  Vector3d symmetric(const PerRole<Vector3d>& values, Role role) const {
+    Vector3d other = values[mirrored(role)];
+    other.y() = -other.y();
+    return 0.5 * source_.metres_per_unit * (values[role] + other);
+  }
+
+  const Source& source_;
+  const Skeleton proportions_ = motion::default_character().skeleton;
+  PerRole<double> default_height_;
+  double scale_ = 1;
+};
+
+void set_offset(Skeleton& skeleton, Role left, const Vector3d& offset) {
+  skeleton.offset[left] = offset.cast<float>();
+  if (mirrored(left) == left) {
+    skeleton.offset[left].y() = 0;
+    return;
+  }
+  skeleton.offset[mirrored(left)] = skeleton.offset[left];
+  skeleton.offset[mirrored(left)].y() = -skeleton.offset[left].y();
+}
+
+void set_tip(Skeleton& skeleton, Role left, const Vector3d& tip) {
+  skeleton.tip[left] = tip.cast<float>();
+  skeleton.tip[mirrored(left)] = skeleton.tip[left];
+  skeleton.tip[mirrored(left)].y() = -skeleton.tip[left].y();
+}
+
+// The height of a spine joint above the hips, m.
+double spine_height(const Measures& measures, Role role, double hips, double neck, double least,
+                    double most) {
+  const double fraction =
+      measures.has(role) ? (measures.place(role).z() - hips) / (neck - hips) : 0;
+  const bool plausible = fraction >= least && fraction <= most;
+  return (plausible ? fraction : measures.default_fraction(role)) * (neck - hips);
+}
+
+// Heights of the trunk's joints above the hips, m.
+struct Trunk {
+  double hips;  // above the pelvis joint, so negative or zero
+  double abdomen, chest, neck, head;
+};
+
+Trunk measure_trunk(const Measures& measures) {
+  const double hips = measures.place(Role::left_thigh).z();
+  const double shoulders = measures.place(Role::left_upper_arm).z();
+  double head = measures.place(Role::head).z();
+  double neck = shoulders + kNeckAboveShoulders * (head - shoulders);
+  const double neck_length = measures.default_offset(Role::head).z();
+  if (measures.has(Role::neck)) {
+    neck = measures.place(Role::neck).z();
+  } else if (head - shoulders < 0.5 * neck_length) {
+    // A head that turns at the height of the shoulders is a neck.
+    neck = head;
+    head = neck + neck_length;
+  }
+  return {hips, spine_height(measures, Role::abdomen, hips, neck, kLeastAbdomen, kMostAbdomen),
+          spine_height(measures, Role::chest, hips, neck, kLeastChest, kMostChest), neck - hips,
+          head - hips};
+}
+
+void set_trunk(Skeleton& skeleton, const Measures& measures, const Trunk& trunk) {
+  const auto up = [](double z) { return Vector3d(0, 0, z); };
+  set_offset(skeleton, Role::abdomen, up(trunk.abdomen + trunk.hips));
+  set_offset(skeleton, Role::chest, up(trunk.chest - trunk.abdomen));
+  set_offset(skeleton, Role::neck, up(trunk.neck - trunk.chest));
+  set_offset(skeleton, Role::head, up(trunk.head - trunk.neck));
+  // The End Site of a head is its crown only where it is about as high as one.
+  const double crown = measures.default_tip(Role::head).z();
+  const double own = measures.has_end(Role::head)
+                         ? measures.end(Role::head).z() - measures.place(Role::head).z()
+                         : 0;
+  set_tip(skeleton, Role::head, up(own > 0.5 * crown && own < 2 * crown ? own : crown));
+}
+
+void set_arms(Skeleton& skeleton, const Measures& measures, const Trunk& trunk) {
+  const Vector3d chest(0, 0, trunk.hips + trunk.chest);
+  const Vector3d shoulder = measures.place(Role::left_upper_arm);
+  const double between = measures.default_offset(Role::left_clavicle).y() /
+                         (measures.default_offset(Role::left_clavicle).y() +
+                          measures.default_offset(Role::left_upper_arm).y());
+  const Vector3d clavicle = measures.has(Role::left_clavicle)
+                                ? measures.place(Role::left_clavicle)
+                                : Vector3d(shoulder.x(), between * shoulder.y(), shoulder.z());
+  set_offset(skeleton, Role::left_clavicle, clavicle - chest);
+  set_offset(skeleton, Role::left_upper_arm, shoulder - clavicle);
+  set_offset(skeleton, Role::left_forearm, {0, measures.length(Role::left_upper_arm), 0});
+  const double forearm = measures.has_end(Role::left_forearm)
+                             ? measures.length(Role::left_forearm)
+                             : measures.default_offset(Role::left_hand).y();
+  set_offset(skeleton, Role::left_hand, {0, forearm, 0});
+  const double hand = measures.has(Role::left_hand) && measures.has_end(Role::left_hand)
+                          ? measures.length(Role::left_hand)
+                          : measures.default_tip(Role::left_hand).y();
+  set_tip(skeleton, Role::left_hand, {0, hand, 0});
+}
+
+// Returns the height of the ankle above the ground, m.
+double set_legs(Skeleton& skeleton, const Measures& measures) {
+  const Role foot = Role::left_foot;
+  Vector3d hip = measures.place(Role::left_thigh);
+  set_offset(skeleton, Role::left_thigh, hip);
+  set_offset(skeleton, Role::left_shin, {0, 0, -measures.length(Role::left_thigh)});
+  set_offset(skeleton, foot, {0, 0, -measures.length(Role::left_shin)});
+
+  Vector3d ball = measures.default_offset(Role::left_toes);
+  if (measures.has_end(foot)) ball = measures.end(foot) - measures.place(foot);
+  const double sole = measures.default_height(Role::left_toes);  // below the ball
+  const double ankle = std::max(measures.default_height(foot), sole - ball.z());
+  set_offset(skeleton, Role::left_toes, {ball.x(), 0, std::min(ball.z(), 0.0)});
+  const bool has_toes = measures.has(Role::left_toes) && measures.has_end(Role::left_toes);
+  const double toes =
+      has_toes ? measures.length(Role::left_toes) : measures.default_tip(Role::left_toes).x();
+  set_tip(skeleton, Role::left_toes, {toes, 0, 0});
+  return ankle;
+}
+
+// The far end of each segment that another joint follows is that joint.
+void set_inner_tips(Skeleton& skeleton) {
+  for (Role next : kRoles) {
+    const std::optional<Role> role = motion::parent_of(next);
+    if (!role) continue;
+    const bool branch = *role == Role::pelvis || *role == Role::chest;
+    const bool along_spine = next == Role::abdomen || next == Role::neck;
+    if (!branch || along_spine) skeleton.tip[*role] = skeleton.offset[next];
+  }
+}
+
+}  // namespace
+
+motion::Character character_of(const Source& source, const CharacterOptions& options) {
+  const Measures measures(source);
+  const Trunk trunk = measure_trunk(measures);
+  motion::Character character;
+  Skeleton& skeleton = character.skeleton;
+  set_trunk(skeleton, measures, trunk);
+  set_arms(skeleton, measures, trunk);
+  const double ankle = set_legs(skeleton, measures);
+  const Vector3f to_ankle = skeleton.offset[Role::left_thigh] + skeleton.offset[Role::left_shin] +
+                            skeleton.offset[Role::left_foot];
+  skeleton.offset[Role::pelvis] = {0, 0, static_cast<float>(ankle) - to_ankle.z()};
+  set_inner_tips(skeleton);
+
+  const auto stature = [&] {
+    const motion::JointFrames rest = forward_kinematics(skeleton, motion::rest_pose(skeleton));
+    return rest.position[Role::head].z() + skeleton.tip[Role::head].z();
+  };
+  if (options.height_m) {
+    const float scale = *options.height_m / stature();
+    for (Role role : kRoles) {
+      skeleton.offset[role] *= scale;
+      skeleton.tip[role] *= scale;
+    }
+  }
+  character.sex = options.sex;
+  character.mass_kg = options.mass_kg.value_or(kDefaultBodyMassIndex * stature() * stature());
+  return character;
+}
+
+}  // namespace flinch::database

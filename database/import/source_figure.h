@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+
+#include "database/import/bvh.h"
+#include "database/import/role_map.h"
+#include "motion/role.h"
+
+namespace flinch::database {
+
+/// A point that moves with a joint.
+struct Landmark {
+  int joint = -1;                                    ///< index into Bvh::joints
+  Eigen::Vector3d offset = Eigen::Vector3d::Zero();  ///< in the joint's frame, file units
+};
+
+/// Where a file keeps what retargeting looks at: the joint of each role, and the far end of its
+/// segment. For a limb's segment that is the next joint or, at its end, the End Site; for a hand
+/// the farthest fingertip; for a head its own End Site. Nothing where the file has none.
+struct SourceFigure {
+  motion::PerRole<int> joint{};
+  motion::PerRole<std::optional<Landmark>> end;
+
+  bool has(motion::Role role) const { return joint[role] >= 0; }
+};
+SourceFigure source_figure(const Bvh& bvh, const RoleMap& roles);
+
+/// The figure in one frame, turned by a constant rotation of the file's space. Roles that the file
+/// does not have are left at zero.
+struct FigureFrame {
+  motion::PerRole<Eigen::Vector3d> position;
+  motion::PerRole<Eigen::Quaterniond> orientation;  ///< from the joint's own frame
+  motion::PerRole<Eigen::Vector3d> end;             ///< where SourceFigure::end is
+};
+FigureFrame figure_frame(const SourceFigure& figure, const BvhFrame& frame,
+                         const Eigen::Quaterniond& turn);
+
+/// The middle between the hip joints.
+Eigen::Vector3d hip_centre(const FigureFrame& frame);
+
+/// From the right side to the left: the mean direction of the lines through hips and shoulders,
+/// unit.
+Eigen::Vector3d leftward(const FigureFrame& frame);
+
+/// The nearest role above that the file has; nothing for the pelvis.
+std::optional<motion::Role> parent_in(const SourceFigure& figure, motion::Role role);
+
+}  // namespace flinch::database

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "database/import/reference_pose.h"
+#include "database/import/role_map.h"
+#include "database/import/source_space.h"
+
+namespace flinch::database {
+
+/// What a user may fix instead of leaving it to be found.
+struct SourceOptions {
+  std::optional<LengthUnit> unit;
+  std::optional<UpAxis> up;
+  RoleOverrides roles;
+};
+
+/// One foot of a source in one frame, m.
+struct SourceFoot {
+  Eigen::Vector3f ankle = Eigen::Vector3f::Zero();
+  Eigen::Vector3f ball = Eigen::Vector3f::Zero();  ///< the toes' joint, or the foot's End Site
+};
+
+/// One frame of a source in the library's terms: X forward, Y left, Z up, m, the ground at 0.
+struct SourceFrame {
+  /// Of every role, relative to the reference pose; roles that the file does not have follow their
+  /// neighbours.
+  motion::PerRole<Eigen::Quaternionf> orientation;
+  Eigen::Vector3f hip_centre = Eigen::Vector3f::Zero();
+  std::array<SourceFoot, 2> foot;  ///< left, right
+};
+
+/// A source's motion and measures, ready to be put on another figure. Its yaw and its place on the
+/// ground are the file's own.
+struct SourceMotion {
+  double frame_time_s = 0;
+  std::vector<SourceFrame> frames;
+  float leg_length_m = 0;                 ///< hip to knee to ankle, mean of both
+  std::array<float, 2> ankle_height_m{};  ///< of each ankle while its foot is flat on the ground
+  std::array<float, 2> ball_height_m{};   ///< of each ball, likewise
+  std::array<bool, 2> has_ball{};         ///< false: SourceFoot::ball is the ankle
+
+  double duration_s() const { return static_cast<double>(frames.size() - 1) * frame_time_s; }
+};
+
+/// What was found out about a file.
+struct SourceReport {
+  std::string path;
+  int joint_count = 0;
+  int frame_count = 0;
+  double frame_time_s = 0;
+  double duration_s = 0;
+  LengthUnit unit = LengthUnit::metre;
+  bool unit_given = false;
+  UpAxis up = UpAxis::y;
+  bool up_given = false;
+  double head_height_m = 0;  ///< of the standing head joint
+  int reference_frame = -1;  ///< that the reference pose is from; -1: the OFFSETs
+  /// "joint name" and how it was found, for each role; empty where there is none.
+  motion::PerRole<std::string> joint_name;
+  motion::PerRole<RoleSource> joint_source{};
+  std::vector<std::string> warnings;
+};
+
+/// A file, read and understood.
+struct Source {
+  SourceReport report;
+  Bvh bvh;
+  SourceFigure figure;
+  ReferencePose reference;
+  double metres_per_unit = 1;
+  Eigen::Quaterniond to_world = Eigen::Quaterniond::Identity();
+};
+
+/// Maps the roles, and finds up, units and reference pose. Throws Error.
+Source understand(Bvh bvh, const SourceOptions& options = {});
+
+/// All frames of a source in the library's terms, calibrated by the motion itself (see
+/// calibration.h and ground_contact.h): the ground is where the feet are lowest, planted feet are
+/// flat and on it, and elbows and knees bend about their hinges.
+SourceMotion source_motion(const Source& source);
+
+}  // namespace flinch::database

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+#include "database/library/library_file.h"
+
+#include <cstdint>
+#include <new>
+#include <utility>
+#include <vector>
+
+#include "database/library/library_layout.h"
+#include "library_generated.h"
+
+namespace flinch::database {
+namespace {
+
+/// Takes a vector of floats apart from the front.
+class FloatReader {
+ public:
+  explicit FloatReader(const flatbuffers::Vector<float>& floats) : floats_(floats) {}
+
+  float number() { return floats_.Get(next_++); }
+  Eigen::Vector3f vector() {
+    Eigen::Vector3f vector;
+    for (float& component : vector) component = number();
+    return vector;
+  }
+  Eigen::Quaternionf rotation() {
+    Eigen::Quaternionf rotation;
+    rotation.w() = number();
+    rotation.vec() = vector();
+    return rotation;
+  }
+
+ private:
+  const flatbuffers::Vector<float>& floats_;
+  flatbuffers::uoffset_t next_ = 0;
+};
+
+/// False when the vector has another size than one 3-vector a role.
+bool read_vectors(const flatbuffers::Vector<float>& floats,
+                  motion::PerRole<Eigen::Vector3f>& vectors) {
+  if (floats.size() != kFloatsASkeletonVector) return false;
+  FloatReader reader(floats);
+  for (Eigen::Vector3f& vector : vectors) vector = reader.vector();
+  return true;
+}
+
+bool read_poses(const flatbuffers::Vector<float>& floats, std::vector<motion::Pose>& poses) {
+  if (floats.size() % kFloatsAPose != 0) return false;
+  poses.resize(floats.size() / kFloatsAPose);
+  FloatReader reader(floats);
+  for (motion::Pose& pose : poses) {
+    pose.root_position = reader.vector();
+    for (Eigen::Quaternionf& rotation : pose.rotation) rotation = reader.rotation();
+  }
+  return true;
+}
+
+motion::Annotation annotation_of(const schema::Annotation& stored) {
+  return {.target = static_cast<motion::Target>(stored.target()),
+          .direction = stored.direction(),
+          .degree = static_cast<motion::Degree>(stored.degree()),
+          .onset_s = stored.onset_s(),
+          .peak_s = stored.peak_s(),
+          .end_s = stored.end_s()};
+}
+
+bool read_clip(const schema::Clip& stored, float rate_hz, motion::Clip& clip) {
+  clip.name = stored.name()->str();
+  clip.purpose = static_cast<motion::Purpose>(stored.purpose());
+  clip.kind = stored.kind()->str();
+  clip.source = stored.source()->str();
+  clip.mirrored_from = stored.mirrored_from()->str();
+  if (stored.annotation() != nullptr) clip.annotation = annotation_of(*stored.annotation());
+  clip.motion.rate_hz = rate_hz;
+  return read_poses(*stored.poses(), clip.motion.poses);
+}
+
+/// What the schema's own verification leaves open: sizes of vectors.
+bool read_stored(const schema::Library& stored, Library& library) {
+  const schema::Character& character = *stored.character();
+  library.name = stored.name()->str();
+  library.character.mass_kg = character.mass_kg();
+  library.character.sex = static_cast<motion::Sex>(character.sex());
+  library.rate_hz = stored.rate_hz();
+  if (!read_vectors(*character.offsets(), library.character.skeleton.offset) ||
+      !read_vectors(*character.tips(), library.character.skeleton.tip)) {
+    return false;
+  }
+  const auto& clips = *stored.clips();
+  if (stored.idle() >= clips.size()) return false;
+  library.idle = static_cast<int>(stored.idle());
+  library.clips.resize(clips.size());
+  for (flatbuffers::uoffset_t i = 0; i < clips.size(); ++i) {
+    if (!read_clip(*clips.Get(i), library.rate_hz, library.clips[i])) return false;
+  }
+  return true;
+}
+
+LoadStatus read_unsealed(const Unsealed& file, Library& library) {
+  if (file.status != LoadStatus::ok) return file.status;
+  flatbuffers::Verifier verifier(reinterpret_cast<const std::uint8_t*>(file.content.data()),
+                                 file.content.size());
+  if (!schema::VerifyLibraryBuffer(verifier)) return LoadStatus::damaged;
+  Library read;
+  if (!read_stored(*schema::GetLibrary(file.content.data()), read) || fault_of(read)) {
+    return LoadStatus::damaged;
+  }
+  read.hash = file.hash;
+  library = std::move(read);
+  return LoadStatus::ok;
+}
+
+}  // namespace
+
+LoadStatus read_library(std::span<const std::byte> bytes, Library& library) noexcept try {
+  std::vector<std::byte> storage;
+  return read_unsealed(unseal(kLibraryKind, aligned(bytes, storage)), library);
+} catch (const std::bad_alloc&) {
+  return LoadStatus::out_of_memory;
+}
+
+LoadStatus read_enclosed_library(std::span<const std::byte> bytes, Library& library) noexcept try {
+  std::vector<std::byte> storage;
+  return read_unsealed(unseal_enclosed(kLibraryKind, aligned(bytes, storage)), library);
+} catch (const std::bad_alloc&) {
+  return LoadStatus::out_of_memory;
+}
+
+LoadStatus read_library(const std::string& path, Library& library) noexcept {
+  std::vector<std::byte> bytes;
+  const LoadStatus status = read_bytes(path, bytes);
+  return status == LoadStatus::ok ? read_library(bytes, library) : status;
+}
+
+}  // namespace flinch::database

@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: MIT
+#include "database/quality/quality.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "motion/body_distance.h"
+#include "motion/error.h"
+#include "motion/joint_limits.h"
+#include "motion/rotation.h"
+#include "motion/support_polygon.h"
+
+namespace flinch::database {
+namespace {
+
+using motion::Body;
+using motion::Clip;
+using motion::degrees;
+using motion::human_joint_limits;
+using motion::JointFrames;
+using motion::JointLimits;
+using motion::limit_excess;
+using motion::radians;
+using motion::Role;
+using motion::Side;
+
+// Peak speeds that people reach, degrees a second.
+// Neck: large fast head turns, 700 (Zangemeister, Jones and Stark 1981).
+// Trunk: pelvis against upper torso when throwing, 500 (Fleisig et al. 1999).
+// Elbow: 2300 and shoulder, without its rotation about its length, 1500 when throwing (the same).
+// Clavicle: a fifth of the shoulder's. Wrist: 2000 when throwing (Debicki et al. 2004).
+// Hip 1000, knee 1500, ankle 1000 when kicking (Lees and Nolan 1998). Toes as the ankle.
+struct SpeedRow {
+  std::string_view part;  // of the joint's name
+  float dps;
+};
+constexpr std::array<SpeedRow, 10> kSpeeds{{{"trunk", 500},
+                                            {"neck", 700},
+                                            {"clavicle", 300},
+                                            {"shoulder", 1500},
+                                            {"elbow", 2300},
+                                            {"wrist", 2000},
+                                            {"hip", 1000},
+                                            {"knee", 1500},
+                                            {"ankle", 1000},
+                                            {"toes", 1000}}};
+
+using FramesOfClip = std::vector<JointFrames>;
+
+void measure_joints(const FramesOfClip& frames, float rate_hz, ClipQuality& quality) {
+  for (const JointLimits& limits : human_joint_limits()) {
+    const float human_speed = radians(peak_human_speed_dps(limits.name));
+    for (std::size_t k = 0; k < frames.size(); ++k) {
+      const Eigen::Quaternionf rotation = relative_rotation(frames[k], limits.from, limits.to);
+      const float excess = degrees(limit_excess(limits, rotation));
+      if (excess > quality.limit_excess_deg) {
+        quality.limit_excess_deg = excess;
+        quality.limit_joint = limits.name;
+      }
+      if (k == 0) continue;
+      const Eigen::Quaternionf before = relative_rotation(frames[k - 1], limits.from, limits.to);
+      const float share = before.angularDistance(rotation) * rate_hz / human_speed;
+      if (share > quality.speed_share) {
+        quality.speed_share = share;
+        quality.speed_joint = limits.name;
+      }
+    }
+  }
+}
+
+void measure_hands(const Figure& figure, const FramesOfClip& frames, ClipQuality& quality) {
+  quality.hand_clearance_m = std::numeric_limits<float>::infinity();
+  for (const JointFrames& pose : frames) {
+    for (Body hand : {Body::left_hand, Body::right_hand}) {
+      const Capsule capsule = capsule_of(figure, pose, hand);
+      for (Body core : kCoreBodies) {
+        quality.hand_clearance_m =
+            std::min(quality.hand_clearance_m, distance_between(figure, pose, core, capsule));
+      }
+    }
+  }
+}
+
+// The points of a sole in the world, those of the foot before those of the toes.
+std::vector<Eigen::Vector3f> sole_points(const motion::SoleOutline& sole, const JointFrames& frames,
+                                         Side side) {
+  std::vector<Eigen::Vector3f> points;
+  const motion::FootRoles roles = motion::roles_of(side);
+  for (const Eigen::Vector3f& point : sole.foot) {
+    points.push_back(frames.position[roles.foot] + frames.orientation[roles.foot] * point);
+  }
+  for (const Eigen::Vector3f& point : sole.toes) {
+    points.push_back(frames.position[roles.toes] + frames.orientation[roles.toes] * point);
+  }
+  return points;
+}
+
+float lowest(const std::vector<Eigen::Vector3f>& points) {
+  float z = std::numeric_limits<float>::infinity();
+  for (const Eigen::Vector3f& point : points) z = std::min(z, point.z());
+  return z;
+}
+
+// The foot on the ground that is nearer to the centre of mass; none in a jump.
+std::optional<Side> support_foot(const Figure& figure, const JointFrames& frames,
+                                 const PerSide<std::vector<Eigen::Vector3f>>& soles) {
+  const Eigen::Vector3f centre = motion::centre_of_mass(figure.bodies, frames);
+  std::optional<Side> support;
+  float nearest = std::numeric_limits<float>::infinity();
+  for (Side side : kSides) {
+    if (lowest(soles[index_of(side)]) > kContactHeight) continue;
+    const float distance = (frames.position[motion::roles_of(side).foot] - centre).head<2>().norm();
+    if (distance < nearest) {
+      nearest = distance;
+      support = side;
+    }
+  }
+  return support;
+}
+
+// Every point of a sole remembers where it came to the ground and slips from there until it leaves.
+void measure_feet(const Figure& figure, const FramesOfClip& frames, ClipQuality& quality) {
+  const PerSide<motion::SoleOutline> outlines{motion::sole_outline(figure.skeleton(), Side::left),
+                                              motion::sole_outline(figure.skeleton(), Side::right)};
+  PerSide<std::vector<std::optional<Eigen::Vector3f>>> landed;
+  for (const JointFrames& pose : frames) {
+    PerSide<std::vector<Eigen::Vector3f>> soles;
+    for (Side side : kSides) {
+      const std::size_t i = index_of(side);
+      soles[i] = sole_points(outlines[i], pose, side);
+      quality.foot_below_ground_m = std::max(quality.foot_below_ground_m, -lowest(soles[i]));
+    }
+    const std::optional<Side> support = support_foot(figure, pose, soles);
+    for (Side side : kSides) {
+      const std::size_t i = index_of(side);
+      landed[i].resize(soles[i].size());
+      for (std::size_t k = 0; k < soles[i].size(); ++k) {
+        std::optional<Eigen::Vector3f>& first = landed[i][k];
+        if (side != support || soles[i][k].z() > kContactHeight) {
+          first.reset();
+        } else if (!first) {
+          first = soles[i][k];
+        } else {
+          const float slip = (soles[i][k] - *first).head<2>().norm();
+          quality.support_drift_m = std::max(quality.support_drift_m, slip);
+        }
+      }
+    }
+  }
+}
+
+float balance_margin(const Figure& figure, const JointFrames& frames) {
+  return motion::signed_distance_inside(
+      motion::support_polygon(figure.skeleton(), frames, kContactHeight),
+      motion::centre_of_mass(figure.bodies, frames).head<2>());
+}
+
+void measure_balance(const Figure& figure, const Clip& clip, const FramesOfClip& frames,
+                     ClipQuality& quality) {
+  quality.balance_margin_m =
+      std::min(balance_margin(figure, frames.front()), balance_margin(figure, frames.back()));
+  if (!clip.annotation) return;
+  const auto peak =
+      static_cast<std::size_t>(std::lround(clip.annotation->peak_s * clip.motion.rate_hz));
+  quality.balance_margin_m = std::min(
+      quality.balance_margin_m, balance_margin(figure, frames[std::min(peak, frames.size() - 1)]));
+}
+
+// a_k = (p_{k+1} - 2 p_k + p_{k-1}) rate^2
+void measure_accelerations(const Figure& figure, const FramesOfClip& frames, float rate_hz,
+                           ClipQuality& quality) {
+  for (std::size_t k = 1; k + 1 < frames.size(); ++k) {
+    for (Body body : motion::kBodies) {
+      const auto at = [&](std::size_t i) {
+        return motion::centre_of_mass(figure.bodies, frames[i], body);
+      };
+      const float acceleration = (at(k + 1) - 2 * at(k) + at(k - 1)).norm() * rate_hz * rate_hz;
+      quality.peak_acceleration_mps2 = std::max(quality.peak_acceleration_mps2, acceleration);
+    }
+  }
+}
+
+}  // namespace
+
+ClipQuality measure_quality(const Figure& figure, const Clip& clip) {
+  FramesOfClip frames;
+  for (const motion::Pose& pose : clip.motion.poses) {
+    frames.push_back(motion::forward_kinematics(figure.skeleton(), pose));
+  }
+  ClipQuality quality;
+  quality.name = clip.name;
+  measure_joints(frames, clip.motion.rate_hz, quality);
+  measure_hands(figure, frames, quality);
+  measure_feet(figure, frames, quality);
+  measure_balance(figure, clip, frames, quality);
+  measure_accelerations(figure, frames, clip.motion.rate_hz, quality);
+  return quality;
+}
+
+std::vector<ClipQuality> measure_quality(const Library& library) {
+  const Figure figure = make_figure(library.character);
+  std::vector<ClipQuality> table;
+  for (const Clip& clip : library.clips) table.push_back(measure_quality(figure, clip));
+  return table;
+}
+
+std::vector<std::string> broken_bounds(const ClipQuality& quality, const QualityBounds& bounds) {
+  std::vector<std::string> broken;
+  const auto check = [&broken](bool kept, const char* name) {
+    if (!kept) broken.emplace_back(name);
+  };
+  check(quality.limit_excess_deg <= bounds.limit_excess_deg, "limit_excess_deg");
+  check(quality.hand_clearance_m >= bounds.hand_clearance_m, "hand_clearance_m");
+  check(quality.support_drift_m <= bounds.support_drift_m, "support_drift_m");
+  check(quality.foot_below_ground_m <= bounds.foot_below_ground_m, "foot_below_ground_m");
+  check(quality.balance_margin_m >= bounds.balance_margin_m, "balance_margin_m");
+  check(quality.speed_share <= bounds.speed_share, "speed_share");
+  check(quality.peak_acceleration_mps2 <= bounds.peak_acceleration_mps2, "peak_acceleration_mps2");
+  return broken;
+}
+
+float peak_human_speed_dps(std::string_view joint) {
+  for (const SpeedRow& row : kSpeeds) {
+    if (joint.ends_with(row.part)) return row.dps;
+  }
+  throw Error("", "there is no peak speed for a joint '" + std::string(joint) + "'");
+}
+
+}  // namespace flinch::database

@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: MIT
+#include "models/fit/network_fit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+#include <string>
+
+#include "features/random.h"
+#include "models/fit/in_parallel.h"
+#include "models/fit/network_gradient.h"
+#include "models/selector.h"
+#include "motion/error.h"
+
+namespace flinch::models {
+namespace {
+
+using Eigen::MatrixXf;
+using Eigen::VectorXf;
+
+constexpr int kBatchSize = 32;
+
+void check_parameters(const NetworkParameters& parameters) {
+  if (parameters.hidden_count < kNetworkBlock || parameters.hidden_count % kNetworkBlock != 0 ||
+      parameters.member_count < 1 || parameters.epoch_count < 1 ||
+      !(parameters.weight_decay >= 0 && parameters.weight_decay <= 1)) {
+    throw Error("", "a network needs hidden units in multiples of " +
+                        std::to_string(kNetworkBlock) +
+                        ", a member and an epoch or more, and a weight decay from 0 to 1");
+  }
+}
+
+/// Calls act(output, observation, cost) for every clip that was tried, observation by observation.
+template <typename Act>
+void for_each_trial(const TrainingSet& set, std::span<const int> clips, const Act& act) {
+  for (int i = 0; i < set.size(); ++i) {
+    for (std::size_t output = 0; output < clips.size(); ++output) {
+      const float cost = set.costs(i)[static_cast<std::size_t>(clips[output])];
+      if (std::isfinite(cost)) {
+        act(static_cast<Eigen::Index>(output), static_cast<Eigen::Index>(i), double{cost});
+      }
+    }
+  }
+}
+
+/// The mean and the standard deviation of the roots of the costs; costs are never below 0.
+void standardise(const TrainingSet& set, NetworkModel& model) {
+  double count = 0;
+  double sum = 0;
+  double sum_of_squares = 0;
+  for_each_trial(set, model.clip, [&](Eigen::Index, Eigen::Index, double cost) {
+    count += 1;
+    sum += std::sqrt(std::max(cost, 0.0));
+    sum_of_squares += std::max(cost, 0.0);
+  });
+  const double mean = sum / count;
+  const double variance = sum_of_squares / count - mean * mean;
+  model.mean_root = static_cast<float>(mean);
+  model.scale_root = variance > 1e-12 ? static_cast<float>(std::sqrt(variance)) : 1.0F;
+}
+
+/// The whole set as one batch.
+NetworkBatch make_batch(const TrainingSet& set, const NetworkModel& model) {
+  NetworkBatch batch;
+  batch.inputs.resize(set.feature_count, set.size());
+  for (int i = 0; i < set.size(); ++i) {
+    std::transform(set.point(i).begin(), set.point(i).end(), batch.inputs.col(i).begin(),
+                   network_input);
+  }
+  batch.targets = MatrixXf::Zero(static_cast<Eigen::Index>(model.clip.size()), set.size());
+  batch.shares = batch.targets;
+  for_each_trial(set, model.clip, [&](Eigen::Index output, Eigen::Index i, double cost) {
+    const auto root = static_cast<float>(std::sqrt(std::max(cost, 0.0)));
+    batch.targets(output, i) = (root - model.mean_root) / model.scale_root;
+    batch.shares(output, i) = 1;
+  });
+  for (Eigen::Index i = 0; i < batch.shares.cols(); ++i) {
+    batch.shares.col(i) /= std::max(batch.shares.col(i).sum(), 1.0F);
+  }
+  return batch;
+}
+
+/// Normal weights whose variance keeps that of the answers from layer to layer (He et al. 2015),
+/// the output's a third of it, so that all clips begin near the mean; no biases.
+VectorXf first_weights(const NetworkShape& shape, features::Random& random) {
+  VectorXf weights = VectorXf::Zero(static_cast<Eigen::Index>(shape.weight_count()));
+  const auto draw = [&](std::size_t first, std::size_t count, double deviation) {
+    for (std::size_t i = first; i < first + count; ++i) {
+      weights[static_cast<Eigen::Index>(i)] = static_cast<float>(deviation * random.normal());
+    }
+  };
+  const double hidden = shape.hidden_count;
+  draw(0, shape.first_biases(), std::sqrt(2.0 / shape.feature_count));
+  draw(shape.second_weights(), shape.hidden() * shape.hidden(), std::sqrt(2 / hidden));
+  draw(shape.output_weights(), shape.outputs() * shape.hidden(), std::sqrt(1 / hidden) / 3);
+  return weights;
+}
+
+// AdamW: with the gradient g of step t, m += (1 - b1) (g - m), v += (1 - b2) (g^2 - v),
+//   w -= rate (m / (1 - b1^t) / (sqrt(v / (1 - b2^t)) + 1e-8) + decay w).
+class AdamW {
+ public:
+  AdamW(Eigen::Index size, double decay)
+      : mean_(VectorXf::Zero(size)), square_(VectorXf::Zero(size)), decay_(decay) {}
+
+  void step(const VectorXf& gradient, double rate, VectorXf& weights) {
+    ++steps_;
+    mean_ += static_cast<float>(1 - kMeanDecay) * (gradient - mean_);
+    square_ += static_cast<float>(1 - kSquareDecay) * (gradient.cwiseAbs2() - square_);
+    const double mean_share = 1 - std::pow(kMeanDecay, steps_);
+    const double square_share = 1 - std::pow(kSquareDecay, steps_);
+    const auto root_scale = static_cast<float>(1 / std::sqrt(square_share));
+    weights *= static_cast<float>(1 - rate * decay_);
+    weights.array() -= static_cast<float>(rate / mean_share) * mean_.array() /
+                       (square_.array().sqrt() * root_scale + 1e-8F);
+  }
+
+ private:
+  static constexpr double kMeanDecay = 0.9;
+  static constexpr double kSquareDecay = 0.999;
+  VectorXf mean_, square_;
+  double decay_;
+  int steps_ = 0;
+};
+
+NetworkBatch columns(const NetworkBatch& all, std::span<const int> chosen) {
+  return {all.inputs(Eigen::all, chosen), all.targets(Eigen::all, chosen),
+          all.shares(Eigen::all, chosen)};
+}
+
+VectorXf fit_member(const NetworkShape& shape, const NetworkBatch& all,
+                    const NetworkParameters& parameters, std::size_t member) {
+  constexpr double kFirstRate = 3e-3;
+  features::Random random(parameters.seed, features::Purpose::fitting, member);
+  VectorXf weights = first_weights(shape, random);
+  VectorXf gradient;
+  AdamW adam(weights.size(), parameters.weight_decay);
+  std::vector<int> order(static_cast<std::size_t>(all.inputs.cols()));
+  std::iota(order.begin(), order.end(), 0);
+  const double seen_in_all = static_cast<double>(order.size()) * parameters.epoch_count;
+  double seen = 0;
+  for (int epoch = 0; epoch < parameters.epoch_count; ++epoch) {
+    for (std::size_t i = order.size(); i > 1; --i) {
+      std::swap(order[i - 1], order[random.index(i)]);
+    }
+    for (std::size_t first = 0; first < order.size(); first += kBatchSize) {
+      const auto chosen =
+          std::span(order).subspan(first, std::min(std::size_t{kBatchSize}, order.size() - first));
+      network_loss(shape, columns(all, chosen), weights, gradient);
+      const double rate = kFirstRate * (1 + std::cos(std::numbers::pi * seen / seen_in_all)) / 2;
+      adam.step(gradient, rate, weights);
+      seen += static_cast<double>(chosen.size());
+    }
+  }
+  return weights;
+}
+
+}  // namespace
+
+NetworkModel fit_network(const TrainingSet& set, const NetworkParameters& parameters) {
+  check(set);
+  check_costs(set);
+  check_parameters(parameters);
+  NetworkModel model;
+  model.feature_count = set.feature_count;
+  model.hidden_count = parameters.hidden_count;
+  model.member_count = parameters.member_count;
+  model.clip = tried_clips(set);
+  standardise(set, model);
+  const NetworkShape shape = model.shape();
+  const NetworkBatch all = make_batch(set, model);
+  model.weights.resize(shape.weight_count() * static_cast<std::size_t>(parameters.member_count));
+  in_parallel(static_cast<std::size_t>(parameters.member_count), [&](std::size_t member) {
+    const VectorXf weights = fit_member(shape, all, parameters, member);
+    if (!(weights.cwiseAbs().maxCoeff() <= kMostNetworkWeight)) {
+      throw Error("", "the network's weights do not settle; look for costs beyond all measure");
+    }
+    std::copy(weights.begin(), weights.end(),
+              model.weights.begin() + static_cast<std::ptrdiff_t>(member * shape.weight_count()));
+  });
+  model.variance_ns = static_cast<float>(std::max(cost_variance_ns(model, set), 0.0));
+  return model;
+}
+
+double cost_variance_ns(const NetworkModel& model, const TrainingSet& set) {
+  double count = 0;
+  double sum = 0;
+  for (int i = 0; i < set.size(); ++i) {
+    for (const Candidate& candidate : expected_costs(model, set.point(i), set.allowed_clips(i))) {
+      const float cost = set.costs(i)[static_cast<std::size_t>(candidate.clip)];
+      if (std::isfinite(cost)) {
+        sum += double{cost} - (double{candidate.expected_cost_ns} - double{model.variance_ns});
+        count += 1;
+      }
+    }
+  }
+  return count > 0 ? sum / count : 0;
+}
+
+}  // namespace flinch::models

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#include "models/fit/network_gradient.h"
+
+namespace flinch::models {
+namespace {
+
+using Eigen::MatrixXf;
+using Eigen::VectorXf;
+
+/// The weights of one layer, in place: `Matrix` and `Vector` are const or not.
+template <typename Matrix, typename Vector, typename Number>
+struct Layers {
+  Eigen::Map<Matrix> first, second, output;  // the output's by clip: transposed
+  Eigen::Map<Vector> first_biases, second_biases, output_biases;
+
+  Layers(const NetworkShape& shape, Number* weights)
+      : first(weights, shape.hidden_count, shape.feature_count),
+        second(weights + shape.second_weights(), shape.hidden_count, shape.hidden_count),
+        output(weights + shape.output_weights(), shape.hidden_count, shape.output_count),
+        first_biases(weights + shape.first_biases(), shape.hidden_count),
+        second_biases(weights + shape.second_biases(), shape.hidden_count),
+        output_biases(weights + shape.output_biases(), shape.output_count) {}
+};
+using Weights = Layers<const MatrixXf, const VectorXf, const float>;
+using Gradient = Layers<MatrixXf, VectorXf, float>;
+
+struct Answers {
+  MatrixXf first, second, output;
+};
+
+Answers answers(const Weights& layers, const MatrixXf& inputs) {
+  Answers a;
+  a.first = ((layers.first * inputs).colwise() + layers.first_biases).cwiseMax(0.0F);
+  a.second = ((layers.second * a.first).colwise() + layers.second_biases).cwiseMax(0.0F);
+  a.output = (layers.output.transpose() * a.second).colwise() + layers.output_biases;
+  return a;
+}
+
+/// Passes on what comes back to units that answered above 0.
+MatrixXf through_units(const MatrixXf& errors, const MatrixXf& unit_answers) {
+  return (unit_answers.array() > 0).select(errors, 0.0F);
+}
+
+}  // namespace
+
+// Back-propagation (Rumelhart, Hinton and Williams 1986): the derivative of the loss by a layer's
+// sums, from the last layer to the first; by a weight it is that times what the weight carries.
+float network_loss(const NetworkShape& shape, const NetworkBatch& batch, const VectorXf& weights,
+                   VectorXf& gradient) {
+  const Weights layers(shape, weights.data());
+  gradient.resize(weights.size());
+  Gradient by(shape, gradient.data());
+  const Answers a = answers(layers, batch.inputs);
+  const MatrixXf difference = a.output - batch.targets;
+  const auto count = static_cast<float>(batch.inputs.cols());
+  const MatrixXf output_errors = difference.cwiseProduct(batch.shares) / count;
+  by.output.noalias() = a.second * output_errors.transpose();
+  by.output_biases = output_errors.rowwise().sum();
+  const MatrixXf second_errors = through_units(layers.output * output_errors, a.second);
+  by.second.noalias() = second_errors * a.first.transpose();
+  by.second_biases = second_errors.rowwise().sum();
+  const MatrixXf first_errors = through_units(layers.second.transpose() * second_errors, a.first);
+  by.first.noalias() = first_errors * batch.inputs.transpose();
+  by.first_biases = first_errors.rowwise().sum();
+  return difference.cwiseProduct(output_errors).sum() / 2;
+}
+
+MatrixXf network_answers(const NetworkShape& shape, const MatrixXf& inputs,
+                         const VectorXf& weights) {
+  return answers(Weights(shape, weights.data()), inputs).output;
+}
+
+}  // namespace flinch::models

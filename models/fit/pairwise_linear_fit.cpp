@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+#include "models/fit/pairwise_linear_fit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+#include "models/fit/in_parallel.h"
+#include "models/fit/weighted_svm.h"
+#include "motion/error.h"
+
+namespace flinch::models {
+namespace {
+
+constexpr std::uint64_t kSeed = 1;  // of the order in which examples are visited
+
+/// Not settled where many examples are at odds, but three times as many passes take 1.6 times as
+/// long for a held-out regret of 0.173 instead of 0.173 N s on an authored library, and 0.182
+/// instead of 0.190 on motion capture.
+constexpr DescentLimits kLimits{.pass_count = 10};
+
+/// Less than this share of what it costs makes no difference.
+constexpr float kLeastShare = 0.05F;
+
+void check_parameters(const PairwiseParameters& parameters) {
+  const auto works = [](double value) { return value > 0 && std::isfinite(value); };
+  if (!works(parameters.c) || !works(parameters.nearness)) {
+    throw Error("", "pairwise machines need a C and a nearness above 0 and finite");
+  }
+}
+
+double mean_cost(const TrainingSet& set) {
+  double sum = 0;
+  double count = 0;
+  for (const float cost : set.cost) {
+    if (std::isfinite(cost)) {
+      sum += double{cost};
+      count += 1;
+    }
+  }
+  return sum > 0 ? sum / count : 1;
+}
+
+/// What one clip cost on each observation, in units of the mean cost: infinity where it was not
+/// tried.
+struct Trials {
+  std::vector<float> cost;
+  std::vector<float> share;  ///< exp(-(cost - least) / nearness); 0 where it was not tried
+};
+
+std::vector<Trials> trials_of(const TrainingSet& set, std::span<const int> clips, double nearness) {
+  const double unit = mean_cost(set);
+  std::vector<Trials> trials(clips.size());
+  for (int i = 0; i < set.size(); ++i) {
+    const std::span<const float> costs = set.costs(i);
+    const double least = double{*std::min_element(costs.begin(), costs.end())};
+    for (std::size_t c = 0; c < clips.size(); ++c) {
+      const auto cost = double{costs[static_cast<std::size_t>(clips[c])]};
+      trials[c].cost.push_back(static_cast<float>(cost / unit));
+      trials[c].share.push_back(static_cast<float>(std::exp((least - cost) / (unit * nearness))));
+    }
+  }
+  return trials;
+}
+
+/// Who was cheaper, where both were tried and it mattered.
+std::vector<WeightedExample> examples_of(const Trials& first, const Trials& second, double c) {
+  std::vector<WeightedExample> examples;
+  for (std::size_t i = 0; i < first.cost.size(); ++i) {
+    const float share = std::max(first.share[i], second.share[i]);
+    const float more = second.cost[i] - first.cost[i];
+    if (share >= kLeastShare && std::isfinite(more) && more != 0) {
+      examples.push_back({.row = static_cast<int>(i),
+                          .sign = more > 0 ? 1.0F : -1.0F,
+                          .bound = static_cast<float>(c) * share * std::abs(more)});
+    }
+  }
+  return examples;
+}
+
+/// What predictions take the features as.
+FeatureRows expanded(const TrainingSet& set) {
+  std::vector<std::int16_t> terms(
+      PairwiseModel::row_size(static_cast<std::size_t>(set.feature_count)));
+  FeatureRows rows(set.size(), static_cast<Eigen::Index>(terms.size()));
+  for (int i = 0; i < set.size(); ++i) {
+    expand(set.point(i), terms);
+    std::transform(terms.begin(), terms.end(), rows.row(i).begin(), [](std::int16_t term) {
+      return std::ldexp(static_cast<float>(term), -PairwiseModel::kTermBits);
+    });
+  }
+  return rows;
+}
+
+/// As large as sums have room for; none where the machine is nothing but zeros.
+std::vector<std::int16_t> whole_numbers(const Eigen::VectorXf& weights) {
+  const Eigen::VectorXd exact = weights.cast<double>();
+  if (exact.isZero(0)) {
+    return {};
+  }
+  // Rounding adds a half to each at the most.
+  const double room = PairwiseModel::kMostWeightSum - static_cast<double>(exact.size());
+  const double scale = std::min(room / exact.lpNorm<1>(), 0x7FFF / exact.lpNorm<Eigen::Infinity>());
+  std::vector<std::int16_t> whole;
+  for (const double weight : exact) {
+    whole.push_back(static_cast<std::int16_t>(std::lround(weight * scale)));
+  }
+  return whole;
+}
+
+}  // namespace
+
+std::vector<PairwiseParameters> pairwise_grid() {
+  return {{1, 0.1}, {3, 0.1}, {1, 0.2}};
+}
+
+PairwiseModel fit_pairwise(const TrainingSet& set, const PairwiseParameters& parameters) {
+  check(set);
+  check_costs(set);
+  check_parameters(parameters);
+  PairwiseModel model;
+  model.feature_count = set.feature_count;
+  model.clip = tried_clips(set);
+  const std::vector<Trials> trials = trials_of(set, model.clip, parameters.nearness);
+  const FeatureRows rows = expanded(set);
+  std::vector<std::pair<std::size_t, std::size_t>> pairs;
+  for (std::size_t a = 0; a < model.clip.size(); ++a) {
+    for (std::size_t b = a + 1; b < model.clip.size(); ++b) {
+      pairs.emplace_back(a, b);
+    }
+  }
+  std::vector<std::vector<std::int16_t>> weights(pairs.size());
+  in_parallel(pairs.size(), [&](std::size_t pair) {
+    const auto [a, b] = pairs[pair];
+    const auto examples = examples_of(trials[a], trials[b], parameters.c);
+    const features::Random random(kSeed, features::Purpose::fitting, pair);
+    weights[pair] = whole_numbers(fit_weighted_svm(rows, examples, kLimits, random).weights);
+  });
+  int machines = 0;
+  for (const std::vector<std::int16_t>& row : weights) {
+    model.machine.push_back(row.empty() ? PairwiseModel::kNone : machines++);
+    model.weights.insert(model.weights.end(), row.begin(), row.end());
+  }
+  return model;
+}
+
+}  // namespace flinch::models

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+#include "motion/figure.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "motion/rotation.h"
+
+namespace flinch::database {
+
+using motion::JointFrames;
+using motion::LimbRoles;
+using motion::LimbSolution;
+using motion::Pose;
+using motion::radians;
+using motion::Role;
+using motion::Side;
+using motion::Skeleton;
+using motion::turn_about;
+
+namespace {
+
+void bend(const LimbRoles& roles, const LimbSolution& solution, const JointFrames& frames,
+          Pose& pose) {
+  const Eigen::Quaternionf& parent = frames.orientation[*motion::parent_of(roles.upper)];
+  pose.rotation[roles.upper] = (parent.conjugate() * solution.upper).normalized();
+  pose.rotation[roles.lower] = (solution.upper.conjugate() * solution.lower).normalized();
+}
+
+}  // namespace
+
+Figure make_figure(const motion::Character& character) {
+  return {character, motion::make_body_model(character)};
+}
+
+bool put_feet(const Skeleton& skeleton, const JointFrames& trunk, const PerSide<FootPlace>& feet,
+              Pose& pose) {
+  bool reached = true;
+  for (Side side : kSides) {
+    const FootPlace& place = feet[index_of(side)];
+    const LimbRoles roles = motion::roles_of(leg_of(side));
+    const Eigen::Vector3f knee_way = place.orientation * Eigen::Vector3f::UnitX();
+    const LimbSolution solution = motion::solve_limb(
+        skeleton, leg_of(side), trunk.position[roles.upper], place.ankle, knee_way, 0);
+    bend(roles, solution, trunk, pose);
+    pose.rotation[roles.end] = (solution.lower.conjugate() * place.orientation).normalized();
+    reached = reached && solution.reached;
+  }
+  return reached;
+}
+
+float highest_pelvis(const Skeleton& skeleton, const JointFrames& trunk,
+                     const PerSide<FootPlace>& feet) {
+  float highest = std::numeric_limits<float>::infinity();
+  for (Side side : kSides) {
+    const float reach = 0.997F * motion::limb_length(skeleton, leg_of(side));
+    const Eigen::Vector3f& hip = trunk.position[motion::roles_of(leg_of(side)).upper];
+    const float hip_z = motion::highest_upper(hip, feet[index_of(side)].ankle, reach);
+    highest = std::min(highest, hip_z - hip.z());
+  }
+  return trunk.position[Role::pelvis].z() + highest;
+}
+
+Eigen::Quaternionf put_hand(const Skeleton& skeleton, const JointFrames& trunk, Side side,
+                            const HandPlace& place, Pose& pose) {
+  const LimbRoles roles = motion::roles_of(arm_of(side));
+  const LimbSolution solution =
+      motion::solve_limb(skeleton, arm_of(side), trunk.position[roles.upper], place.wrist,
+                         place.pole, sign_of(side) * place.swivel);
+  bend(roles, solution, trunk, pose);
+  return solution.lower;
+}
+
+Pose with_feet(const Skeleton& skeleton, const Pose& pose, const PerSide<FootPlace>& feet) {
+  Pose result = pose;
+  put_feet(skeleton, motion::forward_kinematics(skeleton, pose), feet, result);
+  return result;
+}
+
+// The angle between the parts of pole and elbow across the line from shoulder to wrist.
+float swivel_of(const JointFrames& frames, Side side, const Eigen::Vector3f& pole) {
+  const LimbRoles roles = motion::roles_of(arm_of(side));
+  const Eigen::Vector3f line =
+      (frames.position[roles.end] - frames.position[roles.upper]).normalized();
+  const Eigen::Vector3f elbow = motion::pole_vector(frames, arm_of(side));
+  const Eigen::Vector3f zero = pole - pole.dot(line) * line;
+  return sign_of(side) * std::atan2(line.dot(zero.cross(elbow)), zero.dot(elbow));
+}
+
+// On the left: the arm of the T-pose is brought down about x, then raised sideways about x and
+// forward about -y. Elbows bend about -z.
+void set_arm(Pose& pose, Side side, const ArmAngles& angles) {
+  const Eigen::Quaternionf upper =
+      turn_about(Eigen::Vector3f::UnitY(), -angles.flexion) *
+      turn_about(Eigen::Vector3f::UnitX(), angles.abduction - radians(90)) *
+      turn_about(Eigen::Vector3f::UnitY(), -angles.rotation);
+  const Eigen::Quaternionf lower = turn_about(Eigen::Vector3f::UnitZ(), -angles.elbow);
+  const LimbRoles roles = motion::roles_of(arm_of(side));
+  const bool left = side == Side::left;
+  pose.rotation[roles.upper] = left ? upper : motion::mirrored(upper);
+  pose.rotation[roles.lower] = left ? lower : motion::mirrored(lower);
+  pose.rotation[roles.end] = Eigen::Quaternionf::Identity();
+}
+
+Eigen::Quaternionf relative_rotation(const JointFrames& frames, Role from, Role to) {
+  return frames.orientation[from].conjugate() * frames.orientation[to];
+}
+
+float stature(const Skeleton& skeleton) {
+  const JointFrames rest = motion::forward_kinematics(skeleton, motion::rest_pose(skeleton));
+  return rest.position[Role::head].z() + skeleton.tip[Role::head].z();
+}
+
+}  // namespace flinch::database

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <optional>
+
+#include "database/author/authored_library.h"
+#include "database/author/character_toml.h"
+#include "database/export/filmstrip.h"
+#include "database/import/file_io.h"
+#include "database/import/library_writer.h"
+#include "motion/default_character.h"
+#include "motion/error.h"
+#include "program/command.h"
+#include "train/store/file_opening.h"
+
+namespace flinch::train::program {
+
+namespace {
+
+struct Options {
+  std::string library;
+  std::optional<std::string> character;
+  std::optional<std::string> gallery;
+  bool startle = false;
+  bool json = false;
+};
+
+motion::Character character_of(const Options& options) {
+  if (!options.character) return motion::default_character();
+  if (file_kind_at(*options.character) == database::FileKind::library)
+    return database::load_library(*options.character).character;
+  return database::read_character(*options.character);
+}
+
+// Mirror images are left out: they show nothing new.
+void draw_gallery(const database::Library& library, const std::string& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) throw Error(folder, "cannot make this folder: " + error.message());
+  const database::Figure figure = database::make_figure(library.character);
+  std::string index = "# The authored library\n\nOne filmstrip a clip, of the " +
+                      std::to_string(library.clips.size()) +
+                      " that `flinch author` makes; mirror images are left out. Upper row from the"
+                      " right, lower row from the front; the threat comes along the arrow, or out"
+                      " of the page at the circle. Drawn by `scripts/gallery`.\n";
+  for (const motion::Clip& clip : library.clips) {
+    if (!clip.mirrored_from.empty()) continue;
+    const std::string file = clip.name + ".svg";
+    database::write_file_atomically((std::filesystem::path(folder) / file).string(),
+                                    database::filmstrip_svg(figure, clip));
+    index += "\n## " + clip.name + "\n\n![" + clip.name + "](" + file + ")\n";
+  }
+  database::write_file_atomically((std::filesystem::path(folder) / "README.md").string(), index);
+}
+
+void run(const Options& options) {
+  database::Library library = database::authored_library(character_of(options), options.startle);
+  library.hash = database::write_library(library, options.library);
+  if (options.gallery) draw_gallery(library, *options.gallery);
+  const std::string idle = library.clips[static_cast<std::size_t>(library.idle)].name;
+  if (options.json) {
+    print({{"kind", "library"},
+           {"file", options.library},
+           {"name", library.name},
+           {"hash", database::hash_text(library.hash)},
+           {"clip_count", library.clips.size()},
+           {"rate_hz", library.rate_hz},
+           {"idle", idle}});
+    return;
+  }
+  std::cout << options.library << ": library " << library.name << ", "
+            << database::hash_text(library.hash) << ", " << library.clips.size() << " clips at "
+            << library.rate_hz << " Hz, idle " << idle << '\n';
+}
+
+}  // namespace
+
+void add_author(CLI::App& program) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command =
+      program.add_subcommand("author", "Make the default library by rule, without motion capture");
+  command->add_option("--out", options->library, "library to write")->required();
+  command->add_option("--character", options->character,
+                      "TOML file with height_m, mass_kg, sex and [proportions], or a library whose "
+                      "character to take (default: a man of 1.75 m and 75 kg)");
+  command->add_flag("--startle", options->startle, "begin blocks with a flinch");
+  command->add_option("--gallery", options->gallery, "folder to draw filmstrips of all clips into");
+  add_json_option(*command, options->json);
+  command->footer("Example:\n  flinch author --out default.flinchlib");
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace flinch::train::program

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#include "program/bvh_options.h"
+
+#include <sstream>
+
+#include "database/import/role_map.h"
+#include "program/table.h"
+
+namespace flinch::train::program {
+
+void add_bvh_options(CLI::App& command, BvhOptions& options) {
+  command.add_option("--unit", options.unit, "of length in BVH files (default: found out)")
+      ->check(CLI::IsMember({"m", "cm", "mm", "inch", "cmu"}));
+  command.add_option("--up", options.up, "axis in BVH files (default: found out)")
+      ->check(CLI::IsMember({"x", "y", "z", "-x", "-y", "-z"}));
+  command.add_option("--roles", options.roles,
+                     "TOML file with a table [roles] of lines like head = \"Bip01 Head\"");
+}
+
+database::SourceOptions source_options(const BvhOptions& options) {
+  database::SourceOptions source;
+  source.unit = database::length_unit_named(options.unit);
+  source.up = database::up_axis_named(options.up);
+  if (!options.roles.empty()) source.roles = database::read_role_overrides(options.roles);
+  return source;
+}
+
+Json source_document(const database::SourceReport& source) {
+  Json roles;
+  for (const motion::Role role : motion::kRoles) {
+    const std::string& joint = source.joint_name[role];
+    roles[std::string(motion::name_of(role))] = {
+        {"joint", joint.empty() ? Json() : Json(joint)},
+        {"found_by", database::name_of(source.joint_source[role])}};
+  }
+  return {{"kind", "bvh"},
+          {"file", source.path},
+          {"joint_count", source.joint_count},
+          {"frame_count", source.frame_count},
+          {"frame_time_s", source.frame_time_s},
+          {"duration_s", source.duration_s},
+          {"unit", database::name_of(source.unit)},
+          {"up", database::name_of(source.up)},
+          {"head_height_m", source.head_height_m},
+          {"roles", roles},
+          {"warnings", source.warnings}};
+}
+
+std::string source_text(const database::SourceReport& source) {
+  Table table({{"role"}, {"joint"}, {"found by"}});
+  for (const motion::Role role : motion::kRoles) {
+    const std::string& joint = source.joint_name[role];
+    table.add({std::string(motion::name_of(role)), joint.empty() ? "-" : joint,
+               std::string(database::name_of(source.joint_source[role]))});
+  }
+  std::ostringstream text;
+  text << source.path << ": " << source.joint_count << " joints, " << source.frame_count
+       << " frames, " << fixed(source.duration_s, 2) << " s; in " << database::name_of(source.unit)
+       << (source.unit_given ? "" : " (found)") << ", up " << database::name_of(source.up)
+       << (source.up_given ? "" : " (found)") << ", head at " << fixed(source.head_height_m, 2)
+       << " m\n\n"
+       << table.text();
+  for (const std::string& warning : source.warnings) text << "note: " << warning << '\n';
+  return text.str();
+}
+
+}  // namespace flinch::train::program

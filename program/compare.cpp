@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+#include <chrono>
+#include <iostream>
+#include <memory>
+
+#include "program/command.h"
+#include "program/comparison_table.h"
+#include "train/fit/feature_derivation.h"
+#include "train/report/report.h"
+
+namespace flinch::train::program {
+
+namespace {
+
+struct Options {
+  std::string store;
+  std::string test;
+  std::string report;
+  std::vector<std::string> models;
+  std::string features;
+  CostOptions cost;
+  bool curves = false;
+  bool transfer = false;
+  bool ablation = false;
+  bool json = false;
+};
+
+double now_s() {
+  using Seconds = std::chrono::duration<double>;
+  return Seconds(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+void tell(const std::string& what) {
+  std::cerr << "fitting " << what << '\n';
+}
+
+Store read_with_features(const std::string& path, const std::string& set) {
+  Store store = read_store(path);
+  derive_features(features::feature_set_named(set)->layout, store);
+  return store;
+}
+
+Split read_split(const Options& options, Store store) {
+  if (options.test.empty()) return split_of(std::move(store));
+  Store test = read_with_features(options.test, options.features);
+  require_independent(store, test, options.test);
+  return split_of(std::move(store), std::move(test));
+}
+
+std::vector<Method> methods_of(const Options& options) {
+  std::vector<Method> chosen;
+  for (const Method method : methods()) {
+    const bool wanted = options.models.empty() ||
+                        std::ranges::find(options.models, name_of(method)) != options.models.end();
+    if (wanted) chosen.push_back(method);
+  }
+  return chosen;
+}
+
+void run(const Options& options) {
+  Store store = read_with_features(options.store, options.features);
+  const std::uint64_t seed = store.header.seed;
+  const CostModel cost_model =
+      make_cost_model(store.header, vulnerability_of(options.cost), options.cost.brawn);
+  Report report;
+  report.prevention = prevention_rows(store, label(store.observations, cost_model));
+  const Split split = read_split(options, std::move(store));
+  const std::vector<Method> chosen = methods_of(options);
+  const StudyPlan plan{split, cost_model, chosen, seed};
+
+  const std::vector<FittedMethod> fitted =
+      fit_methods(split.header, split.fitted, cost_model, chosen, seed, now_s);
+  report.library = split.header.library_name;
+  report.library_hash = split.header.library_hash;
+  report.seed = seed;
+  report.fitted_count = split.fitted.size();
+  report.tested_count = split.tested.size();
+  report.has_test_store = split.has_test_store;
+  report.features = split.header.layout.names();
+  report.evaluation = evaluate(split, cost_model, fitted, seed, now_s);
+  report.methods = summaries_of(fitted);
+  report.groups = group_rows(split, report.evaluation, seed);
+  report.reliability = reliability(report.evaluation);
+  report.noise = noise_rows(plan, fitted);
+  if (options.curves) report.curves = curve_rows(plan, tell);
+  if (options.transfer) report.transfer = transfer_rows(plan, tell);
+  if (options.ablation) report.ablation = ablation_rows(plan, tell);
+
+  if (!options.report.empty()) write_report(report, split, options.report);
+  if (options.json) {
+    Json document = report_document(report);
+    document["timing"] = timing_document(report.evaluation);
+    print(document);
+  } else {
+    std::cout << comparison_text(report);
+  }
+}
+
+}  // namespace
+
+void add_compare(CLI::App& program) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command =
+      program.add_subcommand("compare", "Fit selectors to a store and try them side by side");
+  command->add_option("STORE", options->store, "store that flinch simulate made")->required();
+  command->add_option("--test", options->test,
+                      "store of other scenarios to try them on (default: every fourth of STORE)");
+  command->add_option("--report", options->report,
+                      "folder for report.json and the data of each chart, made if missing");
+  command->add_option("--models", options->models, "which to fit (default: all)")
+      ->delimiter(',')
+      ->check(CLI::IsMember(method_names()));
+  add_features_option(*command, options->features);
+  command->add_flag("--curves", options->curves, "also fit to fewer scenarios");
+  command->add_flag("--transfer", options->transfer, "also fit for other brawns");
+  command->add_flag("--ablation", options->ablation, "also fit with other features");
+  add_cost_options(*command, options->cost);
+  add_json_option(*command, options->json);
+  command->footer(
+      "Protection is 0 for standing still and 1 for the exhaustive choice; intervals are\n"
+      "bootstrapped over the scenarios that are tried.\n\n"
+      "Example:\n  flinch compare real.flinchobs --test test.flinchobs --report report");
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace flinch::train::program

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: MIT
+#include "program/comparison_table.h"
+
+#include <algorithm>
+
+#include "program/table.h"
+
+namespace flinch::train::program {
+
+namespace {
+
+using enum Table::Align;
+
+std::string text(const Interval& interval, int decimals) {
+  return fixed(interval.low, decimals) + " to " + fixed(interval.high, decimals);
+}
+
+std::string difference(const EvaluationRow& row, const std::string& from) {
+  for (const Difference& difference : row.differences)
+    if (difference.from == from)
+      return fixed(difference.cost_ns.value, 4) + " (" + text(difference.cost_ns.interval, 4) + ")";
+  return "-";
+}
+
+std::string rows_text(const std::vector<EvaluationRow>& rows) {
+  Table table({{"selector"},
+               {"accuracy", right},
+               {"top 3", right},
+               {"cost, N s", right},
+               {"damage, N s", right},
+               {"regret, N s", right},
+               {"95 %", right},
+               {"protection", right},
+               {"95 %", right}});
+  for (const EvaluationRow& row : rows) {
+    table.add({row.name, fixed(row.accuracy.value, 3), fixed(row.top_three.value, 3),
+               fixed(row.mean_cost_ns.value, 4), fixed(row.mean_damage_ns.value, 4),
+               fixed(row.regret_ns.value, 4), text(row.regret_ns.interval, 4),
+               fixed(row.protection.value, 3), text(row.protection.interval, 3)});
+  }
+  return table.text();
+}
+
+std::string paired_text(const std::vector<EvaluationRow>& rows) {
+  Table table({{"mean cost, N s"},
+               {"minus that of svm (95 %)", right},
+               {"minus that of knn (95 %)", right}});
+  for (const EvaluationRow& row : rows)
+    table.add({row.name, difference(row, "svm"), difference(row, "knn")});
+  return table.text();
+}
+
+std::string timing_text(const Report& report) {
+  Table table({{"selector"},
+               {"median, us", right},
+               {"p99, us", right},
+               {"fit, s", right},
+               {"file, KiB", right},
+               {"parameters"}});
+  for (std::size_t i = 0; i < report.methods.size(); ++i) {
+    const RowTiming& timing = report.evaluation.timing[i];
+    table.add({timing.name, fixed(timing.median_us, 1), fixed(timing.p99_us, 1),
+               fixed(timing.fit_s, 1), fixed(static_cast<double>(timing.file_bytes) / 1024, 0),
+               report.methods[i].parameters});
+  }
+  return table.text();
+}
+
+/// One line a group, the regret of each row.
+std::string groups_text(const Report& report) {
+  std::vector<Table::Column> columns{{"regret, N s"}, {""}, {"scenarios", right}};
+  const std::size_t rows = report.evaluation.rows.size();
+  for (std::size_t i = 0; i + 1 < rows; ++i)
+    columns.push_back({report.evaluation.rows[i].name, right});
+  Table table(columns);
+  for (std::size_t first = 0; first < report.groups.size(); first += rows) {
+    const GroupRow& group = report.groups[first];
+    std::vector<std::string> cells{group.group, group.value, std::to_string(group.scenarios)};
+    for (std::size_t i = 0; i + 1 < rows; ++i)
+      cells.push_back(fixed(report.groups[first + i].regret_ns.value, 3));
+    table.add(cells);
+  }
+  return table.text();
+}
+
+/// Rows by name against a parameter: one line a method, one column a value of it.
+template <class Row, class Parameter>
+std::string sweep_text(const std::string& title, const std::vector<Row>& rows,
+                       const Parameter& parameter) {
+  std::vector<Table::Column> columns{{title}};
+  for (const Row& row : rows)
+    if (row.name == rows.front().name) columns.push_back({parameter(row), right});
+  Table table(columns);
+  for (std::size_t first = 0; first < rows.size(); first += columns.size() - 1) {
+    std::vector<std::string> cells{rows[first].name};
+    for (std::size_t i = 0; i + 1 < columns.size(); ++i)
+      cells.push_back(fixed(rows[first + i].protection, 3));
+    table.add(cells);
+  }
+  return table.text();
+}
+
+std::string transfer_text(const std::vector<TransferRow>& rows) {
+  Table table({{"transfer"},
+               {"fitted brawn", right},
+               {"judged brawn", right},
+               {"regret, N s", right},
+               {"protection", right}});
+  for (const TransferRow& row : rows) {
+    table.add({row.name, fixed(row.fitted_brawn, 1), fixed(row.judged_brawn, 1),
+               fixed(row.regret_ns, 4), fixed(row.protection, 3)});
+  }
+  return table.text();
+}
+
+std::string ablation_text(const std::vector<AblationRow>& rows) {
+  Table table({{"features"},
+               {"count", right},
+               {"selector"},
+               {"cross-validated, N s", right},
+               {"regret, N s", right},
+               {"protection", right}});
+  for (const AblationRow& row : rows) {
+    table.add({row.features, std::to_string(row.feature_count), row.name,
+               fixed(row.cross_validated_regret_ns, 4), fixed(row.regret_ns, 4),
+               fixed(row.protection, 3)});
+  }
+  return table.text();
+}
+
+std::string prevention_text(const std::vector<PreventionRow>& rows) {
+  Table table({{"exhaustive choice"},
+               {""},
+               {"scenarios", right},
+               {"idle, N s", right},
+               {"choice, N s", right},
+               {"prevented", right}});
+  for (const PreventionRow& row : rows) {
+    table.add({row.group, row.value, std::to_string(row.scenarios), fixed(row.idle_cost_ns, 3),
+               fixed(row.oracle_cost_ns, 3), fixed(row.prevented(), 3)});
+  }
+  return "\nWhat the library can prevent of the cost of staying idle, over all scenarios of the "
+         "store; by target and\ndirection (degrees) of those with " +
+         fixed(double{kTimeToAnswer}, 1) + " s or more to impact:\n\n" + table.text();
+}
+
+}  // namespace
+
+std::string comparison_text(const Report& report) {
+  std::string text = std::string(report.has_test_store ? "tested on " : "held out: ") +
+                     std::to_string(report.tested_count) +
+                     " scenarios; fitted to: " + std::to_string(report.fitted_count) + "; brawn " +
+                     fixed(report.evaluation.cost_model.brawn, 2) + "; " +
+                     std::to_string(report.features.size()) + " features\n\n";
+  text += rows_text(report.evaluation.rows) + '\n' + paired_text(report.evaluation.rows) + '\n' +
+          timing_text(report) + '\n' + groups_text(report) + '\n';
+  if (!report.noise.empty())
+    text += sweep_text("protection with noise on the features", report.noise,
+                       [](const NoiseRow& row) { return fixed(row.noise, 2); });
+  if (!report.curves.empty())
+    text += '\n' + sweep_text("protection, fitted to", report.curves,
+                              [](const CurveRow& row) { return std::to_string(row.fitted_count); });
+  if (!report.transfer.empty()) text += '\n' + transfer_text(report.transfer);
+  if (!report.ablation.empty()) text += '\n' + ablation_text(report.ablation);
+  return text + prevention_text(report.prevention);
+}
+
+}  // namespace flinch::train::program

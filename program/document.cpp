@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#include "program/document.h"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <iostream>
+#include <numbers>
+
+namespace flinch::train::program {
+
+void print(const Json& document) {
+  std::cout << document.dump(2) << '\n';
+}
+
+void print_line(const Json& document) {
+  std::cout << document.dump() << std::endl;
+}
+
+double degrees(double radians) {
+  return std::round(radians * 180e6 / std::numbers::pi) / 1e6;
+}
+
+double shortest(float value) {
+  std::array<char, 32> text{};
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
+  double same = 0;
+  std::from_chars(text.data(), end, same);
+  return same;
+}
+
+Json to_json(const models::ClipSummary& clip) {
+  if (!clip.annotation) return {};
+  const motion::Annotation& annotation = *clip.annotation;
+  return {{"target", motion::name_of(annotation.target)},
+          {"direction_degrees", std::round(degrees(double{annotation.direction}))},
+          {"degree", motion::name_of(annotation.degree)},
+          {"onset_s", shortest(annotation.onset_s)},
+          {"peak_s", shortest(annotation.peak_s)},
+          {"end_s", shortest(annotation.end_s)}};
+}
+
+}  // namespace flinch::train::program

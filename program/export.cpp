@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#include "train/report/export.h"
+
+#include <iostream>
+#include <memory>
+
+#include "database/import/file_io.h"
+#include "motion/error.h"
+#include "program/command.h"
+#include "train/fit/feature_derivation.h"
+#include "train/fit/labels.h"
+#include "train/store/store.h"
+
+namespace flinch::train::program {
+
+namespace {
+
+struct Options {
+  std::string store;
+  std::string file;
+  std::string scaling;
+  std::string features;
+  CostOptions cost;
+  bool json = false;
+};
+
+/// That of the store itself, or of another that is fitted to.
+features::Scaling scaling_for(const Options& options, const Store& store) {
+  if (options.scaling.empty()) return scaling_of(store.header, store.observations);
+  Store fitted = read_store(options.scaling);
+  derive_features(store.header.layout, fitted);
+  return scaling_of(fitted.header, fitted.observations);
+}
+
+void run(const Options& options) {
+  const bool libsvm = options.file.ends_with(".libsvm");
+  if (!libsvm && !options.file.ends_with(".csv"))
+    throw Error(options.file, "unknown kind of file; let it end in .libsvm or .csv");
+  const features::Layout& layout = features::feature_set_named(options.features)->layout;
+  Store store = read_store(options.store);
+  derive_features(layout, store);
+  const CostModel cost_model =
+      make_cost_model(store.header, vulnerability_of(options.cost), options.cost.brawn);
+  const Labels labels = label(store.observations, cost_model);
+  database::write_file_atomically(
+      options.file,
+      libsvm ? libsvm_text(store, labels, scaling_for(options, store)) : csv_text(store, labels));
+  if (options.json) {
+    print({{"kind", libsvm ? "libsvm" : "csv"},
+           {"file", options.file},
+           {"scenarios", store.observations.size()}});
+  } else {
+    std::cout << options.file << ": " << store.observations.size() << " scenarios\n";
+  }
+}
+
+}  // namespace
+
+void add_export(CLI::App& program) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command = program.add_subcommand("export", "Write a store's data for other tools");
+  command->add_option("STORE", options->store, "store that flinch simulate made")->required();
+  command
+      ->add_option("--out", options->file,
+                   "FILE.libsvm (scaled features and labels) or FILE.csv (named columns)")
+      ->required();
+  command->add_option("--scaled-as", options->scaling,
+                      "store whose features the scaling is made from, for test data (default: "
+                      "STORE)");
+  add_features_option(*command, options->features);
+  add_cost_options(*command, options->cost);
+  add_json_option(*command, options->json);
+  command->footer("Example:\n  flinch export real.flinchobs --out real.libsvm");
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace flinch::train::program

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+#include "database/import/import.h"
+
+#include <iostream>
+#include <memory>
+#include <optional>
+
+#include "database/import/library_writer.h"
+#include "program/bvh_options.h"
+#include "program/command.h"
+#include "program/table.h"
+
+namespace flinch::train::program {
+
+namespace {
+
+using enum Table::Align;
+
+struct Options {
+  std::vector<std::string> paths;
+  std::string library;
+  std::optional<std::string> manifest;
+  std::optional<float> rate_hz;
+  std::optional<std::string> skeleton;
+  BvhOptions bvh;
+  bool verbose = false;
+  bool json = false;
+};
+
+std::size_t mirrored_count(const database::Library& library) {
+  std::size_t count = 0;
+  for (const motion::Clip& clip : library.clips) count += clip.mirrored_from.empty() ? 0U : 1U;
+  return count;
+}
+
+Json document_of(const Options& options, const database::ImportResult& result) {
+  Json clips = Json::array();
+  for (const database::ClipReport& clip : result.report.clips) {
+    clips.push_back({{"name", clip.name},
+                     {"purpose", motion::name_of(clip.purpose)},
+                     {"source", clip.source},
+                     {"duration_s", shortest(clip.duration_s)},
+                     {"annotated", clip.is_annotated},
+                     {"added_foot_drift_m", shortest(clip.drift.added_m)}});
+  }
+  Json sources = Json::array();
+  for (const database::SourceReport& source : result.report.sources)
+    sources.push_back(source_document(source));
+  Json skipped = Json::array();
+  for (const database::SkippedFile& file : result.report.skipped)
+    skipped.push_back({{"file", file.path}, {"reason", file.reason}});
+  return {{"kind", "library"},
+          {"file", options.library},
+          {"name", result.library.name},
+          {"hash", database::hash_text(result.library.hash)},
+          {"clip_count", result.library.clips.size()},
+          {"mirrored_count", mirrored_count(result.library)},
+          {"clips", clips},
+          {"sources", sources},
+          {"skipped", skipped},
+          {"warnings", result.report.warnings}};
+}
+
+std::string clip_table(const database::ImportReport& report) {
+  Table table(
+      {{"clip"}, {"purpose"}, {"length, s", right}, {"added foot drift, mm", right}, {"source"}});
+  for (const database::ClipReport& clip : report.clips) {
+    const bool left_out = clip.purpose == motion::Purpose::anticipation && !clip.is_annotated;
+    table.add({clip.name,
+               std::string(motion::name_of(clip.purpose)) + (left_out ? " (unannotated)" : ""),
+               fixed(double{clip.duration_s}, 2), fixed(1000 * double{clip.drift.added_m}, 1),
+               clip.source});
+  }
+  return table.text();
+}
+
+void print_text(const Options& options, const database::ImportResult& result) {
+  if (options.verbose) {
+    for (const database::SourceReport& source : result.report.sources)
+      std::cout << source_text(source) << '\n';
+    std::cout << clip_table(result.report) << '\n';
+  }
+  std::size_t unannotated = 0;
+  for (const database::ClipReport& clip : result.report.clips) {
+    unannotated += clip.purpose == motion::Purpose::anticipation && !clip.is_annotated ? 1U : 0U;
+  }
+  for (const database::SkippedFile& file : result.report.skipped)
+    std::cout << "skipped " << file.path << ": " << file.reason << '\n';
+  for (const std::string& warning : result.report.warnings)
+    std::cout << "note: " << warning << '\n';
+  const database::Library& library = result.library;
+  std::cout << options.library << ": library " << library.name << ", "
+            << database::hash_text(library.hash) << ", " << library.clips.size() << " clips ("
+            << mirrored_count(library) << " of them mirrored) at " << library.rate_hz << " Hz from "
+            << result.report.sources.size() << " files, idle "
+            << library.clips[static_cast<std::size_t>(library.idle)].name << '\n';
+  if (unannotated > 0)
+    std::cout << unannotated
+              << " clips are unannotated and never answer a threat; annotate them in "
+              << "a manifest\n";
+}
+
+void run(const Options& options) {
+  database::ImportOptions import;
+  import.rate_hz = options.rate_hz;
+  import.skeleton = options.skeleton;
+  import.source = source_options(options.bvh);
+  database::ImportResult result = database::import_library(options.paths, options.manifest, import);
+  result.library.hash = database::write_library(result.library, options.library);
+  if (options.json) {
+    print(document_of(options, result));
+  } else {
+    print_text(options, result);
+  }
+}
+
+}  // namespace
+
+void add_import(CLI::App& program) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command = program.add_subcommand("import", "Make a library of motion capture");
+  command->add_option("PATH", options->paths, "BVH files, and folders of them")->required();
+  command->add_option("--out", options->library, "library to write")->required();
+  command->add_option("--manifest", options->manifest,
+                      "TOML file that says which clips to take and what they protect against");
+  command
+      ->add_option("--rate", options->rate_hz,
+                   "of the library, Hz (default: the manifest's, "
+                   "else 60)")
+      ->check(number_in(10, 1000));
+  command->add_option("--skeleton", options->skeleton,
+                      "file whose skeleton to use, where there is no manifest");
+  add_bvh_options(*command, options->bvh);
+  command->add_flag("--verbose", options->verbose, "tell of each file and clip");
+  add_json_option(*command, options->json);
+  command->footer(
+      "Example:\n  flinch import mocap --manifest mocap/manifest.toml --out "
+      "real.flinchlib");
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace flinch::train::program

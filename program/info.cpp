@@ -1,0 +1,294 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <iostream>
+#include <memory>
+
+#include "database/import/import.h"
+#include "database/import/library_writer.h"
+#include "motion/error.h"
+#include "program/bvh_options.h"
+#include "program/command.h"
+#include "program/load.h"
+#include "program/quality.h"
+#include "program/table.h"
+#include "train/store/file_opening.h"
+#include "train/store/store.h"
+
+namespace flinch::train::program {
+
+namespace {
+
+using enum Table::Align;
+
+struct Options {
+  std::string file;
+  BvhOptions bvh;
+  bool quality = false;
+  bool json = false;
+};
+
+Json clip_document(const motion::Clip& clip) {
+  Json document{{"name", clip.name},
+                {"purpose", motion::name_of(clip.purpose)},
+                {"kind", clip.kind},
+                {"duration_s", shortest(clip.motion.duration_s())},
+                {"source", clip.source}};
+  if (!clip.mirrored_from.empty()) document["mirrored_from"] = clip.mirrored_from;
+  document["annotation"] = to_json(models::ClipSummary{clip.name, clip.annotation});
+  return document;
+}
+
+Json library_document(const database::Library& library) {
+  Json clips = Json::array();
+  for (const motion::Clip& clip : library.clips) clips.push_back(clip_document(clip));
+  Json joints = Json::array();
+  for (const motion::Role role : motion::kRoles) joints.push_back(motion::name_of(role));
+  return {{"kind", "library"},
+          {"name", library.name},
+          {"hash", database::hash_text(library.hash)},
+          {"rate_hz", shortest(library.rate_hz)},
+          {"mass_kg", shortest(library.character.mass_kg)},
+          {"sex", motion::name_of(library.character.sex)},
+          {"idle", library.clips[static_cast<std::size_t>(library.idle)].name},
+          {"joints", joints},
+          {"clips", clips}};
+}
+
+std::vector<std::string> annotation_cells(const std::optional<motion::Annotation>& annotation) {
+  if (!annotation) return {"-", "-", "-", "-", "-", "-"};
+  return {std::string(motion::name_of(annotation->target)),
+          fixed(degrees(double{annotation->direction}), 0),
+          std::string(motion::name_of(annotation->degree)),
+          fixed(double{annotation->onset_s}, 2),
+          fixed(double{annotation->peak_s}, 2),
+          fixed(double{annotation->end_s}, 2)};
+}
+
+void print_library(const database::Library& library) {
+  Table table({{"clip"},
+               {"purpose"},
+               {"length, s", right},
+               {"target"},
+               {"direction", right},
+               {"degree"},
+               {"onset, s", right},
+               {"peak, s", right},
+               {"end, s", right}});
+  for (const motion::Clip& clip : library.clips) {
+    std::vector<std::string> cells{clip.name, std::string(motion::name_of(clip.purpose)),
+                                   fixed(double{clip.motion.duration_s()}, 2)};
+    const std::vector<std::string> annotation = annotation_cells(clip.annotation);
+    cells.insert(cells.end(), annotation.begin(), annotation.end());
+    table.add(cells);
+  }
+  std::cout << "library " << library.name << ", " << database::hash_text(library.hash) << '\n'
+            << library.clips.size() << " clips at " << library.rate_hz << " Hz, idle "
+            << library.clips[static_cast<std::size_t>(library.idle)].name << ", "
+            << motion::name_of(library.character.sex) << " of " << library.character.mass_kg
+            << " kg\n\n"
+            << table.text();
+}
+
+/// A store's numbers, of which JSON and text say the same.
+struct StoreView {
+  explicit StoreView(const std::string& path)
+      : summary(summarise_store(path)), contents(count_contents(path)) {}
+
+  /// Without the library.
+  double bytes_per_scenario() const {
+    return static_cast<double>(contents.bytes - summary.header.library_file.size()) /
+           static_cast<double>(std::max<std::uint64_t>(summary.observation_count, 1));
+  }
+  double non_zero_share() const {
+    return static_cast<double>(contents.impulses) /
+           static_cast<double>(motion::kBodyCount * std::max<std::uint64_t>(contents.trials, 1));
+  }
+
+  StoreSummary summary;
+  StoreContents contents;
+};
+
+Json store_document(const StoreView& view) {
+  const StoreSummary& store = view.summary;
+  const StoreHeader& header = store.header;
+  Json clips = Json::array();
+  for (std::size_t i = 0; i < header.clips.size(); ++i) {
+    clips.push_back({{"name", header.clips[i].name},
+                     {"work_j", header.clip_work_j[i]},
+                     {"annotation", to_json(header.clips[i])}});
+  }
+  return {{"kind", "store"},
+          {"first", store.range.first},
+          {"scenarios", store.observation_count},
+          {"trials", view.contents.trials},
+          {"non_zero_impulse_share", view.non_zero_share()},
+          {"bytes", view.contents.bytes},
+          {"bytes_per_scenario", view.bytes_per_scenario()},
+          {"seed", header.seed},
+          {"library", header.library_name},
+          {"library_hash", database::hash_text(header.library_hash)},
+          {"distribution", Json::parse(header.distribution)},
+          {"simulation", Json::parse(header.simulation)},
+          {"reference_impulse_ns", header.reference_impulse_ns},
+          {"reference_work_j", header.reference_work_j},
+          {"idle", header.clips[static_cast<std::size_t>(header.idle)].name},
+          {"clips", clips}};
+}
+
+void print_store(const StoreView& view) {
+  const StoreSummary& store = view.summary;
+  const StoreHeader& header = store.header;
+  Table table({{"clip"}, {"work, J", right}, {"target"}, {"direction", right}, {"degree"}});
+  for (std::size_t i = 0; i < header.clips.size(); ++i) {
+    const std::vector<std::string> annotation = annotation_cells(header.clips[i].annotation);
+    table.add({header.clips[i].name, fixed(header.clip_work_j[i], 1), annotation[0], annotation[1],
+               annotation[2]});
+  }
+  std::cout << "store of " << store.observation_count << " scenarios from number "
+            << store.range.first << ", seed " << header.seed << ", of library "
+            << header.library_name << ", " << database::hash_text(header.library_hash) << '\n'
+            << view.contents.trials << " trials, " << fixed(100 * view.non_zero_share(), 1)
+            << " % of their impulses are not zero; "
+            << fixed(static_cast<double>(view.contents.bytes) / 1e6, 1) << " MB, "
+            << fixed(view.bytes_per_scenario(), 0)
+            << " bytes a scenario without the library\ndistribution " << header.distribution
+            << "\nsimulation " << header.simulation << "\n\n"
+            << table.text();
+}
+
+std::size_t pose_count(const database::Library& library) {
+  std::size_t count = 0;
+  for (const motion::Clip& clip : library.clips) count += clip.motion.poses.size();
+  return count;
+}
+
+Json model_document(const models::SvmModel& svm) {
+  return {{"model", svm.kernel == models::SvmKernel::rbf ? "svm_rbf" : "svm"},
+          {"classes", svm.class_count()},
+          {"support_vectors", svm.vector_count()}};
+}
+
+Json model_document(const models::KnnModel& knn) {
+  return {{"model", knn.vote == models::KnnVote::cost ? "knn_cost" : "knn"},
+          {"k", knn.k},
+          {"observations", knn.label.size()}};
+}
+
+Json model_document(const models::NetworkModel& network) {
+  return {{"model", "network"},
+          {"members", network.member_count},
+          {"hidden", network.hidden_count},
+          {"classes", network.clip.size()}};
+}
+
+Json model_document(const models::PairwiseModel& pairwise) {
+  return {{"model", "pairwise_cost"},
+          {"classes", pairwise.clip.size()},
+          {"machines", pairwise.weights.size() / pairwise.row_size()}};
+}
+
+Json selector_document(const runtime::SelectorFile& file) {
+  const models::Selector& selector = file.selector;
+  Json clips = Json::array();
+  for (const models::ClipSummary& clip : selector.clips)
+    clips.push_back({{"name", clip.name}, {"annotation", to_json(clip)}});
+  Json document{{"kind", "selector"},
+                {"library_hash", database::hash_text(selector.library_hash)},
+                {"brawn", selector.brawn},
+                {"features", selector.layout.names()}};
+  document.update(
+      std::visit([](const auto& model) { return model_document(model); }, selector.model));
+  document["idle"] = selector.clips[static_cast<std::size_t>(selector.idle)].name;
+  document["clips"] = clips;
+  document["has_clips"] = file.library.has_value();
+  if (file.library) {
+    document["library"] = file.library->name;
+    document["poses"] = pose_count(*file.library);
+  }
+  return document;
+}
+
+void print_selector(const runtime::SelectorFile& file) {
+  const Json document = selector_document(file);
+  std::cout << "selector for library " << document["library_hash"].get<std::string>();
+  for (const char* key : {"model", "classes", "support_vectors", "k", "observations", "members",
+                          "hidden", "machines", "brawn"})
+    if (document.contains(key))
+      std::cout << '\n'
+                << key << ": "
+                << (document[key].is_string() ? document[key].get<std::string>()
+                                              : document[key].dump());
+  std::cout << "\nclips: " << file.selector.clips.size();
+  if (file.library) {
+    std::cout << ", in this file: " << pose_count(*file.library) << " poses at "
+              << file.library->rate_hz << " Hz of library " << file.library->name << '\n';
+  } else {
+    std::cout << ", not in this file: train it again to respond with it\n";
+  }
+}
+
+void print_source(const database::SourceReport& source) {
+  std::cout << source_text(source);
+}
+
+template <class Content, class Document, class Print>
+void show(const Options& options, const Content& content, Document document, Print print_text) {
+  if (options.json) {
+    print(document(content));
+  } else {
+    print_text(content);
+  }
+}
+
+Json document_with_quality(const database::Library& library) {
+  Json document = library_document(library);
+  document["quality"] = quality_document(library);
+  return document;
+}
+
+void run(const Options& options) {
+  using database::FileKind;
+  const FileKind kind = file_kind_at(options.file);
+  if (options.bvh.given() && kind != FileKind::bvh)
+    throw Error(options.file,
+                "is " + std::string(name_of(kind)) +
+                    ", and --unit, --up and --roles are for BVH files; leave them out");
+  if (options.quality && kind != FileKind::library)
+    throw Error(options.file, "is " + std::string(name_of(kind)) +
+                                  ", and --quality is for libraries; leave it out");
+  switch (kind) {
+    case FileKind::library:
+      if (options.quality)
+        return show(options, database::load_library(options.file), document_with_quality,
+                    [](const database::Library& library) { std::cout << quality_text(library); });
+      return show(options, database::load_library(options.file), library_document, print_library);
+    case FileKind::store:
+      return show(options, StoreView(options.file), store_document, print_store);
+    case FileKind::selector:
+      return show(options, load_selector_file(options.file), selector_document, print_selector);
+    case FileKind::bvh:
+      return show(options, database::inspect_bvh(options.file, source_options(options.bvh)),
+                  source_document, print_source);
+    default:
+      throw Error(options.file, "is " + std::string(name_of(kind)) +
+                                    "; info reads libraries, stores, selectors and BVH files");
+  }
+}
+
+}  // namespace
+
+void add_info(CLI::App& program) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command = program.add_subcommand(
+      "info",
+      "Tell what a library, store or selector holds, or how a BVH file's joints are mapped");
+  command->add_option("FILE", options->file, "a library, store, selector or BVH file")->required();
+  add_bvh_options(*command, options->bvh);
+  command->add_flag("--quality", options->quality, "measure how human each clip of a library is");
+  add_json_option(*command, options->json);
+  command->footer(
+      "Example:\n  flinch info real.flinchlib\n  flinch info default.flinchlib --quality");
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace flinch::train::program

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#include "train/store/merge.h"
+
+#include <iostream>
+#include <memory>
+
+#include "database/import/library_writer.h"
+#include "program/command.h"
+#include "train/store/store.h"
+
+namespace flinch::train::program {
+
+namespace {
+
+struct Options {
+  std::vector<std::string> stores;
+  std::string out;
+  bool json = false;
+};
+
+void run(const Options& options) {
+  merge_stores(options.stores, options.out);
+  const StoreSummary store = summarise_store(options.out);
+  if (options.json) {
+    print({{"kind", "store"},
+           {"file", options.out},
+           {"first", store.range.first},
+           {"scenarios", store.observation_count},
+           {"seed", store.header.seed},
+           {"library_hash", database::hash_text(store.header.library_hash)}});
+    return;
+  }
+  std::cout << options.out << ": " << text_of(store.range) << " of " << store.header.library_name
+            << ", seed " << store.header.seed << '\n';
+}
+
+}  // namespace
+
+void add_merge(CLI::App& program) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command =
+      program.add_subcommand("merge", "Join stores of one run, each of a range of its scenarios");
+  command->add_option("STORE", options->stores, "stores that flinch simulate made")->required();
+  command->add_option("--out", options->out, "store to write")->required();
+  add_json_option(*command, options->json);
+  command->footer(
+      "The stores must be of the same library, seed, distribution and simulation, and leave no\n"
+      "scenario out between them. Scenarios that are in several must be the same in all. The\n"
+      "result has the bytes of a store that was simulated at once.\n\n"
+      "Example:\n  flinch merge part-*.flinchobs --out all.flinchobs");
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace flinch::train::program

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+
+#include "train/simulate/simulate.h"
+
+namespace flinch::train::program {
+
+/// Shows how a simulation goes on: a bar with rate, time left and rate of hits on a terminal, a
+/// line now and then otherwise, both on stderr; or lines of JSON on stdout.
+class ProgressDisplay {
+ public:
+  explicit ProgressDisplay(bool json);
+  ~ProgressDisplay();
+  ProgressDisplay(const ProgressDisplay&) = delete;
+  ProgressDisplay& operator=(const ProgressDisplay&) = delete;
+
+  void show(const SimulationProgress& progress);
+
+ private:
+  /// What is told beside the progress itself.
+  struct Rates {
+    double scenarios_per_s = 0;
+    double simulations_per_s = 0;
+    double left_s = 0;
+  };
+
+  void begin(const SimulationProgress& progress);
+  bool is_due(const SimulationProgress& progress);
+  Rates rates(const SimulationProgress& progress) const;
+  void show_json(const SimulationProgress& progress) const;
+  void show_text(const SimulationProgress& progress);
+
+  bool json_;
+  bool terminal_;
+  bool bar_shown_ = false;
+  std::uint64_t tenth_shown_ = 0;
+  bool started_ = false;
+  std::uint64_t scenarios_at_start_ = 0;
+  std::chrono::steady_clock::time_point start_;
+  std::chrono::steady_clock::time_point shown_;
+};
+
+}  // namespace flinch::train::program

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+#include <cmath>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+
+#include "database/export/bvh_writer.h"
+#include "database/export/filmstrip.h"
+#include "database/export/gltf_writer.h"
+#include "database/import/file_io.h"
+#include "motion/error.h"
+#include "program/command.h"
+#include "program/film.h"
+#include "program/load.h"
+#include "program/table.h"
+#include "program/threat_options.h"
+
+namespace flinch::train::program {
+
+namespace {
+
+struct Options {
+  std::string selector;
+  std::string out;
+  ThreatOptions threat;
+  bool json = false;
+};
+
+enum class Kind : std::uint8_t { glb, bvh, svg };
+
+Kind kind_of(const std::string& path) {
+  const std::string extension = std::filesystem::path(path).extension().string();
+  if (extension == ".glb") return Kind::glb;
+  if (extension == ".bvh") return Kind::bvh;
+  if (extension == ".svg") return Kind::svg;
+  throw Error(path, "can write .glb, .bvh or .svg; name the file so");
+}
+
+// The film as a clip that protects where the threat comes from, for its arrow.
+void write_filmstrip(const runtime::Library& library, const Film& film, const Options& options) {
+  motion::Clip clip = library.clips().clips[static_cast<std::size_t>(film.clip)];
+  clip.motion = film.motion;
+  if (clip.annotation) {
+    clip.annotation->onset_s = 0;
+    clip.annotation->peak_s = film.impact_s;
+    clip.annotation->end_s = film.motion.duration_s();
+    clip.annotation->direction =
+        static_cast<float>(options.threat.azimuth * std::numbers::pi / 180);
+  }
+  database::write_file_atomically(
+      options.out, database::filmstrip_svg(database::make_figure(library.clips().character), clip));
+}
+
+void write(const runtime::Library& library, const Film& film, const Options& options) {
+  const motion::Character& character = library.clips().character;
+  switch (kind_of(options.out)) {
+    case Kind::glb:
+      database::write_glb(options.out, character, film.motion, film.ball);
+      break;
+    case Kind::bvh:
+      database::write_bvh(options.out, character, film.motion);
+      break;
+    case Kind::svg:
+      write_filmstrip(library, film, options);
+      break;
+  }
+}
+
+const std::string& clip_name(const runtime::Library& library, int clip) {
+  return library.clips().clips[static_cast<std::size_t>(clip)].name;
+}
+
+void run(const Options& options) {
+  kind_of(options.out);  // before any work
+  const runtime::Library library = load_runtime_library(options.selector);
+  const TargetCentres& centres = library.selector().target_centres;
+  const DescribedThreat threat = described(options.threat, centres);
+  const Film film =
+      film_response(library,
+                    features::threat_from_approach(
+                        threat.approach, centres[static_cast<std::size_t>(threat.target)], 0),
+                    threat.target, threat.approach.time_to_impact_s);
+  write(library, film, options);
+
+  const std::string& clip = clip_name(library, film.clip);
+  const bool hits = std::isfinite(film.contact_s);
+  if (options.json) {
+    Json document{{"file", options.out},
+                  {"clip", clip},
+                  {"target", options.threat.target},
+                  {"time_to_impact_s", options.threat.time_to_impact_s},
+                  {"duration_s", shortest(film.motion.duration_s())},
+                  {"hits", hits},
+                  {"knocked_over", film.knocked_over}};
+    if (film.reaction_clip) document["reaction_clip"] = clip_name(library, *film.reaction_clip);
+    if (hits) {
+      document["contact_s"] = shortest(film.contact_s);
+      document["impulse_ns"] = shortest(film.impulse_ns);
+    }
+    print(document);
+    return;
+  }
+  std::cout << options.out << ": " << clip << ", " << fixed(double{film.motion.duration_s()}, 2)
+            << " s; ";
+  if (hits) {
+    std::cout << "the ball hits at " << fixed(double{film.contact_s}, 2) << " s with "
+              << fixed(double{film.impulse_ns}, 1) << " N s";
+  } else {
+    std::cout << "the ball hits nothing";
+  }
+  if (film.reaction_clip) std::cout << ", then " << clip_name(library, *film.reaction_clip);
+  std::cout << (film.knocked_over ? ", which knocks the character over\n" : "\n");
+}
+
+}  // namespace
+
+void add_respond(CLI::App& program) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command = program.add_subcommand(
+      "respond", "Write the whole animation that answers a threat, ball included");
+  command->add_option("SELECTOR", options->selector, "selector that flinch train made")->required();
+  command
+      ->add_option("--out", options->out,
+                   "FILE.glb for Blender and glTF viewers, FILE.bvh, or FILE.svg for a filmstrip")
+      ->required();
+  add_threat_options(*command, options->threat);
+  add_json_option(*command, options->json);
+  command->footer(
+      "The character stands at the origin, facing the front, perceives the threat at once, and is\n"
+      "hit by it as the simulation has it.\n\n"
+      "Example:\n  flinch respond default.flinch --azimuth 40 --speed 24 --target head "
+      "--out hit.glb");
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace flinch::train::program

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iostream>
+#include <memory>
+
+#include "models/selector.h"
+#include "program/command.h"
+#include "program/load.h"
+#include "program/table.h"
+#include "program/threat_options.h"
+#include "train/scenario/scenario_sampling.h"
+
+namespace flinch::train::program {
+
+namespace {
+
+struct Options {
+  std::string selector;
+  ThreatOptions threat;
+  bool json = false;
+};
+
+Json candidate_document(const models::Selector& selector, const models::Candidate& candidate) {
+  const models::ClipSummary& clip = selector.clips[static_cast<std::size_t>(candidate.clip)];
+  Json document{{"clip", clip.name}};
+  if (std::isnan(candidate.expected_cost_ns)) {
+    document["vote"] = shortest(candidate.vote);
+  } else {
+    document["expected_cost_ns"] = shortest(candidate.expected_cost_ns);
+  }
+  if (clip.annotation) document.update(to_json(clip));
+  return document;
+}
+
+Json document_of(const models::Selector& selector, const ThreatOptions& threat,
+                 std::span<const models::Candidate> candidates) {
+  Json list = Json::array();
+  for (const models::Candidate& candidate : candidates)
+    list.push_back(candidate_document(selector, candidate));
+  Json document{{"clip", list[0]["clip"]},
+                {"target", threat.target},
+                {"time_to_impact_s", threat.time_to_impact_s}};
+  if (list[0].contains("direction_degrees"))
+    document["direction_degrees"] = list[0]["direction_degrees"];
+  document["candidates"] = list;
+  return document;
+}
+
+void print_text(const models::Selector& selector, const ThreatOptions& threat,
+                std::span<const models::Candidate> candidates) {
+  using enum Table::Align;
+  constexpr std::size_t kMostShown = 5;
+  const bool by_votes = std::isnan(candidates.front().expected_cost_ns);
+  Table table({{"clip"},
+               {"target"},
+               {"direction", right},
+               {by_votes ? "vote" : "expected cost, N s", right}});
+  for (const models::Candidate& candidate :
+       candidates.first(std::min(kMostShown, candidates.size()))) {
+    const models::ClipSummary& clip = selector.clips[static_cast<std::size_t>(candidate.clip)];
+    const auto& annotation = clip.annotation;
+    table.add({clip.name, annotation ? std::string(motion::name_of(annotation->target)) : "-",
+               annotation ? fixed(degrees(double{annotation->direction}), 0) : "-",
+               fixed(double{by_votes ? candidate.vote : candidate.expected_cost_ns}, 3)});
+  }
+  const models::ClipSummary& best =
+      selector.clips[static_cast<std::size_t>(candidates.front().clip)];
+  std::cout << best.name << ": for a threat to the " << threat.target << " from "
+            << fixed(threat.azimuth, 0) << " degrees in " << fixed(threat.time_to_impact_s, 2)
+            << " s\n\n"
+            << table.text();
+  if (candidates.size() > kMostShown)
+    std::cout << "and " << candidates.size() - kMostShown << " more (--json lists all)\n";
+}
+
+void run(const Options& options) {
+  const models::Selector selector = load_selector_file(options.selector).selector;
+  const DescribedThreat threat = described(options.threat, selector.target_centres);
+  const std::pmr::vector<models::Candidate> candidates = models::candidates(
+      selector, described_features(selector.layout, threat, selector.target_centres),
+      threat.target);
+  if (options.json) {
+    print(document_of(selector, options.threat, candidates));
+  } else {
+    print_text(selector, options.threat, candidates);
+  }
+}
+
+}  // namespace
+
+void add_select(CLI::App& program) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command =
+      program.add_subcommand("select", "Ask a selector which clip answers a threat");
+  command->add_option("SELECTOR", options->selector, "selector that flinch train made")->required();
+  add_threat_options(*command, options->threat);
+  add_json_option(*command, options->json);
+  command->footer(
+      "The character stands still, facing the front, until the impact.\n\n"
+      "Example:\n  flinch select real.flinch --azimuth 40 --speed 24 --target head "
+      "--time-to-impact 0.5");
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace flinch::train::program

@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: MIT
+#include "train/simulate/simulate.h"
+
+#include <omp.h>
+
+#include <algorithm>
+#include <iostream>
+#include <memory>
+#include <thread>
+
+#include "database/import/library_writer.h"
+#include "motion/error.h"
+#include "program/clock.h"
+#include "program/command.h"
+#include "program/interrupt.h"
+#include "program/progress.h"
+#include "program/table.h"
+#include "train/simulate/crew.h"
+#include "train/simulate/mpi_messenger.h"
+
+namespace flinch::train::program {
+
+namespace {
+
+struct Options {
+  std::string library;
+  std::string store;
+  std::uint64_t scenarios = 0;
+  std::uint64_t first = 0;
+  std::uint64_t seed = 1;
+  int threads = 0;
+  std::uint64_t memory = std::uint64_t{1} << 30;
+  bool unabridged = false;
+  bool json = false;
+};
+
+/// The processors that this process may use, shared with the run's others on this machine.
+int thread_count(const Options& options, const Messenger& messenger) {
+  if (options.threads > 0) return options.threads;
+  const auto share = static_cast<int>(std::thread::hardware_concurrency()) / messenger.local_size();
+  return std::clamp(share, 1, std::max(1, omp_get_num_procs()));
+}
+
+std::string mebibytes(std::uint64_t bytes) {
+  return std::to_string(bytes >> 20) + " MiB";
+}
+
+/// What the run will use, before it begins.
+void print_plan(const SimulationRun& run) {
+  const MemoryPlan& memory = run.memory;
+  std::cerr << "memory: at most " << mebibytes(memory.most)
+            << (run.messenger->size() > 1 ? " a process" : "") << "; " << memory.response_count
+            << " different responses take about " << mebibytes(memory.all_responses)
+            << ", of which " << (memory.keeps_all() ? "all" : mebibytes(memory.for_responses()))
+            << " are kept" << std::endl;
+}
+
+Json summary_document(const Options& options, const StoreSummary& store,
+                      const SimulationProgress& done) {
+  const SimulationCounts& counts = done.counts;
+  return {{"kind", "store"},
+          {"file", options.store},
+          {"first", store.range.first},
+          {"scenarios", store.observation_count},
+          {"seed", store.header.seed},
+          {"library_hash", database::hash_text(store.header.library_hash)},
+          {"simulations", counts.simulations},
+          {"skipped", counts.skipped},
+          {"hits", counts.hits},
+          {"steps", counts.steps},
+          {"solver_messages", counts.solver_messages},
+          {"cpu_s",
+           {{"posing", done.cpu.posing_s},
+            {"rehearsing", done.cpu.rehearsing_s},
+            {"striking", done.cpu.striking_s},
+            {"writing", done.cpu.writing_s}}}};
+}
+
+double ratio(double part, double whole) {
+  return whole > 0 ? part / whole : 0;
+}
+
+void print_summary(const SimulationProgress& done) {
+  const SimulationCounts& counts = done.counts;
+  const PhaseTimes& cpu = done.cpu;
+  const auto simulations = static_cast<double>(counts.simulations);
+  std::cout << "simulations: " << counts.simulations << ", "
+            << fixed(100 * ratio(static_cast<double>(counts.hits), simulations), 1)
+            << " % with contact, "
+            << fixed(100 * ratio(static_cast<double>(counts.skipped), simulations), 1)
+            << " % skipped as nothing could touch\n"
+            << "solver messages: "
+            << fixed(1000 * ratio(static_cast<double>(counts.solver_messages),
+                                  static_cast<double>(counts.steps)),
+                     3)
+            << " per 1000 of " << counts.steps << " steps\n"
+            << "CPU time: " << fixed(cpu.total_s(), 1) << " s (posing " << fixed(cpu.posing_s, 1)
+            << ", rehearsing " << fixed(cpu.rehearsing_s, 1) << ", striking "
+            << fixed(cpu.striking_s, 1) << ", writing " << fixed(cpu.writing_s, 1) << "), "
+            << fixed(ratio(simulations, cpu.total_s()), 0) << " simulations a second of it\n";
+}
+
+void print_result(const Options& options, const SimulationProgress& done) {
+  const StoreSummary store = summarise_store(options.store);
+  if (options.json) {
+    print_line(summary_document(options, store, done));
+    return;
+  }
+  std::cout << options.store << ": " << store.observation_count << " scenarios of "
+            << store.header.library_name;
+  if (store.range.first > 0) std::cout << " from number " << store.range.first;
+  std::cout << ", seed " << store.header.seed << '\n';
+  if (done.counts.simulations > 0) print_summary(done);
+}
+
+void write_store(const Options& options, const SimulationSubject& subject, SimulationRun& run) {
+  SimulationProgress last;
+  {
+    ProgressDisplay display(options.json);
+    run.report = [&](const SimulationProgress& progress) {
+      const bool begins = last.of == 0;
+      if (begins && !options.json) print_plan(run);
+      last = progress;
+      display.show(progress);
+    };
+    if (simulate_store(subject, options.store, run)) {
+      print_result(options, last);
+      return;
+    }
+  }
+  throw Error(options.store, "interrupted; " + std::to_string(last.scenarios) + " of " +
+                                 std::to_string(last.of) +
+                                 " scenarios are kept, run the same command again to go on");
+}
+
+void simulate(const Options& options, Messenger& messenger) {
+  const database::Library library = database::load_library(options.library);
+  SimulationPlan plan;
+  plan.seed = options.seed;
+  plan.unabridged = options.unabridged;
+  const SimulationSubject subject(library, plan);
+  SimulationRun run;
+  run.wanted = {options.first, options.scenarios};
+  run.batch.threads = thread_count(options, messenger);
+  run.batch.cpu_s = thread_cpu_s;
+  run.batch.stop = &catch_interrupts();
+  run.memory = plan_memory(subject, options.memory, run.batch.threads);
+  run.messenger = &messenger;
+  if (messenger.rank() == 0) {
+    write_store(options, subject, run);
+  } else {
+    help_simulate(subject, run);
+  }
+}
+
+void run(const Options& options) {
+  const std::unique_ptr<Messenger> messenger = join_processes();
+  if (messenger->rank() == 0) {
+    simulate(options, *messenger);
+    return;
+  }
+  // One line says what is wrong, and process 0 writes it.
+  try {
+    simulate(options, *messenger);
+  } catch (const std::exception& error) {
+    tell_failure(*messenger, error.what());
+  }
+}
+
+}  // namespace
+
+void add_simulate(CLI::App& program) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command =
+      program.add_subcommand("simulate", "Try every allowed clip of a library on random scenarios");
+  command->add_option("LIB", options->library, "library that flinch import made")->required();
+  command->add_option("--out", options->store, "store to write")->required();
+  constexpr std::uint64_t kMost = 1'000'000'000;
+  command->add_option("-n", options->scenarios, "number of scenarios")
+      ->required()
+      ->check(CLI::Range(std::uint64_t{1}, kMost));
+  command
+      ->add_option("--first", options->first,
+                   "number of the first, where this is one of several stores to merge")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  command->add_option("--seed", options->seed, "what the scenarios are drawn from")
+      ->capture_default_str();
+  command->add_option("--threads", options->threads, "how many (default: one a processor)")
+      ->check(CLI::Range(1, 1024));
+  command->add_option("--memory", options->memory, "how much to use at most, as in 512M or 2G")
+      ->transform(CLI::AsSizeValue(false))
+      ->default_str("1G");
+  command->add_flag("--reference", options->unabridged,
+                    "simulate each trial by itself from perception on: many times slower");
+  command->add_flag("--json", options->json,
+                    "print lines of JSON and nothing else: progress, and a summary at the end");
+  command->footer(
+      "What is done is kept: after Ctrl-C or a full disk run the same command again, and a\n"
+      "finished store goes on when more scenarios are asked for. The same library, seed and\n"
+      "numbers give the same file, byte for byte, on any number of threads, with any memory, and\n"
+      "by any number of processes that mpirun starts.\n\n"
+      "Example:\n  flinch simulate real.flinchlib --out real.flinchobs -n 2000 --seed 1\n\n"
+      "On a cluster:\n"
+      "  mpirun -n 64 flinch simulate real.flinchlib --out real.flinchobs -n 1000000");
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace flinch::train::program

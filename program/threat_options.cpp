@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#include "program/threat_options.h"
+
+#include <algorithm>
+#include <numbers>
+
+#include "motion/error.h"
+#include "program/table.h"
+
+namespace flinch::train::program {
+namespace {
+
+std::vector<std::string> target_names() {
+  std::vector<std::string> names;
+  for (int target = 0; target < motion::kTargetCount; ++target)
+    names.emplace_back(motion::name_of(static_cast<motion::Target>(target)));
+  return names;
+}
+
+}  // namespace
+
+void add_threat_options(CLI::App& command, ThreatOptions& threat) {
+  command
+      .add_option("--azimuth", threat.azimuth,
+                  "where it comes from, degrees: 0 the front, 90 the character's left")
+      ->check(number_in(-360, 360))
+      ->capture_default_str();
+  command
+      .add_option("--elevation", threat.elevation,
+                  "how far above the horizontal it comes from at the impact, degrees (default: "
+                  "level, or as high as a falling ball must)")
+      ->check(number_in(-89, 89));
+  command.add_option("--speed", threat.speed_mps, "at the impact, m/s")
+      ->check(number_in(0.1, 1000))
+      ->capture_default_str();
+  command.add_option("--target", threat.target, "what it threatens: head, trunk, pelvis or legs")
+      ->check(CLI::IsMember(target_names()))
+      ->capture_default_str();
+  command.add_option("--time-to-impact", threat.time_to_impact_s, "from perception, s")
+      ->check(number_in(0.01, 10))
+      ->capture_default_str();
+  command.add_option("--radius", threat.radius_m, "of the ball, m")
+      ->check(number_in(0.001, 10))
+      ->capture_default_str();
+  command.add_option("--mass", threat.mass_kg, "of the ball, kg")
+      ->check(number_in(0.0001, 1000))
+      ->capture_default_str();
+}
+
+DescribedThreat described(const ThreatOptions& options, const TargetCentres& centres) {
+  DescribedThreat threat;
+  threat.target = *motion::target_named(options.target);
+  const double least = degrees(
+      least_feasible_elevation(options.speed_mps, options.time_to_impact_s, options.radius_m,
+                               double{centres[static_cast<std::size_t>(threat.target)].z()}));
+  const double elevation = options.elevation.value_or(std::max(0.0, least));
+  if (least >= 90)
+    throw Error("", "a ball this slow would come from below the ground " +
+                        fixed(options.time_to_impact_s, 2) +
+                        " s before the impact; raise --speed or shorten --time-to-impact");
+  if (elevation < least)
+    throw Error("", "the ball would come from below the ground; raise --elevation to at least " +
+                        fixed(least, 1) + ", raise --speed or shorten --time-to-impact");
+  threat.approach.azimuth = static_cast<float>(options.azimuth * std::numbers::pi / 180);
+  threat.approach.elevation = static_cast<float>(elevation * std::numbers::pi / 180);
+  threat.approach.speed_mps = static_cast<float>(options.speed_mps);
+  threat.approach.time_to_impact_s = static_cast<float>(options.time_to_impact_s);
+  threat.approach.radius = static_cast<float>(options.radius_m);
+  threat.approach.mass_kg = static_cast<float>(options.mass_kg);
+  return threat;
+}
+
+}  // namespace flinch::train::program

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "program/command.h"
+#include "train/scenario/scenario_sampling.h"
+
+namespace flinch::train::program {
+
+/// A threat as options say it. Angles in degrees.
+struct ThreatOptions {
+  double azimuth = 0;
+  std::optional<double> elevation;
+  double speed_mps = 20;
+  std::string target{"head"};
+  double time_to_impact_s = 0.5;
+  double radius_m = 0.105;
+  double mass_kg = 0.27;
+};
+
+void add_threat_options(CLI::App& command, ThreatOptions& threat);
+
+/// The threat that the options describe, of a character whose targets are at `centres`. Throws
+/// Error when it would have come out of the ground.
+DescribedThreat described(const ThreatOptions& options, const TargetCentres& centres);
+
+}  // namespace flinch::train::program

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+#include <iostream>
+#include <memory>
+
+#include "database/library/library.h"
+#include "program/command.h"
+#include "train/fit/feature_derivation.h"
+#include "train/fit/labels.h"
+#include "train/fit/selector_writer.h"
+#include "train/fit/training.h"
+#include "train/store/store.h"
+
+namespace flinch::train::program {
+
+namespace {
+
+struct Options {
+  std::string store;
+  std::string selector;
+  std::string model{name_of(kDefaultMethod)};
+  std::string features;
+  CostOptions cost;
+  bool json = false;
+};
+
+Json parameters_of(const Training& training) {
+  Json parameters;
+  for (const NamedValue& parameter : training.parameter_values)
+    std::visit([&](const auto& value) { parameters[parameter.name] = value; }, parameter.value);
+  return parameters;
+}
+
+Json summary_of(const Options& options, const Store& store, const Training& training) {
+  Json summary{{"kind", "selector"},
+               {"file", options.selector},
+               {"model", options.model},
+               {"features", options.features},
+               {"library_hash", database::hash_text(store.header.library_hash)},
+               {"scenarios", store.observations.size()},
+               {"brawn", options.cost.brawn},
+               {"vulnerability", options.cost.vulnerability},
+               {"parameters", parameters_of(training)},
+               {"cross_validated_regret_ns", training.cross_validated_regret_ns}};
+  if (const auto* svm = std::get_if<models::SvmModel>(&training.selector.model)) {
+    summary["classes"] = svm->class_count();
+    summary["support_vectors"] = svm->vector_count();
+  }
+  return summary;
+}
+
+void run(const Options& options) {
+  Store store = read_store(options.store);
+  derive_features(features::feature_set_named(options.features)->layout, store);
+  const CostModel cost_model =
+      make_cost_model(store.header, vulnerability_of(options.cost), options.cost.brawn);
+  const Training training = train_selector(store.header, store.observations, cost_model,
+                                           *method_named(options.model), store.header.seed);
+  write_selector(training.selector, store.header.library_file, options.selector);
+  const Json summary = summary_of(options, store, training);
+  if (options.json) {
+    print(summary);
+    return;
+  }
+  std::cout << options.selector << ": " << options.model << " of " << store.observations.size()
+            << " scenarios of " << store.header.library_name << '\n';
+  std::cout << "parameters, chosen by cross-validation: " << training.parameters
+            << "\nmean regret in cross-validation: " << training.cross_validated_regret_ns
+            << " N s\n";
+}
+
+}  // namespace
+
+void add_train(CLI::App& program) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command =
+      program.add_subcommand("train", "Fit a selector to a store, parameters by cross-validation");
+  command->add_option("STORE", options->store, "store that flinch simulate made")->required();
+  command->add_option("--out", options->selector, "selector to write")->required();
+  command->add_option("--model", options->model, "what to fit")
+      ->check(CLI::IsMember(method_names()))
+      ->capture_default_str();
+  add_features_option(*command, options->features);
+  add_cost_options(*command, options->cost);
+  add_json_option(*command, options->json);
+  command->footer("Example:\n  flinch train real.flinchobs --out real.flinch");
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace flinch::train::program

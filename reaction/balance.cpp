@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+#include "reaction/balance.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace flinch::sim {
+namespace {
+
+using motion::Body;
+
+constexpr double kGravity_mps2 = 9.81;
+constexpr double kOnGround_m = 0.05;
+constexpr double kStepTime_s = 0.2;
+
+double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+  return a.x() * b.y() - a.y() * b.x();
+}
+
+double distance_to_segment(const Eigen::Vector2d& from, const Eigen::Vector2d& to,
+                           const Eigen::Vector2d& point) {
+  const Eigen::Vector2d way = to - from;
+  const double squared = way.squaredNorm();
+  const double along = squared > 0 ? std::clamp((point - from).dot(way) / squared, 0.0, 1.0) : 0;
+  return (from + along * way - point).norm();
+}
+
+/// A few points on the ground.
+class Corners {
+ public:
+  void add(const Eigen::Vector3d& point) { points_[count_++] = point.head<2>(); }
+  std::span<const Eigen::Vector2d> points() const { return {points_.data(), count_}; }
+
+ private:
+  std::array<Eigen::Vector2d, 8> points_;
+  std::size_t count_ = 0;
+};
+
+template <class Visit>
+void for_each_sole_corner(const FigurePlan& plan, const motion::PerBody<BodyState>& bodies,
+                          Visit visit) {
+  for (Body foot : {Body::left_foot, Body::right_foot}) {
+    const MovingShape& sole = plan.outline[foot];
+    for (int corner = 0; corner < 4; ++corner) {
+      const Eigen::Vector3d side(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, -1);
+      visit(bodies[foot].position +
+            bodies[foot].orientation *
+                (sole.centre + sole.orientation * sole.half_extents.cwiseProduct(side)));
+    }
+  }
+}
+
+}  // namespace
+
+// Seen from outside, all points lie on one side of the line to the outermost of them; then the
+// nearest point of the hull is on one of its edges, and no other pair of points lies nearer.
+double distance_outside(std::span<const Eigen::Vector2d> hull_of, const Eigen::Vector2d& point) {
+  const bool outside = std::any_of(hull_of.begin(), hull_of.end(), [&](const auto& outermost) {
+    return std::all_of(hull_of.begin(), hull_of.end(), [&](const auto& other) {
+      return cross(outermost - point, other - point) >= 0;
+    });
+  });
+  if (!outside) return 0;
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const auto& from : hull_of) {
+    for (const auto& to : hull_of) {
+      nearest = std::min(nearest, distance_to_segment(from, to, point));
+    }
+  }
+  return nearest;
+}
+
+double out_of_balance_m(const FigurePlan& plan, const motion::PerBody<BodyState>& bodies) {
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();
+  Eigen::Vector3d velocity = Eigen::Vector3d::Zero();
+  for (Body body : motion::kBodies) {
+    const double share = static_cast<double>(plan.model[body].mass_kg) / plan.mass_kg;
+    centre += share * bodies[body].position;
+    velocity += share * bodies[body].velocity;
+  }
+  const double height = std::max(centre.z(), kOnGround_m);
+  const Eigen::Vector3d extrapolated = centre + std::sqrt(height / kGravity_mps2) * velocity;
+
+  Corners all;
+  Corners on_ground;
+  for_each_sole_corner(plan, bodies, [&](const Eigen::Vector3d& corner) {
+    all.add(corner);
+    if (corner.z() < kOnGround_m) on_ground.add(corner);
+  });
+  const auto points = on_ground.points().empty() ? all.points() : on_ground.points();
+  return distance_outside(points, extrapolated.head<2>());
+}
+
+bool is_beyond_a_step(const FigurePlan& plan, double out_m) {
+  const auto length = [&](motion::Role role) {
+    return static_cast<double>(plan.skeleton.offset[role].norm());
+  };
+  const double leg = length(motion::Role::left_shin) + length(motion::Role::left_foot);
+  return out_m * std::exp(std::sqrt(kGravity_mps2 / leg) * kStepTime_s) > leg;
+}
+
+}  // namespace flinch::sim

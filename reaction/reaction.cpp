@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: MIT
+#include "reaction/reaction.h"
+
+#include <limits>
+#include <optional>
+
+#include "motion/interpolation.h"
+#include "reaction/reaction_run.h"
+
+namespace flinch::sim {
+namespace {
+
+// A ball that has not hit by then is not waited for.
+constexpr double kPatience_s = 0.3;
+
+bool is_good(const ReactionOptions& options) {
+  const double alone_s = options.schedule.alone_s;
+  return alone_s >= 0.05 && alone_s <= 0.5 && options.stiffness > 0 && options.stiffness <= 1;
+}
+
+bool is_good_time(double dt_s) {
+  return dt_s > 0 && dt_s <= kMostReactionFrame_s;
+}
+
+// Masses too far apart are more than the solver bears; the rest keeps numbers sane.
+bool is_good(const Ball& ball) {
+  return ball.position.allFinite() && ball.velocity.norm() <= 1000 && ball.radius >= 1e-3 &&
+         ball.radius <= 10 && ball.mass_kg >= 1e-3 && ball.mass_kg <= 1000;
+}
+
+}  // namespace
+
+/// A reaction under way.
+struct Reaction::State {
+  std::shared_ptr<const FigurePlan> plan;
+  ReactionOptions options;
+  std::optional<ReactionRun> run;
+  ReactionPhase phase = ReactionPhase::none;
+  motion::Pose shown;
+  Ball given;
+  double time_s = 0;  ///< since begin
+  bool fails = false;
+  bool returns = false;
+  motion::Pose wanted_at_return;  ///< where both motions were when the way back began
+  motion::Pose returning_at_return;
+
+  void begin(const motion::Pose& before, const motion::Pose& now, double dt_s, const Ball* ball);
+  void advance(double dt_s, const motion::Pose& wanted, const motion::Pose& returning);
+  void simulate(double dt_s, const motion::Pose& destination, double weight);
+  double since_contact_s() const;
+  motion::Pose destination(const motion::Pose& wanted, const motion::Pose& returning,
+                           double weight);
+};
+
+std::shared_ptr<const FigurePlan> make_figure_plan(const motion::Character& character) noexcept {
+  try {
+    return std::make_shared<const FigurePlan>(character);
+  } catch (...) {
+    return nullptr;
+  }
+}
+
+/// Negative before it.
+double Reaction::State::since_contact_s() const {
+  return time_s - std::min(run->encounter().first_contact_s(), kPatience_s);
+}
+
+motion::Pose Reaction::State::destination(const motion::Pose& wanted, const motion::Pose& returning,
+                                          double weight) {
+  if (weight <= 0) return wanted;
+  if (weight >= 1) return returning;
+  if (!returns) {
+    returns = true;
+    wanted_at_return = wanted;
+    returning_at_return = returning;
+  }
+  return motion::blend_on_first_arc(wanted, returning, static_cast<float>(weight), wanted_at_return,
+                                    returning_at_return);
+}
+
+void Reaction::State::begin(const motion::Pose& before, const motion::Pose& now, double dt_s,
+                            const Ball* ball) {
+  run.emplace(*plan, options, before, now, dt_s, ball);
+  phase = ReactionPhase::waiting;
+  shown = now;
+  given = ball ? *ball : Ball{};
+  time_s = 0;
+  fails = false;
+  returns = false;
+}
+
+void Reaction::State::advance(double dt_s, const motion::Pose& wanted,
+                              const motion::Pose& returning) {
+  time_s += dt_s;
+  const RecoveryWeights weights = weights_at(options.schedule, since_contact_s());
+  const motion::Pose aim = destination(wanted, returning, weights.returning);
+  if (phase == ReactionPhase::knocked_over) {
+    run->advance(dt_s, aim);
+    shown = run->pose(aim);
+    return;
+  }
+  if (weights.simulated > 0) {
+    simulate(dt_s, aim, weights.simulated);
+    return;
+  }
+  run->advance_ball(dt_s);
+  shown = aim;
+  phase = weights.returning < 1 ? ReactionPhase::returning : ReactionPhase::over;
+}
+
+void Reaction::State::simulate(double dt_s, const motion::Pose& aim, double weight) {
+  run->advance(dt_s, aim);
+  const motion::Pose simulated = run->pose(aim);
+  shown = weight < 1 ? motion::blend(aim, simulated, static_cast<float>(weight)) : simulated;
+  if (weight < 1) {
+    phase = ReactionPhase::recovering;
+    return;
+  }
+  if (since_contact_s() < 0) return;
+  phase = ReactionPhase::struck;
+  if (run->is_beyond_recovery()) {
+    phase = ReactionPhase::knocked_over;
+    run->let_fall();
+  }
+}
+
+const char* message_of(ReactionStatus status) noexcept {
+  switch (status) {
+    case ReactionStatus::ok:
+      return "ok";
+    case ReactionStatus::not_begun:
+      return "the reaction has not begun: call begin first";
+    case ReactionStatus::bad_options:
+      return "there is no figure, or an option is out of its range";
+    case ReactionStatus::bad_time:
+      return "the time step must be above 0 and at most 0.1 s";
+    case ReactionStatus::bad_pose:
+      return "a pose is not finite, or a rotation is not of unit length";
+    case ReactionStatus::bad_ball:
+      return "the ball is not finite, or too small, large, light, heavy or fast";
+    case ReactionStatus::failed:
+      break;
+  }
+  return "the physics engine failed; the motion goes on without it";
+}
+
+Reaction::Reaction(std::shared_ptr<const FigurePlan> figure,
+                   const ReactionOptions& options) noexcept {
+  try {
+    state_ = std::make_unique<State>();
+    state_->plan = std::move(figure);
+    state_->options = options;
+  } catch (...) {
+  }
+}
+
+Reaction::~Reaction() = default;
+Reaction::Reaction(Reaction&&) noexcept = default;
+Reaction& Reaction::operator=(Reaction&&) noexcept = default;
+
+ReactionStatus Reaction::begin(const motion::Pose& before, const motion::Pose& now, double dt_s,
+                               const Ball* ball) noexcept {
+  if (!state_ || !state_->plan || !is_good(state_->options)) return ReactionStatus::bad_options;
+  if (!is_good_time(dt_s)) return ReactionStatus::bad_time;
+  if (!is_sound(before) || !is_sound(now)) return ReactionStatus::bad_pose;
+  if (ball && !is_good(*ball)) return ReactionStatus::bad_ball;
+  try {
+    state_->begin(before, now, dt_s, ball);
+  } catch (...) {
+    state_->fails = true;
+    state_->phase = ReactionPhase::over;
+    return ReactionStatus::failed;
+  }
+  return ReactionStatus::ok;
+}
+
+ReactionStatus Reaction::advance(double dt_s, const motion::Pose& wanted,
+                                 const motion::Pose& returning) noexcept {
+  if (!state_ || state_->phase == ReactionPhase::none) return ReactionStatus::not_begun;
+  if (!is_good_time(dt_s)) return ReactionStatus::bad_time;
+  if (!is_sound(wanted) || !is_sound(returning)) return ReactionStatus::bad_pose;
+  try {
+    if (!state_->fails) {
+      prepare_this_thread();
+      state_->advance(dt_s, wanted, returning);
+      return ReactionStatus::ok;
+    }
+  } catch (...) {
+    state_->fails = true;
+  }
+  state_->shown = returning;
+  state_->phase = ReactionPhase::over;
+  return ReactionStatus::failed;
+}
+
+const motion::Pose& Reaction::pose() const noexcept {
+  static const motion::Pose none;
+  return state_ ? state_->shown : none;
+}
+
+ReactionPhase Reaction::phase() const noexcept {
+  return state_ ? state_->phase : ReactionPhase::none;
+}
+
+Ball Reaction::ball() const noexcept {
+  if (!state_ || !state_->run) return state_ ? state_->given : Ball{};
+  return state_->run->ball(state_->given);
+}
+
+double Reaction::contact_s() const noexcept {
+  return state_ && state_->run ? state_->run->encounter().first_contact_s()
+                               : std::numeric_limits<double>::infinity();
+}
+
+motion::PerBody<double> Reaction::impulse() const noexcept {
+  return state_ && state_->run ? state_->run->encounter().impulse() : motion::PerBody<double>{};
+}
+
+}  // namespace flinch::sim

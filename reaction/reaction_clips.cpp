@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+#include "reaction/reaction_clips.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "motion/rotation.h"
+
+namespace flinch::sim {
+namespace {
+
+using motion::Body;
+
+constexpr float kRate_hz = 30;
+constexpr float kLeastLeft_s = 0.3F;
+constexpr float kVelocityTime_s = 0.1F;
+constexpr float kDifference_s = 1.0F / 60;
+
+}  // namespace
+
+motion::Pose pose_of(const motion::Clip& clip, const ReactionMatch& match, float since_s) noexcept {
+  return motion::placed(motion::sample(clip.motion, match.time_s + since_s), match.yaw,
+                        match.translation);
+}
+
+ReactionClips::ReactionClips(const motion::Character& character,
+                             std::span<const motion::Clip> clips, motion::Purpose purpose)
+    : skeleton_(character.skeleton), model_(make_body_model(character)), order_(motion::kBodies) {
+  std::stable_sort(order_.begin(), order_.end(), [this](Body first, Body second) {
+    return model_[first].mass_kg > model_[second].mass_kg;
+  });
+  for (Body body : motion::kBodies) {
+    weight_[body] = std::sqrt(model_[body].mass_kg / character.mass_kg);
+  }
+  for (std::size_t i = 0; i < clips.size(); ++i) {
+    const motion::Motion& motion = clips[i].motion;
+    if (clips[i].purpose != purpose) continue;
+    const float last_s = motion.duration_s() - kLeastLeft_s;
+    for (int k = 0; static_cast<float>(k) / kRate_hz <= last_s; ++k) {
+      const float time_s = static_cast<float>(k) / kRate_hz;
+      // At the very beginning there is no pose before: the next difference stands in.
+      const float to_s = std::max(time_s, kDifference_s);
+      Frame frame =
+          frame_of(sample(motion, to_s - kDifference_s), sample(motion, to_s), kDifference_s);
+      frame.clip = static_cast<int>(i);
+      frame.time_s = to_s;
+      frames_.push_back(frame);
+    }
+  }
+}
+
+ReactionClips::Frame ReactionClips::frame_of(const motion::Pose& before, const motion::Pose& now,
+                                             float dt_s) const {
+  const motion::JointFrames from = forward_kinematics(skeleton_, before);
+  const motion::JointFrames to = forward_kinematics(skeleton_, now);
+  Frame frame{};
+  frame.facing = facing(now);
+  frame.pelvis = now.root_position.head<2>();
+  const Eigen::Quaternionf into_facing =
+      motion::turn_about(Eigen::Vector3f::UnitZ(), -frame.facing);
+  const Eigen::Vector3f origin(frame.pelvis.x(), frame.pelvis.y(), 0);
+  for (int column = 0; column < motion::kBodyCount; ++column) {
+    const Body body = order_[static_cast<std::size_t>(column)];
+    const Eigen::Vector3f place = centre_of_mass(model_, to, body);
+    const Eigen::Vector3f velocity = (place - centre_of_mass(model_, from, body)) / dt_s;
+    const Eigen::Vector3f offset = place - origin;
+    frame.features.col(column).head<3>() = weight_[body] * (into_facing * offset);
+    frame.features.col(column).tail<3>() =
+        weight_[body] * kVelocityTime_s * (into_facing * velocity);
+  }
+  return frame;
+}
+
+// A frame is given up as soon as its first bodies, the heaviest, are farther than the best.
+std::optional<ReactionMatch> ReactionClips::find(const motion::Pose& before,
+                                                 const motion::Pose& now, float dt_s,
+                                                 float most_m) const noexcept {
+  if (!(dt_s > 0) || !std::isfinite(dt_s) || !is_sound(before) || !is_sound(now)) return {};
+  const Frame wanted = frame_of(before, now, dt_s);
+  float best = most_m * most_m;
+  const Frame* nearest = nullptr;
+  for (const Frame& frame : frames_) {
+    float squared = 0;
+    for (int column = 0; column < motion::kBodyCount && squared <= best; ++column) {
+      squared += (frame.features.col(column) - wanted.features.col(column)).squaredNorm();
+    }
+    if (squared < best || (squared <= best && !nearest)) {
+      best = squared;
+      nearest = &frame;
+    }
+  }
+  if (!nearest) return {};
+  ReactionMatch match{.clip = nearest->clip, .time_s = nearest->time_s};
+  match.distance_m = std::sqrt(best);
+  match.yaw = wanted.facing - nearest->facing;
+  const Eigen::Vector2f turned = Eigen::Rotation2Df(match.yaw) * nearest->pelvis;
+  match.translation = {wanted.pelvis.x() - turned.x(), wanted.pelvis.y() - turned.y(), 0};
+  return match;
+}
+
+}  // namespace flinch::sim

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "reaction/foot_hold.h"
+#include "reaction/live_reference.h"
+#include "reaction/reaction.h"
+#include "sim/encounter/encounter.h"
+
+namespace flinch::sim {
+
+/// The simulated part of one reaction.
+///
+/// Steps are the simulation's own, whatever the frames: it runs ahead of the time shown by less
+/// than one step, toward the motion as it goes on, and what is shown lies between the last two
+/// states.
+class ReactionRun {
+ public:
+  /// `plan` must outlive this. Throws Error if the physics engine fails.
+  ReactionRun(const FigurePlan& plan, const ReactionOptions& options, const motion::Pose& before,
+              const motion::Pose& now, double dt_s, const Ball* ball);
+
+  /// Simulates for `dt_s` more, by which time the motion is at `wanted`. Throws Error as above, and
+  /// if the figure's state is no longer finite.
+  void advance(double dt_s, const motion::Pose& wanted);
+  /// Only the ball goes on.
+  void advance_ball(double dt_s);
+
+  /// The simulated figure at the time shown; `motion` gives clavicles and toes.
+  motion::Pose pose(const motion::Pose& motion) const;
+  Ball ball(const Ball& given) const;
+  const Encounter& encounter() const { return encounter_; }
+
+  /// Whether the blow has put the figure out of balance beyond a step, more than the motion itself.
+  bool is_beyond_recovery() const;
+  void let_fall();
+
+ private:
+  struct Moment {
+    double time_s = 0;
+    motion::PerBody<BodyState> body;
+    BodyState ball;
+  };
+  void step();
+  void drive(const ReferenceState& target, double step_s);
+  void step_ball();
+  Moment moment() const;
+  double share_of_last_step() const;
+
+  const FigurePlan& plan_;
+  Drive struck_;  // from the first contact on; until then the figure is as stiff as the trainer's
+  Encounter encounter_;
+  FootHold feet_;
+  LiveReference wanted_;
+  ReferenceState carried_;  // where the forces of Figure::carry have brought the reference
+  Moment before_;           // the last step's beginning and end
+  Moment after_;
+  double shown_s_ = 0;
+  double steps_left_ = 0;  // see step
+};
+
+}  // namespace flinch::sim

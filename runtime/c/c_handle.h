@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+
+#include "runtime/c/flinch.h"
+
+#ifdef FLINCH_CHECK_HANDLES
+#include <atomic>
+#endif
+
+namespace flinch::runtime {
+
+/// What every C handle begins with: says what it is, so that a wrong one is noticed. A handle has a
+/// `kMark` of its kind and a smart pointer `content` to what it stands for.
+struct Tag {
+  explicit Tag(std::uint32_t mark_of_kind) : mark(mark_of_kind) {}
+
+  std::uint32_t mark;
+#ifdef FLINCH_CHECK_HANDLES
+  Tag* next_freed = nullptr;
+#endif
+};
+
+template <class Handle>
+flinch_status check_handle(const Handle* handle) {
+  if (handle == nullptr) return FLINCH_NULL_POINTER;
+  return handle->mark == Handle::kMark ? FLINCH_OK : FLINCH_BAD_HANDLE;
+}
+
+#ifdef FLINCH_CHECK_HANDLES
+/// Marks a handle as freed and keeps it, without its content, so that it can be told from others
+/// for as long as the program runs. The list is for leak checkers, and for any number of threads.
+template <class Handle>
+void give_back(Handle* handle) {
+  static std::atomic<Tag*> freed{nullptr};
+  handle->content.reset();
+  handle->mark = 0;
+  handle->next_freed = freed.load();
+  while (!freed.compare_exchange_weak(handle->next_freed, handle)) {
+  }
+}
+#else
+template <class Handle>
+void give_back(Handle* handle) {
+  delete handle;
+}
+#endif
+
+template <class Handle>
+flinch_status free_handle(Handle* handle) {
+  if (handle == nullptr) return FLINCH_OK;
+  const flinch_status status = check_handle(handle);
+  if (status == FLINCH_OK) give_back(handle);
+  return status;
+}
+
+}  // namespace flinch::runtime

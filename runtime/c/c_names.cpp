@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+// The words of the C interface: messages and names, which need no handle.
+#include <string_view>
+
+#include "runtime/c/flinch.h"
+#include "runtime/character.h"
+
+namespace motion = flinch::motion;
+namespace runtime = flinch::runtime;
+
+namespace {
+
+bool is_below(std::int32_t index, int count) {
+  return index >= 0 && index < count;
+}
+
+}  // namespace
+
+const char* flinch_status_message(flinch_status status) {
+  switch (status) {
+    case FLINCH_OK:
+      return "ok";
+    case FLINCH_MISSES:
+      return message_of(runtime::Status::misses);
+    case FLINCH_UNNOTICED:
+      return message_of(runtime::Status::unnoticed);
+    case FLINCH_NULL_POINTER:
+      return "a pointer is NULL";
+    case FLINCH_BAD_HANDLE:
+      return "the handle was freed, or is of another kind";
+    case FLINCH_BAD_SIZE:
+      return "the struct's size is none that this version of Flinch knows: set it to its sizeof";
+    case FLINCH_OTHER_LIBRARY:
+      return "the workspace was made for another library than the character";
+    case FLINCH_BAD_INDEX:
+      return "there is no such clip or target, or the capacity is below 0";
+    case FLINCH_BAD_CLIP:
+      return message_of(runtime::Status::bad_clip);
+    case FLINCH_BAD_THREAT:
+      return message_of(runtime::Status::bad_threat);
+    case FLINCH_BAD_TIME:
+      return message_of(runtime::Status::bad_time);
+    case FLINCH_BAD_POSE:
+      return message_of(runtime::Status::bad_pose);
+    case FLINCH_BAD_PLACEMENT:
+      return message_of(runtime::Status::bad_placement);
+    case FLINCH_BAD_LIMITS:
+      return "a limit of perception is below 0, not finite, or a chance above 1";
+    case FLINCH_BAD_MASK:
+      return "a weight of the mask is not between 0 and 1";
+    case FLINCH_OUT_OF_MEMORY:
+      return "there is not enough memory";
+    case FLINCH_CANNOT_OPEN:
+      return "the file cannot be read";
+    case FLINCH_NOT_A_SELECTOR:
+      return "this is no selector: flinch train makes one";
+    case FLINCH_OTHER_VERSION:
+      return "the selector was written by another version of Flinch: train it again";
+    case FLINCH_DAMAGED:
+      return "the selector is damaged or cut short";
+    case FLINCH_OTHER_LAYOUT:
+      return "the selector was trained on other features than this version of Flinch computes";
+    case FLINCH_WITHOUT_CLIPS:
+      return "the selector has no clips in its file: train it again";
+    default:
+      return "this is no status of Flinch";
+  }
+}
+
+// The names are string literals: each ends where its view does.
+const char* flinch_joint_name(int32_t joint) {
+  if (!is_below(joint, motion::kRoleCount)) return nullptr;
+  return name_of(static_cast<motion::Role>(joint)).data();
+}
+
+int32_t flinch_joint_parent(int32_t joint) {
+  if (!is_below(joint, motion::kRoleCount)) return -1;
+  const auto parent = parent_of(static_cast<motion::Role>(joint));
+  return parent ? static_cast<std::int32_t>(*parent) : -1;
+}
+
+const char* flinch_target_name(int32_t target) {
+  if (!is_below(target, motion::kTargetCount)) return nullptr;
+  return name_of(static_cast<motion::Target>(target)).data();
+}
+
+const char* flinch_phase_name(int32_t phase) {
+  if (!is_below(phase, FLINCH_RETURNING + 1)) return nullptr;
+  return name_of(static_cast<runtime::Phase>(phase));
+}

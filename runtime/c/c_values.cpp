@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: MIT
+#include "runtime/c/c_values.h"
+
+#include <algorithm>
+
+#include "runtime/c/c_struct.h"
+
+namespace flinch::runtime {
+namespace {
+
+using database::LoadStatus;
+using motion::Role;
+
+std::size_t index_of(Role role) {
+  return static_cast<std::size_t>(role);
+}
+
+void write(float (&to)[3], const Eigen::Vector3f& from) {
+  std::copy_n(from.data(), 3, to);
+}
+
+void write(float (&to)[4], const Eigen::Quaternionf& from) {
+  to[0] = from.w();
+  std::copy_n(from.vec().data(), 3, to + 1);
+}
+
+// The C enumerations are ours, in other words.
+static_assert(FLINCH_JOINT_COUNT == motion::kRoleCount);
+static_assert(FLINCH_MOST_CANDIDATES == Character::kMostCandidates);
+static_assert(FLINCH_LEGS == static_cast<int>(motion::Target::legs));
+static_assert(FLINCH_RETURNING == static_cast<int>(Phase::returning));
+
+}  // namespace
+
+flinch_status status_of(Status status) noexcept {
+  switch (status) {
+    case Status::ok:
+      return FLINCH_OK;
+    case Status::misses:
+      return FLINCH_MISSES;
+    case Status::unnoticed:
+      return FLINCH_UNNOTICED;
+    case Status::not_loaded:
+      return FLINCH_BAD_HANDLE;
+    case Status::other_workspace:
+      return FLINCH_OTHER_LIBRARY;
+    case Status::bad_clip:
+      return FLINCH_BAD_CLIP;
+    case Status::bad_threat:
+      return FLINCH_BAD_THREAT;
+    case Status::bad_time:
+      return FLINCH_BAD_TIME;
+    case Status::bad_pose:
+      return FLINCH_BAD_POSE;
+    case Status::bad_placement:
+      return FLINCH_BAD_PLACEMENT;
+  }
+  return FLINCH_BAD_HANDLE;
+}
+
+flinch_status status_of(LoadStatus status) noexcept {
+  switch (status) {
+    case LoadStatus::ok:
+      return FLINCH_OK;
+    case LoadStatus::cannot_open:
+      return FLINCH_CANNOT_OPEN;
+    case LoadStatus::not_a_library:
+      return FLINCH_NOT_A_SELECTOR;
+    case LoadStatus::other_version:
+      return FLINCH_OTHER_VERSION;
+    case LoadStatus::damaged:
+      return FLINCH_DAMAGED;
+    case LoadStatus::other_layout:
+      return FLINCH_OTHER_LAYOUT;
+    case LoadStatus::without_clips:
+      return FLINCH_WITHOUT_CLIPS;
+    case LoadStatus::out_of_memory:
+      return FLINCH_OUT_OF_MEMORY;
+  }
+  return FLINCH_DAMAGED;
+}
+
+features::Threat threat_of(const flinch_threat& threat) {
+  flinch_threat defaults{};
+  defaults.radius = features::Threat{}.radius;
+  defaults.mass_kg = features::Threat{}.mass_kg;
+  const flinch_threat from = read_struct(threat, defaults);
+  return {.position = Eigen::Vector3f(from.position),
+          .velocity = Eigen::Vector3f(from.velocity),
+          .radius = from.radius,
+          .mass_kg = from.mass_kg};
+}
+
+PerceptionLimits limits_of(const flinch_perception_limits& limits) {
+  const flinch_perception_limits from = read_struct(limits);
+  return {.reaction_delay_s = from.reaction_delay_s,
+          .bearing_noise = from.bearing_noise,
+          .distance_noise = from.distance_noise,
+          .heading_noise = from.heading_noise,
+          .speed_noise = from.speed_noise,
+          .chance_to_fail = from.chance_to_fail};
+}
+
+Mask mask_of(const flinch_mask& mask) {
+  const flinch_mask from = read_struct(mask);
+  Mask result;
+  result.weight = from.weight;
+  std::copy_n(from.joint, FLINCH_JOINT_COUNT, result.joint.begin());
+  return result;
+}
+
+bool is_valid(const Mask& mask) {
+  const auto is_share = [](float weight) { return weight >= 0 && weight <= 1; };
+  return is_share(mask.weight) && std::ranges::all_of(mask.joint, is_share);
+}
+
+motion::Pose pose_of(const flinch_pose& pose) {
+  const flinch_pose from = read_struct(pose);
+  motion::Pose result;
+  result.root_position = Eigen::Vector3f(from.root_position);
+  for (const Role role : motion::kRoles) {
+    const float(&q)[4] = from.rotation[index_of(role)];
+    result.rotation[role] = Eigen::Quaternionf(q[0], q[1], q[2], q[3]);
+  }
+  return result;
+}
+
+flinch_perception_limits to_c(const PerceptionLimits& limits) {
+  return {.size = 0,
+          .reaction_delay_s = limits.reaction_delay_s,
+          .bearing_noise = limits.bearing_noise,
+          .distance_noise = limits.distance_noise,
+          .heading_noise = limits.heading_noise,
+          .speed_noise = limits.speed_noise,
+          .chance_to_fail = limits.chance_to_fail};
+}
+
+flinch_pose to_c(const motion::Pose& pose) {
+  flinch_pose result{};
+  write(result.root_position, pose.root_position);
+  for (const Role role : motion::kRoles) {
+    write(result.rotation[index_of(role)], pose.rotation[role]);
+  }
+  return result;
+}
+
+flinch_joint_frames to_c(const motion::JointFrames& frames) {
+  flinch_joint_frames result{};
+  for (const Role role : motion::kRoles) {
+    write(result.position[index_of(role)], frames.position[role]);
+    write(result.orientation[index_of(role)], frames.orientation[role]);
+  }
+  return result;
+}
+
+flinch_skeleton to_c(const motion::Skeleton& skeleton) {
+  flinch_skeleton result{};
+  for (const Role role : motion::kRoles) {
+    write(result.offset[index_of(role)], skeleton.offset[role]);
+    write(result.tip[index_of(role)], skeleton.tip[role]);
+  }
+  return result;
+}
+
+flinch_clip to_c(const motion::Clip& clip) {
+  flinch_clip result{};
+  result.name = clip.name.c_str();
+  result.kind = clip.kind.c_str();
+  result.duration_s = clip.motion.duration_s();
+  if (const auto& annotation = clip.annotation) {
+    result.is_annotated = 1;
+    result.target = static_cast<std::int32_t>(annotation->target);
+    result.direction = annotation->direction;
+    result.degree = static_cast<std::int32_t>(annotation->degree);
+    result.onset_s = annotation->onset_s;
+    result.peak_s = annotation->peak_s;
+    result.end_s = annotation->end_s;
+  }
+  return result;
+}
+
+}  // namespace flinch::runtime

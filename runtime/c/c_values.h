@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "database/library/sealed_file.h"
+#include "features/threat.h"
+#include "motion/skeleton.h"
+#include "runtime/c/flinch.h"
+#include "runtime/character.h"
+
+namespace flinch::runtime {
+
+/// Statuses and values of the C interface, from and to ours. Structs of the C interface have been
+/// checked (see c_struct.h); what they leave out is the default.
+
+flinch_status status_of(Status status) noexcept;
+flinch_status status_of(database::LoadStatus status) noexcept;
+
+features::Threat threat_of(const flinch_threat& threat);
+PerceptionLimits limits_of(const flinch_perception_limits& limits);
+Mask mask_of(const flinch_mask& mask);
+motion::Pose pose_of(const flinch_pose& pose);
+
+flinch_perception_limits to_c(const PerceptionLimits& limits);
+flinch_pose to_c(const motion::Pose& pose);
+flinch_joint_frames to_c(const motion::JointFrames& frames);
+flinch_skeleton to_c(const motion::Skeleton& skeleton);
+/// Refers to the clip's texts.
+flinch_clip to_c(const motion::Clip& clip);
+
+/// Whether all weights are in [0, 1].
+bool is_valid(const Mask& mask);
+
+}  // namespace flinch::runtime

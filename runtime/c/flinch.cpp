@@ -1,0 +1,304 @@
+// SPDX-License-Identifier: MIT
+#include "runtime/c/flinch.h"
+
+#include <algorithm>
+#include <memory>
+#include <new>
+#include <span>
+#include <string>
+#include <type_traits>
+#include <utility>
+
+#include "runtime/c/c_handle.h"
+#include "runtime/c/c_struct.h"
+#include "runtime/c/c_values.h"
+#include "runtime/character.h"
+#include "runtime/library.h"
+#include "runtime/pose_check.h"
+#include "runtime/workspace.h"
+
+namespace motion = flinch::motion;
+namespace runtime = flinch::runtime;
+using runtime::free_handle;
+using runtime::read_struct;
+using runtime::status_of;
+using runtime::to_c;
+using runtime::write_struct;
+
+// A library is shared by its handle and all that was made from it.
+using SharedLibrary = std::shared_ptr<const runtime::Library>;
+
+struct flinch_library : runtime::Tag {
+  static constexpr std::uint32_t kMark = 0xF11C0001;
+  explicit flinch_library(SharedLibrary loaded) : Tag(kMark), content(std::move(loaded)) {}
+
+  SharedLibrary content;
+};
+
+struct flinch_workspace : runtime::Tag {
+  static constexpr std::uint32_t kMark = 0xF11C0002;
+  struct Content {
+    SharedLibrary library;
+    runtime::Workspace workspace;
+  };
+  explicit flinch_workspace(Content made)
+      : Tag(kMark), content(std::make_unique<Content>(std::move(made))) {}
+
+  std::unique_ptr<Content> content;
+};
+
+struct flinch_character : runtime::Tag {
+  static constexpr std::uint32_t kMark = 0xF11C0003;
+  struct Content {
+    SharedLibrary library;
+    runtime::Character character;
+  };
+  static_assert(sizeof(Content) <= std::size_t{16} * 1024);
+  explicit flinch_character(Content made)
+      : Tag(kMark), content(std::make_unique<Content>(std::move(made))) {}
+
+  std::unique_ptr<Content> content;
+};
+
+namespace {
+
+template <class T>
+flinch_status check_one(const T* argument) {
+  if constexpr (std::is_base_of_v<runtime::Tag, T>) {
+    return runtime::check_handle(argument);
+  } else {
+    return runtime::check_struct(argument);
+  }
+}
+
+/// The first thing that is wrong with handles and structs, in their order.
+template <class... Arguments>
+flinch_status check(const Arguments*... arguments) {
+  flinch_status status = FLINCH_OK;
+  static_cast<void>((((status = check_one(arguments)) == FLINCH_OK) && ...));
+  return status;
+}
+
+bool is_index(int index, std::size_t count) {
+  return index >= 0 && static_cast<std::size_t>(index) < count;
+}
+
+/// Makes a handle of what `make` gives.
+template <class Handle, class Make>
+flinch_status make_handle(Handle** out, const Make& make) try {
+  *out = new Handle(make());
+  return FLINCH_OK;
+} catch (const std::bad_alloc&) {
+  return FLINCH_OUT_OF_MEMORY;
+}
+
+template <class Source>
+flinch_status load(const Source& source, flinch_library** out) try {
+  const auto library = std::make_shared<runtime::Library>();
+  const flinch_status status = status_of(library->load(source()));
+  return status == FLINCH_OK ? make_handle(out, [&] { return library; }) : status;
+} catch (const std::bad_alloc&) {
+  return FLINCH_OUT_OF_MEMORY;
+}
+
+const motion::Clip& clip_at(const flinch_library& library, std::int32_t index) {
+  return library.content->clips().clips[static_cast<std::size_t>(index)];
+}
+
+}  // namespace
+
+const char* flinch_version(void) {
+  return FLINCH_VERSION;
+}
+
+flinch_status flinch_library_load(const char* path, flinch_library** out) {
+  if (out == nullptr) return FLINCH_NULL_POINTER;
+  *out = nullptr;
+  if (path == nullptr) return FLINCH_NULL_POINTER;
+  return load([path] { return std::string(path); }, out);
+}
+
+flinch_status flinch_library_load_memory(const void* bytes, size_t byte_count,
+                                         flinch_library** out) {
+  if (out == nullptr) return FLINCH_NULL_POINTER;
+  *out = nullptr;
+  if (bytes == nullptr) return FLINCH_NULL_POINTER;
+  return load([&] { return std::span(static_cast<const std::byte*>(bytes), byte_count); }, out);
+}
+
+flinch_status flinch_library_free(flinch_library* library) {
+  return free_handle(library);
+}
+
+flinch_status flinch_library_describe(const flinch_library* library, flinch_library_info* out) {
+  if (const flinch_status status = check(library, out)) return status;
+  const flinch::database::Library& clips = library->content->clips();
+  write_struct(*out,
+               flinch_library_info{.size = 0,
+                                   .clip_count = static_cast<std::int32_t>(clips.clips.size()),
+                                   .idle_clip = clips.idle,
+                                   .rate_hz = clips.rate_hz,
+                                   .mass_kg = clips.character.mass_kg});
+  return FLINCH_OK;
+}
+
+flinch_status flinch_library_skeleton(const flinch_library* library, flinch_skeleton* out) {
+  if (const flinch_status status = check(library, out)) return status;
+  write_struct(*out, to_c(library->content->clips().character.skeleton));
+  return FLINCH_OK;
+}
+
+flinch_status flinch_library_clip(const flinch_library* library, int32_t index, flinch_clip* out) {
+  if (const flinch_status status = check(library, out)) return status;
+  if (!is_index(index, library->content->clips().clips.size())) return FLINCH_BAD_INDEX;
+  write_struct(*out, to_c(clip_at(*library, index)));
+  return FLINCH_OK;
+}
+
+flinch_status flinch_library_joint_frames(const flinch_library* library, const flinch_pose* pose,
+                                          flinch_joint_frames* out) {
+  if (const flinch_status status = check(library, pose, out)) return status;
+  const motion::Pose given = runtime::pose_of(*pose);
+  if (!runtime::is_usable(given)) return FLINCH_BAD_POSE;
+  const motion::Skeleton& skeleton = library->content->clips().character.skeleton;
+  write_struct(*out, to_c(motion::forward_kinematics(skeleton, given)));
+  return FLINCH_OK;
+}
+
+flinch_status flinch_workspace_create(const flinch_library* library, flinch_workspace** out) {
+  if (out == nullptr) return FLINCH_NULL_POINTER;
+  *out = nullptr;
+  if (const flinch_status status = check(library)) return status;
+  flinch_workspace::Content content{library->content, {}};
+  const std::size_t bytes = library->content->selection_bytes();
+  const flinch_status status = status_of(content.workspace.make_room(bytes));
+  if (status != FLINCH_OK) return status;
+  return make_handle(out, [&] { return std::move(content); });
+}
+
+flinch_status flinch_workspace_free(flinch_workspace* workspace) {
+  return free_handle(workspace);
+}
+
+flinch_status flinch_character_create(const flinch_library* library, flinch_character** out) {
+  if (out == nullptr) return FLINCH_NULL_POINTER;
+  *out = nullptr;
+  if (const flinch_status status = check(library)) return status;
+  return make_handle(out, [&] {
+    return flinch_character::Content{library->content, runtime::Character(*library->content)};
+  });
+}
+
+flinch_status flinch_character_free(flinch_character* character) {
+  return free_handle(character);
+}
+
+flinch_status flinch_character_place(flinch_character* character, float x, float y, float facing,
+                                     float idle_time_s) {
+  if (const flinch_status status = check(character)) return status;
+  return status_of(character->content->character.place({x, y}, facing, idle_time_s));
+}
+
+flinch_status flinch_character_stand_in(flinch_character* character, const flinch_pose* before,
+                                        const flinch_pose* now, float dt_s) {
+  if (const flinch_status status = check(character, before, now)) return status;
+  return status_of(character->content->character.stand_in(runtime::pose_of(*before),
+                                                          runtime::pose_of(*now), dt_s));
+}
+
+flinch_status flinch_character_settle(flinch_character* character) {
+  if (const flinch_status status = check(character)) return status;
+  return status_of(character->content->character.settle());
+}
+
+flinch_status flinch_character_limit_perception(flinch_character* character,
+                                                const flinch_perception_limits* limits,
+                                                uint64_t seed) {
+  if (const flinch_status status = check(character, limits)) return status;
+  const runtime::PerceptionLimits wanted = runtime::limits_of(*limits);
+  if (!runtime::is_valid(wanted)) return FLINCH_BAD_LIMITS;
+  character->content->character.limit_perception(wanted, seed);
+  return FLINCH_OK;
+}
+
+flinch_status flinch_human_limits(int32_t choices, flinch_perception_limits* out) {
+  if (const flinch_status status = check(out)) return status;
+  write_struct(*out, to_c(runtime::human(choices)));
+  return FLINCH_OK;
+}
+
+flinch_status flinch_character_perceive(flinch_character* character, const flinch_threat* threat,
+                                        flinch_workspace* workspace) {
+  if (const flinch_status status = check(character, threat, workspace)) return status;
+  if (character->content->library != workspace->content->library) return FLINCH_OTHER_LIBRARY;
+  return status_of(character->content->character.perceive(runtime::threat_of(*threat),
+                                                          workspace->content->workspace));
+}
+
+flinch_status flinch_character_perceive_known(flinch_character* character,
+                                              const flinch_threat* threat, int32_t target,
+                                              float time_to_impact_s, flinch_workspace* workspace) {
+  if (const flinch_status status = check(character, threat, workspace)) return status;
+  if (character->content->library != workspace->content->library) return FLINCH_OTHER_LIBRARY;
+  if (!is_index(target, motion::kTargetCount)) return FLINCH_BAD_INDEX;
+  return status_of(character->content->character.perceive(
+      runtime::threat_of(*threat), static_cast<motion::Target>(target), time_to_impact_s,
+      workspace->content->workspace));
+}
+
+flinch_status flinch_character_respond(flinch_character* character, int32_t clip,
+                                       float time_to_impact_s) {
+  if (const flinch_status status = check(character)) return status;
+  return status_of(character->content->character.respond(clip, time_to_impact_s));
+}
+
+flinch_status flinch_character_update(flinch_character* character, float dt_s) {
+  if (const flinch_status status = check(character)) return status;
+  return status_of(character->content->character.update(dt_s));
+}
+
+flinch_status flinch_character_pose(const flinch_character* character, flinch_pose* out) {
+  if (const flinch_status status = check(character, out)) return status;
+  write_struct(*out, to_c(character->content->character.pose()));
+  return FLINCH_OK;
+}
+
+flinch_status flinch_character_pose_over(const flinch_character* character, const flinch_pose* game,
+                                         const flinch_mask* mask, flinch_pose* out) {
+  if (const flinch_status status = check(character, game, mask, out)) return status;
+  const motion::Pose under = runtime::pose_of(*game);
+  const runtime::Mask weights = runtime::mask_of(*mask);
+  if (!runtime::is_usable(under)) return FLINCH_BAD_POSE;
+  if (!runtime::is_valid(weights)) return FLINCH_BAD_MASK;
+  write_struct(*out, to_c(character->content->character.pose_over(under, weights)));
+  return FLINCH_OK;
+}
+
+flinch_status flinch_character_describe(const flinch_character* character,
+                                        flinch_character_state* out) {
+  if (const flinch_status status = check(character, out)) return status;
+  const runtime::Character& what = character->content->character;
+  const flinch::features::CharacterState& state = what.state();
+  write_struct(*out, flinch_character_state{.size = 0,
+                                            .phase = static_cast<std::int32_t>(what.phase()),
+                                            .clip = what.clip(),
+                                            .target = static_cast<std::int32_t>(what.target()),
+                                            .time_to_impact_s = what.time_to_impact_s(),
+                                            .position = {state.position.x(), state.position.y()},
+                                            .facing = state.facing});
+  return FLINCH_OK;
+}
+
+flinch_status flinch_character_candidates(const flinch_character* character, flinch_candidate* out,
+                                          int32_t capacity, int32_t* count) {
+  if (const flinch_status status = check(character)) return status;
+  if (count == nullptr || (out == nullptr && capacity > 0)) return FLINCH_NULL_POINTER;
+  if (capacity < 0) return FLINCH_BAD_INDEX;
+  const auto all = character->content->character.candidates();
+  const auto first = all.first(std::min(all.size(), static_cast<std::size_t>(capacity)));
+  std::ranges::transform(first, out, [](const flinch::models::Candidate& candidate) {
+    return flinch_candidate{candidate.clip, candidate.vote, candidate.expected_cost_ns};
+  });
+  *count = static_cast<std::int32_t>(first.size());
+  return FLINCH_OK;
+}

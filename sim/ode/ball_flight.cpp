@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#include "sim/ode/ball_flight.h"
+
+namespace flinch::sim {
+BallFlight::BallFlight(dWorldID world, const Ball& ball, double gravity_mps2)
+    : body_(dBodyCreate(world)), radius_(ball.radius), gravity_mps2_(gravity_mps2) {
+  // A shell: I = 2/3 m r^2.
+  const double inertia = 2.0 / 3 * ball.mass_kg * ball.radius * ball.radius;
+  dMass mass;
+  dMassSetParameters(&mass, ball.mass_kg, 0, 0, 0, inertia, inertia, inertia, 0, 0, 0);
+  dBodySetMass(body_, &mass);
+  dBodySetGravityMode(body_, 0);
+  BodyState state;
+  state.position = ball.position;
+  state.velocity = ball.velocity;
+  set_state(body_, state);
+}
+
+features::FreeFlight BallFlight::flight() const {
+  return {position_of(body_), velocity_of(body_), radius_, gravity_mps2_};
+}
+
+void BallFlight::meet_ground(Contacts& contacts, double restitution) const {
+  const Eigen::Vector3d centre = position_of(body_);
+  contacts.add_bounce(body_, {centre.x(), centre.y(), 0}, restitution);
+}
+
+void BallFlight::fall(double time_s) const {
+  const Eigen::Vector3d velocity = velocity_of(body_);
+  dBodySetLinearVel(body_, velocity.x(), velocity.y(), velocity.z() - gravity_mps2_ * time_s);
+}
+
+void BallFlight::step(const OdeWorld& world, double step_s) const {
+  fall(step_s / 2);
+  world.step(step_s);
+  fall(step_s / 2);
+}
+
+}  // namespace flinch::sim

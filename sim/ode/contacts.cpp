@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#include "sim/ode/contacts.h"
+
+#include <cmath>
+
+namespace flinch::sim {
+namespace {
+
+// The ball with every body, and every pair of bodies.
+constexpr std::size_t kMostMeasured =
+    motion::kBodyCount + motion::kBodyCount * (motion::kBodyCount - 1) / 2;
+dContact contact_of(const Touch& touch) {
+  dContact contact{};
+  for (int i = 0; i < 3; ++i) {
+    contact.geom.pos[i] = touch.point[i];
+    contact.geom.normal[i] = touch.normal[i];
+  }
+  contact.geom.depth = touch.depth_m;
+  contact.surface.mode = dContactSoftERP | dContactSoftCFM | dContactApprox1;
+  contact.surface.soft_erp = touch.error_reduction;
+  contact.surface.soft_cfm = touch.softness;
+  contact.surface.mu = touch.friction;
+  if (touch.bounce > 0) {
+    contact.surface.mode |= dContactBounce;
+    contact.surface.bounce = touch.bounce;
+    contact.surface.bounce_vel = kRestSpeed_mps;
+  }
+  if (touch.free_closing_mps != 0) {
+    contact.surface.mode |= dContactMotionN;
+    contact.surface.motionN = -touch.free_closing_mps;
+  }
+  return contact;
+}
+
+}  // namespace
+
+Contacts::Contacts(dWorldID world) : world_(world), group_(dJointGroupCreate(0)) {
+  measured_.reserve(kMostMeasured);
+  impulses_.reserve(kMostMeasured);
+}
+
+Contacts::~Contacts() {
+  dJointGroupDestroy(group_);
+}
+
+dJointID Contacts::attach(const Touch& touch, dBodyID first, dBodyID second) {
+  const dContact contact = contact_of(touch);
+  const dJointID joint = dJointCreateContact(world_, group_, &contact);
+  dJointAttach(joint, first, second);
+  return joint;
+}
+
+void Contacts::measure(dJointID joint, motion::Body first, std::optional<motion::Body> second) {
+  measured_.push_back({{}, first, second});
+  dJointSetFeedback(joint, &measured_.back().feedback);
+}
+
+void Contacts::add_hit(dBodyID ball, dBodyID part, motion::Body body, const features::Clearance& at,
+                       double restitution) {
+  measure(attach(hit_at(at.point, at.normal, restitution), ball, part), body, std::nullopt);
+}
+
+void Contacts::add_bounce(dBodyID ball, const Eigen::Vector3d& point, double restitution) {
+  attach(hit_at(point, Eigen::Vector3d::UnitZ(), restitution), ball, nullptr);
+}
+
+void Contacts::add_push(dBodyID first_part, motion::Body first, dBodyID second_part,
+                        motion::Body second, const features::Clearance& at, double free_closing_mps,
+                        bool measured) {
+  const dJointID joint = attach(push_at(at, free_closing_mps), first_part, second_part);
+  if (measured) measure(joint, first, second);
+}
+
+void Contacts::add_support(dBodyID part, const Eigen::Vector3d& point, double depth_m,
+                           double mass_kg, double step_s) {
+  attach(support_at(point, depth_m, mass_kg, step_s), part, nullptr);
+}
+
+std::span<const ContactImpulse> Contacts::impulses(double step_s) {
+  impulses_.clear();
+  for (const Measured& contact : measured_) {
+    const dReal* force = contact.feedback.f1;
+    impulses_.push_back(
+        {contact.first, contact.second, step_s * std::hypot(force[0], force[1], force[2])});
+  }
+  return impulses_;
+}
+
+void Contacts::clear() {
+  dJointGroupEmpty(group_);
+  measured_.clear();
+}
+
+}  // namespace flinch::sim

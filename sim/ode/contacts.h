@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "sim/contact/contact_impulse.h"
+#include "sim/contact/touch.h"
+#include "sim/ode/ode_world.h"
+
+namespace flinch::sim {
+
+/// The contact joints of one step. Allocates nothing once made but what ODE does.
+class Contacts {
+ public:
+  explicit Contacts(dWorldID world);
+  ~Contacts();
+  Contacts(const Contacts&) = delete;
+  Contacts& operator=(const Contacts&) = delete;
+
+  /// The ball hits a part, at `at` as `clearance` gives it: hit_at. Measured.
+  void add_hit(dBodyID ball, dBodyID part, motion::Body body, const features::Clearance& at,
+               double restitution);
+  /// The ball meets the ground: hit_at. Not measured.
+  void add_bounce(dBodyID ball, const Eigen::Vector3d& point, double restitution);
+  /// A part pushes another: push_at. The normal of `at` points from `second` to `first`.
+  void add_push(dBodyID first_part, motion::Body first, dBodyID second_part, motion::Body second,
+                const features::Clearance& at, double free_closing_mps, bool measured);
+  /// The ground carries a part: support_at. Not measured.
+  void add_support(dBodyID part, const Eigen::Vector3d& point, double depth_m, double mass_kg,
+                   double step_s);
+
+  /// What the last step's measured contacts gave, in the order in which they were added. Valid
+  /// until the next call.
+  std::span<const ContactImpulse> impulses(double step_s);
+
+  /// Before the next step's contacts are added.
+  void clear();
+
+ private:
+  struct Measured {
+    dJointFeedback feedback{};
+    motion::Body first{};
+    std::optional<motion::Body> second;
+  };
+  dJointID attach(const Touch& touch, dBodyID first, dBodyID second);
+  void measure(dJointID joint, motion::Body first, std::optional<motion::Body> second);
+
+  dWorldID world_;
+  dJointGroupID group_;
+  std::vector<Measured> measured_;  // ODE keeps pointers to the feedback: it never grows
+  std::vector<ContactImpulse> impulses_;
+};
+
+}  // namespace flinch::sim

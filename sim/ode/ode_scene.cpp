@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#include "sim/ode/ode_scene.h"
+
+namespace flinch::sim {
+
+OdeScene::OdeScene(const FigurePlan& plan, const ReferenceState& start, const Ball* ball,
+                   double gravity_mps2)
+    : contacts_(world_.id()), figure_(plan, world_.id(), start) {
+  dWorldSetGravity(world_.id(), 0, 0, -gravity_mps2);
+  if (ball) ball_.emplace(world_.id(), *ball, gravity_mps2);
+}
+
+std::optional<features::FreeFlight> OdeScene::flight() const {
+  return ball_ ? std::optional(ball_->flight()) : std::nullopt;
+}
+
+void OdeScene::add_hit(motion::Body body, const features::Clearance& at, double restitution) {
+  contacts_.add_hit(ball_->body(), figure_.body(body), body, at, restitution);
+}
+
+void OdeScene::add_push(motion::Body first, motion::Body second, const features::Clearance& at,
+                        double free_closing_mps, bool measured) {
+  contacts_.add_push(figure_.body(first), first, figure_.body(second), second, at, free_closing_mps,
+                     measured);
+}
+
+void OdeScene::add_supports(const ReferenceState& target, double step_s) {
+  if (figure_.is_fallen()) {
+    figure_.lie(contacts_, step_s);
+  } else {
+    figure_.stand(contacts_, target, step_s);
+  }
+}
+
+void OdeScene::step(const ReferenceState&, double step_s) {
+  if (ball_) {
+    ball_->step(world_, step_s);
+  } else {
+    world_.step(step_s);
+  }
+}
+
+}  // namespace flinch::sim

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+
+#include "sim/ode/ball_flight.h"
+#include "sim/ode/contacts.h"
+#include "sim/ode/figure.h"
+
+namespace flinch::sim {
+
+/// A figure and, if there is one, a ball in a world of their own, which ODE steps.
+class OdeScene {
+ public:
+  /// `plan` must outlive this.
+  OdeScene(const FigurePlan& plan, const ReferenceState& start, const Ball* ball,
+           double gravity_mps2);
+
+  motion::PerBody<MovingShape> shapes() const { return figure_.shapes(); }
+  std::optional<features::FreeFlight> flight() const;
+
+  // Contacts of the next step, as Contacts adds them.
+  void clear_contacts() { contacts_.clear(); }
+  void add_hit(motion::Body body, const features::Clearance& at, double restitution);
+  void add_bounce(double restitution) { ball_->meet_ground(contacts_, restitution); }
+  void add_push(motion::Body first, motion::Body second, const features::Clearance& at,
+                double free_closing_mps, bool measured);
+  void add_supports(const ReferenceState& target, double step_s);
+
+  /// A step by the motors as Figure::drive has set them.
+  void step(const ReferenceState& target, double step_s);
+  void step_ball(double step_s) const { ball_->step(world_, step_s); }
+  std::span<const ContactImpulse> impulses(double step_s) { return contacts_.impulses(step_s); }
+
+  Figure& figure() { return figure_; }
+  const Figure& figure() const { return figure_; }
+  dWorldID world() const { return world_.id(); }
+  const std::optional<BallFlight>& ball() const { return ball_; }
+
+ private:
+  OdeWorld world_;
+  Contacts contacts_;
+  Figure figure_;
+  std::optional<BallFlight> ball_;
+};
+
+}  // namespace flinch::sim

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "features/free_flight.h"
+#include "sim/figure/figure_plan.h"
+#include "sim/figure/reference.h"
+#include "sim/rehearsal/rehearsal.h"
+#include "sim/simulation_options.h"
+
+namespace flinch::sim {
+
+/// What a rehearsal keeps: where the figure is at the beginning of every free step.
+struct Rehearsal::Track {
+  /// Rehearses. `plan` must outlive the track.
+  Track(const FigurePlan& plan, const SimulationOptions& options, const motion::Motion& performed,
+        double kept_from_s, double performed_s);
+  Track(const Track&) = delete;
+  Track& operator=(const Track&) = delete;
+
+  std::size_t byte_count() const;
+  const motion::PerBody<BodyState>& figure_at(std::size_t step) const {
+    return figures[step - first_kept];
+  }
+
+  motion::Motion motion;
+  Reference reference;
+  double from_s;
+  double duration_s;
+  std::vector<double> begins_s;  ///< of each step
+  /// About the figure and wherever it may be before the step's end, whatever the sweep allows for.
+  struct Sphere {
+    Eigen::Vector3d centre;
+    double radius = 0;
+  };
+  std::vector<Sphere> reach;
+  std::size_t first_kept = 0;  ///< step
+  std::vector<motion::PerBody<BodyState>> figures;
+};
+
+}  // namespace flinch::sim

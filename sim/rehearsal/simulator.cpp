@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+#include "sim/rehearsal/simulator.h"
+
+#include <array>
+#include <cmath>
+
+#include "sim/encounter/encounter.h"
+#include "sim/rehearsal/rehearsal_track.h"
+#include "sim/rehearsal/rehearsed_run.h"
+
+namespace flinch::sim {
+namespace {
+
+using motion::Body;
+
+constexpr std::array kEndEffectors{Body::head, Body::left_hand, Body::right_hand, Body::left_foot,
+                                   Body::right_foot};
+
+/// Squared distance of the end effectors from where the reference has them, mean, m².
+double squared_error(const Figure& figure, const ReferenceState& target) {
+  double sum = 0;
+  for (Body body : kEndEffectors) {
+    sum += (position_of(figure.body(body)) - target.body[body].position).squaredNorm();
+  }
+  return sum / static_cast<double>(kEndEffectors.size());
+}
+
+/// One simulation under way.
+class Run {
+ public:
+  Run(const FigurePlan& plan, const SimulationOptions& options, const motion::Motion& motion,
+      const Ball* ball)
+      : reference_(plan.skeleton, plan.model, motion),
+        encounter_(plan, options, reference_.at(0), ball) {}
+
+  SimulationResult to(double duration_s) {
+    const int messages_before = solver_messages_on_this_thread();
+    while (encounter_.time_s() < duration_s) advance(duration_s - encounter_.time_s());
+    const double time_s = encounter_.time_s();
+    if (time_s > 0) result_.tracking_error_m = std::sqrt(squared_error_ / time_s);
+    result_.impulse = encounter_.impulse();
+    result_.first_contact_s = encounter_.first_contact_s();
+    result_.solver_messages = solver_messages_on_this_thread() - messages_before;
+    return result_;
+  }
+
+ private:
+  void advance(double most_s) {
+    const ReferenceState now = reference_.at(encounter_.time_s());
+    const double step_s = encounter_.begin_step(now, most_s);
+    const ReferenceState target = reference_.at(encounter_.time_s() + step_s);
+    encounter_.figure().drive(target, step_s);
+    encounter_.end_step(now, target, step_s);
+    ++result_.steps;
+    squared_error_ += step_s * squared_error(encounter_.figure(), target);
+  }
+
+  Reference reference_;
+  Encounter encounter_;
+  SimulationResult result_;
+  double squared_error_ = 0;
+};
+
+}  // namespace
+
+struct Simulator::Plan {
+  FigurePlan figure;
+  SimulationOptions options;
+};
+
+Simulator::Simulator(const motion::Character& character, const SimulationOptions& options)
+    : plan_(std::make_unique<Plan>(Plan{FigurePlan(character), options})) {}
+
+Simulator::~Simulator() = default;
+Simulator::Simulator(Simulator&&) noexcept = default;
+Simulator& Simulator::operator=(Simulator&&) noexcept = default;
+
+SimulationResult Simulator::simulate(const motion::Motion& reference, const Ball* ball,
+                                     double duration_s) const {
+  return Run(plan_->figure, plan_->options, reference, ball).to(duration_s);
+}
+
+Rehearsal Simulator::rehearse(const motion::Motion& reference, double from_s,
+                              double duration_s) const {
+  return Rehearsal(std::make_unique<Rehearsal::Track>(plan_->figure, plan_->options, reference,
+                                                      from_s, duration_s));
+}
+
+SimulationResult Simulator::simulate(const Rehearsal& rehearsal, const Ball& ball) const {
+  return run_rehearsed(plan_->figure, plan_->options, rehearsal.track(), ball);
+}
+
+}  // namespace flinch::sim

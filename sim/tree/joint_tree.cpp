@@ -1,0 +1,349 @@
+// SPDX-License-Identifier: MIT
+#include "sim/tree/joint_tree.h"
+
+namespace flinch::sim {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+using motion::Body;
+
+using Vector6d = Eigen::Vector<double, 6>;
+
+Matrix3d cross_matrix(const Vector3d& v) {
+  Matrix3d matrix;
+  matrix << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0;
+  return matrix;
+}
+
+/// matrix [v]x
+Matrix3d times_cross(const Matrix3d& matrix, const Vector3d& v) {
+  Matrix3d product;
+  product.col(0) = v.z() * matrix.col(1) - v.y() * matrix.col(2);
+  product.col(1) = v.x() * matrix.col(2) - v.z() * matrix.col(0);
+  product.col(2) = v.y() * matrix.col(0) - v.x() * matrix.col(1);
+  return product;
+}
+
+/// first second^T where that is known to be symmetric.
+Matrix3d symmetric_product(const Matrix3d& first, const Matrix3d& second) {
+  Matrix3d product;
+  for (int j = 0; j < 3; ++j) {
+    for (int i = 0; i <= j; ++i) {
+      product(i, j) =
+          first(i, 0) * second(j, 0) + first(i, 1) * second(j, 1) + first(i, 2) * second(j, 2);
+      product(j, i) = product(i, j);
+    }
+  }
+  return product;
+}
+
+/// By cofactors, which are symmetric too.
+Matrix3d symmetric_inverse(const Matrix3d& m) {
+  const double xx = m(1, 1) * m(2, 2) - m(1, 2) * m(1, 2);
+  const double xy = m(0, 2) * m(1, 2) - m(0, 1) * m(2, 2);
+  const double xz = m(0, 1) * m(1, 2) - m(0, 2) * m(1, 1);
+  const double share = 1 / (m(0, 0) * xx + m(0, 1) * xy + m(0, 2) * xz);
+  Matrix3d inverse;
+  inverse(0, 0) = share * xx;
+  inverse(1, 1) = share * (m(0, 0) * m(2, 2) - m(0, 2) * m(0, 2));
+  inverse(2, 2) = share * (m(0, 0) * m(1, 1) - m(0, 1) * m(0, 1));
+  inverse(0, 1) = inverse(1, 0) = share * xy;
+  inverse(0, 2) = inverse(2, 0) = share * xz;
+  inverse(1, 2) = inverse(2, 1) = share * (m(0, 1) * m(0, 2) - m(0, 0) * m(1, 2));
+  return inverse;
+}
+
+// At a point whose velocity v' = v - [r]x w is that of one farther by r: with A symmetric,
+//   B' = B + A [r]x,   C' = C + H^T [r]x + (H^T [r]x)^T,   H = B + A [r]x / 2.
+Inertia moved_to(const Inertia& inertia, const Vector3d& arm) {
+  const Matrix3d lever = times_cross(inertia.mass, arm);
+  const Matrix3d half = inertia.coupling + 0.5 * lever;
+  const Matrix3d turned = times_cross(half.transpose(), arm);
+  return {inertia.mass, inertia.coupling + lever, inertia.turning + turned + turned.transpose()};
+}
+
+/// An impulse at a point that is `arm` from where `impulse` is taken.
+Twist moved_to(const Twist& impulse, const Vector3d& arm) {
+  return {impulse.linear, impulse.angular - arm.cross(impulse.linear)};
+}
+
+Twist sum(const Twist& first, const Twist& second) {
+  return {first.linear + second.linear, first.angular + second.angular};
+}
+
+Vector6d stacked(const Twist& twist) {
+  Vector6d both;
+  both << twist.linear, twist.angular;
+  return both;
+}
+
+// The torque of a spinning body on itself, w' taken at the end of the step h (Lacoursiere 2006), in
+// the body's frame, in which its inertia I stays as it is:
+//
+//   I (w' - w) = h L x w',  L = I w   <=>   (I - h [L]x) w' = L
+//
+// which holds in the world's axes as well, of all of them. The momentum I w':
+Vector3d spun(const Matrix3d& inertia, const Vector3d& angular_velocity, double step_s) {
+  const Vector3d momentum = inertia * angular_velocity;
+  const Matrix3d equations = inertia - step_s * cross_matrix(momentum);
+  return momentum + step_s * momentum.cross(equations.inverse() * momentum);
+}
+
+// At a point r from the centre of mass:  [m, m [r]x; sym., I + m (r^2 - r r^T)].
+Inertia rigid_inertia(double mass_kg, const Matrix3d& inertia, const Vector3d& arm) {
+  const Vector3d moment = mass_kg * arm;
+  Inertia rigid{mass_kg * Matrix3d::Identity(), cross_matrix(moment),
+                inertia - moment * arm.transpose()};
+  rigid.turning.diagonal().array() += moment.dot(arm);
+  return rigid;
+}
+
+// [A B; B^T C]^-1 with the Schur complement S = C - B^T A^-1 B:
+//   [A^-1 + G S^-1 G^T, -G S^-1; -S^-1 G^T, S^-1],  G = A^-1 B.
+Eigen::Matrix<double, 6, 6> inverse(const Inertia& inertia) {
+  const Matrix3d free = symmetric_inverse(inertia.mass);
+  const Matrix3d lever = free * inertia.coupling;
+  const Matrix3d turning = symmetric_inverse(
+      inertia.turning - symmetric_product(inertia.coupling.transpose(), lever.transpose()));
+  const Matrix3d across = -lever * turning;
+  Eigen::Matrix<double, 6, 6> result;
+  result << free - symmetric_product(across, lever), across, across.transpose(), turning;
+  return result;
+}
+
+/// How a joint turns under the rows of its turning.
+struct Give {
+  Matrix3d share;             ///< E
+  Vector3d driven;            ///< e
+  Vector3d rigid;             ///< the turning part of c_0
+  double same_about_all = 0;  ///< D where it is the same about any axis; else 0
+};
+
+/// Of a joint that turns about three axes equally.
+Give even_give(const JointRows& rows, double step_s, const Matrix3d& turning) {
+  const auto& [first, second, third] = rows.turning;
+  const double stiffness = step_s / first.softness;
+  const Matrix3d share = symmetric_inverse(turning + stiffness * Matrix3d::Identity());
+  const Vector3d wanted(first.velocity, second.velocity, third.velocity);
+  return {share, share * (rows.axes * (stiffness * wanted)), Vector3d::Zero(), stiffness};
+}
+
+Give give_of(const JointRows& rows, double step_s, const Matrix3d& turning) {
+  const auto& [first, second, third] = rows.turning;
+  if (first.softness > 0 && first.softness == second.softness && first.softness == third.softness) {
+    return even_give(rows, step_s, turning);
+  }
+  int free = 0;
+  while (free < 3 && rows.turning[static_cast<std::size_t>(free)].softness > 0) ++free;
+  const Matrix3d in_axes = rows.axes.transpose() * turning * rows.axes;
+  Matrix3d equations = Matrix3d::Identity();
+  Vector3d drive = Vector3d::Zero();
+  Vector3d rigid = Vector3d::Zero();
+  for (int i = 0; i < 3; ++i) {
+    const AxisRow& row = rows.turning[static_cast<std::size_t>(i)];
+    if (i >= free) {
+      rigid[i] = row.velocity;
+      continue;
+    }
+    for (int j = 0; j < free; ++j) equations(i, j) = in_axes(i, j);
+    equations(i, i) += step_s / row.softness;
+    drive[i] = step_s / row.softness * row.velocity;
+  }
+  Matrix3d share = symmetric_inverse(equations);
+  for (int i = free; i < 3; ++i) share(i, i) = 0;
+  return {symmetric_product(rows.axes * share, rows.axes), rows.axes * (share * drive),
+          rows.axes * rigid, 0};
+}
+
+}  // namespace
+
+FigureRows figure_rows(const FigurePlan& plan, const motion::PerBody<BodyState>& now,
+                       const ReferenceState& target, double step_s) {
+  FigureRows rows;
+  rows.pelvis = pelvis_rows(plan, now[Body::pelvis], target.body[Body::pelvis], step_s, {});
+  for (Body body : motion::kBodies) {
+    const auto parent = parent_of(body);
+    if (!parent) continue;
+    rows.joints[body] =
+        joint_rows(plan, body, now[body].orientation, now[*parent].orientation, target, step_s, 1);
+  }
+  return rows;
+}
+
+JointTree::JointTree(const FigurePlan& plan) : plan_(plan) {
+  for (Body body : motion::kBodies) {
+    Link& link = links_[body];
+    link.chain = set_of(body);
+    if (const auto parent = parent_of(body)) {
+      link.joint_local = joint_of(plan, body);
+      link.parent = *parent;
+      link.chain |= links_[*parent].chain;
+    }
+  }
+}
+
+// With velocities v' after the step and impulses p of the rows, a body obeys
+//
+//   M v' = b + sum J^T p,   b = M v + h f,
+//
+// and a joint's rows between a child's twist u and its parent's u_p, both at the joint,
+//
+//   u - u_p + S p = c,   S = softness / h,
+//
+// three of them rigid (S = 0) and three that turn about the axes F, of which some are rigid too.
+// Eliminated from the leaves to the root (Baraff, "Linear-time dynamics using Lagrange
+// multipliers", 1996; with springs in the rows it is Featherstone's articulated-body recursion): if
+// a child with all beyond it obeys M u = b + M c_0 + p, M = [A B; B^T C], with c_0 = c on the rigid
+// rows, else 0, then with U = [B; C]
+//
+//   E = F (F^T C F + D)^-1 F^T,  e = F (F^T C F + D)^-1 D c_F,  D = 1/S,  on the axes that give,
+//   t = E b_w + e,
+//
+// its parent gains the inertia and the impulse
+//
+//   N = M - U E U^T,   b - U t,
+//
+// and on the way back
+//
+//   u = u_p + c_0 + (0, q),   q = t - (U E)^T u_p,
+//
+// b_w being the moment in b. Where D is the same about all three axes, 1 - E C = D E, and so
+//
+//   N = [A - B E B^T, D B E; sym., D C E]
+//
+// and C E, which is then symmetric. An impulse f on the bodies changes b, t and the root's velocity
+// in proportion: passed on alone it leaves f_0 at the root and at each joint a moment m, so that
+// the whole inverse is the sum of a term for each joint and the root (effect, pass, add),
+//
+//   f^T M^-1 g = f_0^T M_0^-1 g_0 + sum m_f^T E m_g.
+void JointTree::set_step(const motion::PerBody<BodyState>& now, const FigureRows& rows,
+                         double step_s, double gravity_mps2) {
+  for (Body body : motion::kBodies) {
+    const BodyState& state = now[body];
+    const Matrix3d turn = state.orientation.toRotationMatrix();
+    const double mass_kg = static_cast<double>(plan_.model[body].mass_kg);
+    Link& link = links_[body];
+    link.to_joint = turn * link.joint_local;
+    if (body != Body::pelvis) {
+      link.parent_to_joint = now[link.parent].orientation * rows.joints[body].socket;
+      link.joint_to_joint = link.parent_to_joint - links_[link.parent].to_joint;
+    }
+    const Matrix3d inertia = symmetric_product(turn * plan_.inertia[body], turn);
+    inertia_[body] = rigid_inertia(mass_kg, inertia, link.to_joint);
+    momentum_[body] =
+        moved_to(Twist{mass_kg * (state.velocity - step_s * gravity_mps2 * Vector3d::UnitZ()),
+                       spun(inertia, state.angular_velocity, step_s)},
+                 link.to_joint);
+  }
+  for (std::size_t i = motion::kBodyCount - 1; i > 0; --i) {
+    const Body body = motion::kBodies[i];
+    factor(rows.joints[body], now, body, step_s);
+  }
+  factor_root(rows.pelvis, step_s);
+}
+
+void JointTree::factor(const JointRows& rows, const motion::PerBody<BodyState>& now, Body body,
+                       double step_s) {
+  Link& link = links_[body];
+  const auto& [mass, coupling, turning] = inertia_[body];
+  const Give give = give_of(rows, step_s, turning);
+  link.give = give.share;
+  link.coupling_give = coupling * give.share;
+  const Vector3d gap =
+      now[link.parent].position + link.parent_to_joint - now[body].position - link.to_joint;
+  link.forced = {joint_error_reduction(step_s) / step_s * gap, give.rigid};
+
+  Inertia passed;
+  passed.mass = mass - symmetric_product(link.coupling_give, coupling);
+  if (give.same_about_all > 0) {
+    link.turning_give = symmetric_product(turning, give.share);
+    passed.coupling = give.same_about_all * link.coupling_give;
+    passed.turning = give.same_about_all * link.turning_give;
+  } else {
+    link.turning_give = turning * give.share;
+    passed.coupling = coupling - link.coupling_give * turning;
+    passed.turning = turning - symmetric_product(link.turning_give, turning);
+  }
+
+  const Twist& own = momentum_[body];
+  const Twist& forced = link.forced;
+  const Twist free{own.linear - mass * forced.linear - coupling * forced.angular,
+                   own.angular - coupling.transpose() * forced.linear - turning * forced.angular};
+  link.turning = link.give * free.angular + give.driven;
+  const Twist handed{free.linear - coupling * link.turning, free.angular - turning * link.turning};
+
+  Twist& momentum = momentum_[link.parent];
+  momentum = sum(momentum, moved_to(handed, -link.joint_to_joint));
+  const Inertia at_parent = moved_to(passed, -link.joint_to_joint);
+  Inertia& parent = inertia_[link.parent];
+  parent.mass += at_parent.mass;
+  parent.coupling += at_parent.coupling;
+  parent.turning += at_parent.turning;
+}
+
+void JointTree::factor_root(const PelvisRows& rows, double step_s) {
+  Inertia inertia = inertia_[Body::pelvis];
+  Twist momentum = momentum_[Body::pelvis];
+  for (int axis = 0; axis < 3; ++axis) {
+    const AxisRow& moving = rows.moving[static_cast<std::size_t>(axis)];
+    const AxisRow& turning = rows.turning[static_cast<std::size_t>(axis)];
+    inertia.mass(axis, axis) += step_s / moving.softness;
+    inertia.turning(axis, axis) += step_s / turning.softness;
+    momentum.linear[axis] += step_s / moving.softness * moving.velocity;
+    momentum.angular[axis] += step_s / turning.softness * turning.velocity;
+  }
+  root_ = inverse(inertia);
+  root_velocity_ = root_ * stacked(momentum);
+}
+
+void JointTree::pass(std::span<const Load> loads, PassedImpulse& passed) const {
+  motion::PerBody<Twist> own;  // at the joints
+  passed.chain = 0;
+  for (const Load& load : loads) {
+    own[load.body] = sum(own[load.body], moved_to(load.impulse, links_[load.body].to_joint));
+    passed.chain |= links_[load.body].chain;
+  }
+  for (std::size_t i = motion::kBodyCount - 1; i > 0; --i) {
+    const Body body = motion::kBodies[i];
+    if (!(passed.chain & set_of(body))) continue;
+    const Link& link = links_[body];
+    const Twist& at_joint = own[body];
+    passed.moment[body] = at_joint.angular;
+    passed.turning[body] = link.give * at_joint.angular;
+    const Twist handed{at_joint.linear - link.coupling_give * at_joint.angular,
+                       at_joint.angular - link.turning_give * at_joint.angular};
+    own[link.parent] = sum(own[link.parent], moved_to(handed, -link.joint_to_joint));
+  }
+  passed.at_root = stacked(own[Body::pelvis]);
+  passed.root_change = root_ * passed.at_root;
+}
+
+double JointTree::effect(const PassedImpulse& first, const PassedImpulse& second) {
+  double sum = first.at_root.dot(second.root_change);
+  for_each_body(first.chain & second.chain & ~set_of(Body::pelvis),
+                [&](Body body) { sum += first.moment[body].dot(second.turning[body]); });
+  return sum;
+}
+
+void JointTree::add(const PassedImpulse& passed, double size) {
+  root_velocity_ += size * passed.root_change;
+  for_each_body(passed.chain & ~set_of(Body::pelvis),
+                [&](Body body) { links_[body].turning += size * passed.turning[body]; });
+}
+
+void JointTree::velocities(BodySet wanted, motion::PerBody<Twist>& after) const {
+  after[Body::pelvis] = {root_velocity_.head<3>(), root_velocity_.tail<3>()};
+  for_each_body(wanted & ~set_of(Body::pelvis), [&](Body body) {
+    const Link& link = links_[body];
+    const Twist& parent = after[link.parent];
+    const Vector3d linear = parent.linear + parent.angular.cross(link.parent_to_joint);
+    const Vector3d angular = parent.angular + link.forced.angular + link.turning -
+                             link.coupling_give.transpose() * linear -
+                             link.turning_give.transpose() * parent.angular;
+    after[body].angular = angular;
+    after[body].linear = linear + link.forced.linear + link.to_joint.cross(angular);
+  });
+}
+
+}  // namespace flinch::sim

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "features/free_flight.h"
+#include "sim/contact/contact_impulse.h"
+#include "sim/contact/touch.h"
+#include "sim/simulation_options.h"
+#include "sim/tree/box_lcp.h"
+#include "sim/tree/joint_tree.h"
+
+namespace flinch::sim {
+
+/// A ball that flies and spins.
+struct BallState {
+  BodyState body;
+  double radius = 0;
+  double mass_kg = 0;
+  double inertia = 0;  ///< about any axis, kg·m²
+};
+BallState ball_state(const Ball& ball);
+
+/// A figure and a ball that obey the laws of an OdeScene, stepped by JointTree in a tenth of the
+/// time. A plain value but for its plan.
+class TreeScene {
+ public:
+  /// `plan` must outlive this.
+  TreeScene(const FigurePlan& plan, const motion::PerBody<BodyState>& start, const Ball* ball,
+            double gravity_mps2);
+
+  motion::PerBody<MovingShape> shapes() const;
+  std::optional<features::FreeFlight> flight() const;
+
+  // Contacts of the next step, as Contacts adds them.
+  void clear_contacts();
+  void add_hit(motion::Body body, const features::Clearance& at, double restitution);
+  void add_bounce(double restitution);
+  void add_push(motion::Body first, motion::Body second, const features::Clearance& at,
+                double free_closing_mps, bool measured);
+  void add_supports(const ReferenceState& target, double step_s);
+
+  /// A step, at whose end `target` is wanted.
+  void step(const ReferenceState& target, double step_s);
+  std::span<const ContactImpulse> impulses(double step_s);
+
+  const motion::PerBody<BodyState>& bodies() const { return bodies_; }
+  /// Steps whose contacts were not solved.
+  int solver_messages() const { return solver_messages_; }
+
+ private:
+  /// Who takes part in a contact: a body of the figure, the ball, or for a second the ground.
+  struct Party {
+    enum class Kind : unsigned char { body, ball, ground } kind = Kind::ground;
+    motion::Body body{};
+  };
+  struct Contact {
+    Touch touch;
+    Party first;
+    Party second;
+    bool measured = false;
+    double impulse_ns = 0;
+  };
+  /// One direction of a contact.
+  struct Row {
+    std::size_t contact = 0;
+    Eigen::Vector3d direction;      ///< of first's impulse
+    Eigen::Vector3d first_moment;   ///< of that impulse
+    Eigen::Vector3d second_moment;  ///< of second's, which is the opposite
+    Eigen::Index normal = -1;       ///< row of the normal that bounds this one
+  };
+
+  void fall(double time_s);
+  const BodyState& state_of(const Party& party) const;
+  /// The velocities of a party now, and after the step without contacts.
+  Twist motion_of(const Party& party) const;
+  Twist free_motion_of(const Party& party) const;
+  static double rate(const Row& row, const Twist& first, const Twist& second);
+  void make_rows();
+  void pass_rows();
+  void make_equations(double step_s);
+  double wanted_rate(const Row& row, double step_s) const;
+  bool solve_rows();
+  void apply(Twist& on_ball);
+  void move(BodyState& state, const Twist& after, double step_s) const;
+
+  const FigurePlan& plan_;
+  double gravity_mps2_;
+  motion::PerBody<BodyState> bodies_;
+  std::optional<BallState> ball_;
+  JointTree tree_;
+  std::vector<Contact> contacts_;
+  std::vector<ContactImpulse> impulses_;
+  int solver_messages_ = 0;
+
+  // Of a step, kept for their memory.
+  motion::PerBody<Twist> after_;
+  std::vector<Row> rows_;
+  std::vector<PassedImpulse> passed_;  // of each row; may be longer
+  Eigen::MatrixXd matrix_;
+  Eigen::VectorXd right_, low_, high_, x_;
+  BoxLcp lcp_;
+};
+
+}  // namespace flinch::sim

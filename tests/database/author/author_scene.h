@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <gmock/gmock.h>
+
+#include "database/author/pose_rules.h"
+#include "database/author/stance.h"
+#include "motion/default_character.h"
+#include "motion/rotation.h"
+
+namespace flinch::database::test {
+
+using motion::degrees;
+using motion::radians;
+
+/// The default character at ease.
+struct Scene {
+  Figure figure = make_figure(motion::default_character());
+  motion::Pose start = standing_pose(figure);
+  motion::JointFrames frames = motion::forward_kinematics(figure.skeleton(), start);
+
+  /// A threat 5 m away at the middle of a target, from an azimuth in degrees.
+  Danger danger(motion::Target target, float azimuth_deg, float height_m = 0) const {
+    Danger made;
+    made.target_point = motion::target_centre(figure.bodies, frames, target);
+    const float azimuth = radians(azimuth_deg);
+    made.position =
+        made.target_point + Eigen::Vector3f(5 * std::cos(azimuth), 5 * std::sin(azimuth), height_m);
+    made.speed_mps = 25;
+    return made;
+  }
+};
+
+inline bool is_finite(const motion::Pose& pose) {
+  bool finite = pose.root_position.allFinite();
+  for (const Eigen::Quaternionf& rotation : pose.rotation) {
+    finite = finite && rotation.coeffs().allFinite();
+  }
+  return finite;
+}
+
+/// The angle of a rotation about an axis that it is known to turn about, degrees.
+inline float angle_about(const Eigen::Quaternionf& rotation, const Eigen::Vector3f& axis) {
+  return degrees(2 * std::atan2(rotation.vec().dot(axis), rotation.w()));
+}
+
+}  // namespace flinch::database::test

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+#include "database/author/authored_library.h"
+
+#include <gmock/gmock.h>
+
+#include <set>
+
+#include "author_scene.h"
+#include "database/author/character_toml.h"
+#include "database/import/library_writer.h"
+#include "database/quality/quality.h"
+#include "motion/body_distance.h"
+
+namespace flinch::database {
+namespace {
+
+using motion::Clip;
+using motion::degrees;
+using motion::JointFrames;
+using motion::radians;
+using motion::Target;
+using test::Scene;
+
+const Library& default_library() {
+  static const Library library = authored_library(motion::default_character());
+  return library;
+}
+
+TEST(AuthoredLibrary, AnswersEveryTargetFromEveryDirectionMildlyAndStrongly) {
+  const Library& library = default_library();
+  EXPECT_GE(library.clips.size(), 110U);
+  std::set<std::pair<int, int>> answered;
+  std::set<int> degrees_of_targets;
+  for (const Clip& clip : library.clips) {
+    if (!clip.annotation) continue;
+    const int target = static_cast<int>(clip.annotation->target);
+    answered.insert({target, std::lround(degrees(clip.annotation->direction))});
+    degrees_of_targets.insert(2 * target + static_cast<int>(clip.annotation->degree));
+  }
+  EXPECT_EQ(answered.size(), 32U);
+  EXPECT_EQ(degrees_of_targets.size(), 8U);
+}
+
+TEST(AuthoredLibrary, CanBeWrittenAndHasTheSameBitsTwice) {
+  const std::string once = library_bytes(default_library());
+  EXPECT_EQ(once, library_bytes(authored_library(motion::default_character())));
+}
+
+TEST(AuthoredLibrary, StartsEveryClipFromTheIdlePose) {
+  const Library& library = default_library();
+  const Scene scene;
+  const JointFrames idle = motion::forward_kinematics(
+      scene.figure.skeleton(),
+      library.clips[static_cast<std::size_t>(library.idle)].motion.poses[0]);
+  for (const Clip& clip : library.clips) {
+    const JointFrames first =
+        motion::forward_kinematics(scene.figure.skeleton(), clip.motion.poses[0]);
+    for (motion::Role role : motion::kRoles) {
+      EXPECT_LT((first.position[role] - idle.position[role]).norm(), 2e-3F) << clip.name;
+    }
+  }
+}
+
+TEST(AuthoredLibrary, EveryClipKeepsAllBoundsOfQuality) {
+  const std::vector<ClipQuality> table = measure_quality(default_library());
+  ASSERT_EQ(table.size(), default_library().clips.size());
+  for (const ClipQuality& quality : table) {
+    EXPECT_THAT(broken_bounds(quality), testing::IsEmpty()) << quality.name;
+  }
+}
+
+// A ball on a straight line at the middle of the idling figure's target, swept against every body
+// around the clip's peak.
+bool avoids_ball(const Scene& scene, const Clip& clip, float elevation, float speed_mps) {
+  const float azimuth = clip.annotation->direction;
+  const Eigen::Vector3f from(std::cos(azimuth) * std::cos(elevation),
+                             std::sin(azimuth) * std::cos(elevation), std::sin(elevation));
+  const Eigen::Vector3f aim =
+      motion::target_centre(scene.figure.bodies, scene.frames, clip.annotation->target);
+  for (float time = -0.12F; time < 0.12F; time += 0.005F) {
+    const JointFrames frames = motion::forward_kinematics(
+        scene.figure.skeleton(), motion::sample(clip.motion, clip.annotation->peak_s + time));
+    if (distance_to_body(scene.figure, frames, aim - speed_mps * time * from) < 0.105F)
+      return false;
+  }
+  return true;
+}
+
+TEST(AuthoredLibrary, AThirdOfTheClipsAvoidAWellAimedBall) {
+  const Scene scene;
+  int clips = 0;
+  int avoiding = 0;
+  for (const Clip& clip : default_library().clips) {
+    if (!clip.annotation || !clip.mirrored_from.empty()) continue;
+    ++clips;
+    avoiding +=
+        avoids_ball(scene, clip, 0, 15) && avoids_ball(scene, clip, radians(25), 15) ? 1 : 0;
+  }
+  EXPECT_GE(3 * avoiding, clips) << avoiding << " of " << clips;
+}
+
+TEST(AuthoredLibrary, StartlesOnlyWhereAskedTo) {
+  const Library startled = authored_library(motion::default_character(), true);
+  ASSERT_EQ(startled.clips.size(), default_library().clips.size());
+  for (std::size_t i = 0; i < startled.clips.size(); ++i) {
+    const motion::Clip& clip = startled.clips[i];
+    const motion::Pose with = sample(clip.motion, 0.125F);
+    const motion::Pose without = sample(default_library().clips[i].motion, 0.125F);
+    const bool differs = with.rotation[motion::Role::left_clavicle].angularDistance(
+                             without.rotation[motion::Role::left_clavicle]) > 1e-3F;
+    EXPECT_EQ(differs, clip.kind == "block") << clip.name;
+  }
+}
+
+TEST(AuthoredLibrary, WorksForOtherPeople) {
+  struct Person {
+    float height_m, mass_kg;
+    motion::Sex sex;
+    Proportions proportions;
+  };
+  Proportions long_legs;
+  long_legs.legs = 1.15F;
+  long_legs.arms = 0.9F;
+  for (const Person& person :
+       {Person{1.2F, 25, motion::Sex::female, {}}, Person{1.63F, 58, motion::Sex::female, {}},
+        Person{2.0F, 110, motion::Sex::male, long_legs}}) {
+    const Library library = authored_library(
+        make_character(person.height_m, person.mass_kg, person.sex, person.proportions));
+    EXPECT_NO_THROW(library_bytes(library));
+    for (const ClipQuality& quality : measure_quality(library)) {
+      EXPECT_LT(quality.limit_excess_deg, 5) << quality.name << " at " << person.height_m;
+      EXPECT_LE(quality.support_drift_m, 0.002F) << quality.name << " at " << person.height_m;
+      EXPECT_LE(quality.foot_below_ground_m, 0.002F) << quality.name << " at " << person.height_m;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace flinch::database

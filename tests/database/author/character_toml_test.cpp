@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#include "database/author/character_toml.h"
+
+#include <gmock/gmock.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "motion/default_character.h"
+#include "motion/error.h"
+#include "motion/figure.h"
+
+namespace flinch::database {
+namespace {
+
+using motion::Role;
+using testing::HasSubstr;
+
+std::string written(const std::string& text) {
+  const std::string name = testing::UnitTest::GetInstance()->current_test_info()->name();
+  const std::string path = testing::TempDir() + "character_" + name + ".toml";
+  std::ofstream(path) << text;
+  return path;
+}
+
+std::string error_of(const std::string& text) {
+  try {
+    read_character(written(text));
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST(CharacterToml, AnEmptyFileIsTheDefaultCharacter) {
+  const motion::Character read = read_character(written(""));
+  const motion::Character mean = motion::default_character();
+  for (Role role : motion::kRoles) {
+    EXPECT_LT((read.skeleton.offset[role] - mean.skeleton.offset[role]).norm(), 1e-5F)
+        << motion::name_of(role);
+    EXPECT_LT((read.skeleton.tip[role] - mean.skeleton.tip[role]).norm(), 1e-5F)
+        << motion::name_of(role);
+  }
+  EXPECT_FLOAT_EQ(read.mass_kg, mean.mass_kg);
+}
+
+TEST(CharacterToml, HeightMassSexAndProportionsAreAsAsked) {
+  const motion::Character read = read_character(
+      written("height_m = 1.62\nmass_kg = 58\nsex = \"female\"\n[proportions]\nlegs = 1.2\n"));
+  EXPECT_NEAR(stature(read.skeleton), 1.62F, 1e-4F);
+  EXPECT_EQ(read.mass_kg, 58);
+  EXPECT_EQ(read.sex, motion::Sex::female);
+  const motion::Skeleton& mean = motion::default_character().skeleton;
+  const auto legs_to_arms = [](const motion::Skeleton& skeleton) {
+    return limb_length(skeleton, motion::Limb::left_leg) /
+           limb_length(skeleton, motion::Limb::left_arm);
+  };
+  EXPECT_NEAR(legs_to_arms(read.skeleton), 1.2F * legs_to_arms(mean), 1e-4F);
+  const motion::JointFrames rest =
+      motion::forward_kinematics(read.skeleton, motion::rest_pose(read.skeleton));
+  EXPECT_GT(rest.position[Role::left_toes].z(), 0);
+}
+
+TEST(CharacterToml, RefusesWhatNoPersonIsWithFileAndLine) {
+  EXPECT_THAT(error_of("height_m = 5\n"), HasSubstr(".toml:1: height_m 5 is not a person's"));
+  EXPECT_THAT(error_of("height_m = 1.8\nmass_kg = -3\n"), HasSubstr(".toml:2: mass_kg"));
+  EXPECT_THAT(error_of("[proportions]\n\narms = 3.0\n"), HasSubstr(".toml:3: arms 3"));
+  EXPECT_THAT(error_of("sex = \"robot\"\n"), HasSubstr("female, male"));
+  EXPECT_THAT(error_of("hieght_m = 1.8\n"), HasSubstr("height_m"));
+  EXPECT_THAT(error_of("height_m = nan\n"), HasSubstr("height_m"));
+}
+
+}  // namespace
+}  // namespace flinch::database

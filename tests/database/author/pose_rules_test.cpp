@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: MIT
+#include "database/author/pose_rules.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <limits>
+
+#include "author_scene.h"
+#include "motion/body_distance.h"
+#include "motion/error.h"
+#include "motion/joint_limits.h"
+
+namespace flinch::database {
+namespace {
+
+using motion::degrees;
+using motion::joint_limits_named;
+using motion::JointFrames;
+using motion::JointLimits;
+using motion::limit_excess;
+using motion::Pose;
+using motion::radians;
+using motion::Role;
+using motion::Side;
+using motion::Target;
+using motion::turn_about;
+using test::angle_about;
+using test::Scene;
+
+const Eigen::Vector3f kX = Eigen::Vector3f::UnitX();
+const Eigen::Vector3f kY = Eigen::Vector3f::UnitY();
+const Eigen::Vector3f kZ = Eigen::Vector3f::UnitZ();
+
+constexpr float kTolerance = 0.01F;  // degrees
+
+// Rotations of the spine from a pose without any, degrees about an axis.
+struct SpineAngles {
+  float pelvis, waist, back, neck_and_head;
+};
+SpineAngles spine_angles(const Pose& pose, const Eigen::Vector3f& axis) {
+  return {
+      angle_about(pose.rotation[Role::pelvis], axis),
+      angle_about(pose.rotation[Role::abdomen], axis),
+      angle_about(pose.rotation[Role::chest], axis),
+      angle_about(pose.rotation[Role::neck], axis) + angle_about(pose.rotation[Role::head], axis)};
+}
+
+void expect_angles(const SpineAngles& found, const SpineAngles& expected) {
+  EXPECT_NEAR(found.pelvis, expected.pelvis, kTolerance);
+  EXPECT_NEAR(found.waist, expected.waist, kTolerance);
+  EXPECT_NEAR(found.back, expected.back, kTolerance);
+  EXPECT_NEAR(found.neck_and_head, expected.neck_and_head, kTolerance);
+}
+
+TEST(RuleControls, AreSpeedAndSizeInTheirRangesAsTable31Says) {
+  Danger danger;
+  danger.speed_mps = 22.8F + 0.25F * (29.7F - 22.8F);
+  danger.radius_m = 0.033F + 0.75F * (0.2F - 0.033F);
+  const RuleControls controls = rule_controls(danger);
+  EXPECT_NEAR(controls.lean, 0.25F, 1e-5);
+  for (float control : {controls.turn, controls.recoil, controls.reach[0], controls.reach[1],
+                        controls.swivel[0], controls.swivel[1]}) {
+    EXPECT_NEAR(control, 0.75F, 1e-5);
+  }
+}
+
+TEST(RuleControls, AreClampedBeyondTheirRanges) {
+  Danger danger;
+  danger.speed_mps = 100;
+  danger.radius_m = 0.001F;
+  EXPECT_EQ(rule_controls(danger).lean, 1);
+  EXPECT_EQ(rule_controls(danger).turn, 0);
+}
+
+TEST(LeanAway, TakesTable32sMaximaFromTheFront) {
+  expect_angles(spine_angles(lean_away(Pose(), -kX, 1, {1, 0}), kY), {-15, -10, -25, -50});
+}
+
+TEST(LeanAway, LeansRightFromTheLeft) {
+  expect_angles(spine_angles(lean_away(Pose(), -kY, 1, {1, 0}), kX), {15, 10, 25, 50});
+}
+
+TEST(LeanAway, GoesWithTheControl) {
+  expect_angles(spine_angles(lean_away(Pose(), -kX, 0.4F, {1, 0}), kY), {-6, -4, -10, -20});
+}
+
+TEST(LeanAway, BringsThePelvisBackForAThreatToIt) {
+  expect_angles(spine_angles(lean_away(Pose(), -kX, 1, {0, 1}), kY), {15, 0, 0, 0});
+}
+
+TEST(LeanAway, MixesHeadAndPelvisInBetween) {
+  expect_angles(spine_angles(lean_away(Pose(), -kX, 1, {0.75F, 0.25F}), kY),
+                {-7.5F, -7.5F, -18.75F, -37.5F});
+}
+
+// From the left a quarter turn brings the back to the threat: 65 degrees of the neck leave 25,
+// of which the back takes 12.5 but may 8, the waist 7.5, the pelvis 5.
+TEST(TurnAway, SharesOutTheRemainderFiftyThirtyTwentyUpToTheMaxima) {
+  expect_angles(spine_angles(turn_away(Pose(), radians(90), 1), kZ), {-5, -7.5F, -8, -65});
+  expect_angles(spine_angles(turn_away(Pose(), radians(-90), 1), kZ), {5, 7.5F, 8, 65});
+}
+
+TEST(TurnAway, TakesAllMaximaFromTheFront) {
+  expect_angles(spine_angles(turn_away(Pose(), 0, 1), kZ), {-20, -12, -8, -65});
+}
+
+TEST(TurnAway, OnlyTurnsTheNeckFromBehind) {
+  expect_angles(spine_angles(turn_away(Pose(), radians(140), 1), kZ), {0, 0, 0, -40});
+  expect_angles(spine_angles(turn_away(Pose(), radians(180), 1), kZ), {0, 0, 0, 0});
+}
+
+TEST(TurnAway, ScalesAllAnglesByTheControl) {
+  expect_angles(spine_angles(turn_away(Pose(), radians(90), 0.5F), kZ),
+                {-2.5F, -3.75F, -4, -32.5F});
+}
+
+TEST(Recoil, RaisesBothClaviclesAlikeByTheMaxima) {
+  const Pose pose = recoil(Pose(), 1);
+  const Eigen::Quaternionf expected = turn_about(kX, radians(35)) * turn_about(kY, radians(-25));
+  EXPECT_LT(pose.rotation[Role::left_clavicle].angularDistance(expected), 1e-3);
+  EXPECT_LT(pose.rotation[Role::right_clavicle].angularDistance(motion::mirrored(expected)), 1e-3);
+}
+
+TEST(TargetWeights, AreEquation34) {
+  const TargetWeights weights = target_weights(0.3F, 0.5F);
+  EXPECT_NEAR(weights.head, 0.625F, 1e-6);
+  EXPECT_NEAR(weights.pelvis, 0.375F, 1e-6);
+}
+
+Eigen::Vector3f palm_of(const Figure& figure, const JointFrames& frames, Side side) {
+  const Role hand = motion::roles_of(arm_of(side)).end;
+  return frames.position[hand] + frames.orientation[hand] * (0.5F * figure.skeleton().tip[hand]);
+}
+
+TEST(Block, PutsBothPalmsBesideTheLineAtTheirReach) {
+  const Scene scene;
+  const Danger danger = scene.danger(Target::head, 10);
+  RuleControls controls;
+  controls.reach = {0.7F, 0.7F};
+  controls.swivel = {0.5F, 0.5F};
+  Aim aim = aim_of(scene.figure, scene.start, danger);
+  aim.weights = {1, 0};
+  Pose pose = scene.start;
+  block(scene.figure, scene.frames, aim, controls, pose);
+  const JointFrames frames = motion::forward_kinematics(scene.figure.skeleton(), pose);
+
+  const float arm = 0.98F * limb_length(scene.figure.skeleton(), motion::Limb::left_arm);
+  const float hand = scene.figure.skeleton().tip[Role::left_hand].norm();
+  const float farthest = std::min(0.9F, arm + 0.25F * hand);
+  const float reach = farthest + 0.7F * (0.3F - farthest);
+  for (Side side : kSides) {
+    const Eigen::Vector3f palm = palm_of(scene.figure, frames, side);
+    const Eigen::Vector3f from_target = palm - danger.target_point;
+    const float along = from_target.dot(aim.to_threat);
+    EXPECT_GT(along, 0.1F);
+    EXPECT_NEAR((from_target - along * aim.to_threat).norm(), 0.25F * hand, 0.01F);
+    const Role shoulder = side == Side::left ? Role::left_upper_arm : Role::right_upper_arm;
+    EXPECT_NEAR((palm - frames.position[shoulder]).norm(), reach, 0.01F);
+  }
+}
+
+TEST(Block, ReachesFartherForSmallThreats) {
+  const Scene scene;
+  const Danger danger = scene.danger(Target::head, 0);
+  const Aim aim = aim_of(scene.figure, scene.start, danger);
+  std::array<float, 2> distance{};
+  for (std::size_t large = 0; large < 2; ++large) {
+    RuleControls controls;
+    controls.reach = {static_cast<float>(large), static_cast<float>(large)};
+    Pose pose = scene.start;
+    block(scene.figure, scene.frames, aim, controls, pose);
+    const JointFrames frames = motion::forward_kinematics(scene.figure.skeleton(), pose);
+    distance[large] =
+        (palm_of(scene.figure, frames, Side::left) - frames.position[Role::left_upper_arm]).norm();
+  }
+  EXPECT_GT(distance[0], distance[1] + 0.1F);
+}
+
+TEST(Block, PutsHandsBehindTheHeadForAThreatFromBehind) {
+  const Scene scene;
+  const Aim aim = aim_of(scene.figure, scene.start, scene.danger(Target::head, 180));
+  Pose pose = scene.start;
+  block(scene.figure, scene.frames, aim, {}, pose);
+  const JointFrames frames = motion::forward_kinematics(scene.figure.skeleton(), pose);
+  for (Side side : kSides) {
+    const Eigen::Vector3f palm = palm_of(scene.figure, frames, side);
+    EXPECT_LT(palm.x(), frames.position[Role::head].x() - 0.05F);
+    EXPECT_NEAR(palm.z(), frames.position[Role::head].z(), 0.12F);
+  }
+}
+
+TEST(ApplyRules, KeepsFeetInPlaceAndNeckAndArmsWithinHumanLimits) {
+  const Scene scene;
+  const PerSide<FootPlace> feet{foot_place(scene.frames, Side::left),
+                                foot_place(scene.frames, Side::right)};
+  for (float azimuth = -180; azimuth < 180; azimuth += 15) {
+    for (Target target : {Target::head, Target::trunk, Target::pelvis}) {
+      const Danger danger = scene.danger(target, azimuth, 1);
+      const RuleControls controls{1, 1, 1, {0.8F, 0.8F}, {0.3F, 0.3F}};
+      const Pose pose = apply_rules(scene.figure, scene.start,
+                                    aim_of(scene.figure, scene.start, danger), controls, feet);
+      ASSERT_TRUE(test::is_finite(pose));
+      const JointFrames frames = motion::forward_kinematics(scene.figure.skeleton(), pose);
+      for (Side side : kSides) {
+        EXPECT_LT((foot_place(frames, side).ankle - feet[index_of(side)].ankle).norm(), 1e-3F);
+      }
+      for (std::string_view name : {"neck", "trunk", "left_shoulder", "right_shoulder",
+                                    "left_wrist", "right_wrist", "left_clavicle"}) {
+        const JointLimits& limits = joint_limits_named(name);
+        EXPECT_LT(limit_excess(limits, relative_rotation(frames, limits.from, limits.to)),
+                  radians(0.1F))
+            << name << " at azimuth " << azimuth;
+      }
+    }
+  }
+}
+
+// A fifth of the way: elbows from 18 degrees toward 150, head 0.4 of 50 degrees.
+TEST(Startle, FlinchesAFifthAndTurnsTheHeadTowardTheThreat) {
+  const Scene scene;
+  const Pose pose = startle(scene.figure, scene.start, scene.danger(Target::head, 50));
+  EXPECT_NEAR(angle_about(pose.rotation[Role::left_forearm], -kZ), 18 + 0.2F * (150 - 18), 0.1);
+  const JointFrames frames = motion::forward_kinematics(scene.figure.skeleton(), pose);
+  const Eigen::Vector3f forward = frames.orientation[Role::head] * kX;
+  EXPECT_NEAR(degrees(std::atan2(forward.y(), forward.x())), 20, 0.5);
+}
+
+TEST(CheckDanger, RefusesWhatCannotBeAnswered) {
+  const Scene scene;
+  const Danger good = scene.danger(Target::head, 30);
+  EXPECT_NO_THROW(check_danger(scene.figure, scene.start, good));
+  Danger still = good;
+  still.speed_mps = 0;
+  EXPECT_THROW(check_danger(scene.figure, scene.start, still), Error);
+  Danger nan = good;
+  nan.position.x() = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_THROW(check_danger(scene.figure, scene.start, nan), Error);
+  Danger inside = good;
+  inside.position = inside.target_point + Eigen::Vector3f(0.05F, 0, 0);
+  EXPECT_THROW(check_danger(scene.figure, scene.start, inside), Error);
+}
+
+}  // namespace
+}  // namespace flinch::database

@@ -1,0 +1,364 @@
+// SPDX-License-Identifier: MIT
+#include "database/export/gltf_writer.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "database/import/file_io.h"
+#include "glb_reader.h"
+#include "motion/default_character.h"
+#include "tests/motion/random_motion.h"
+#include "tests/scenes/error_of.h"
+#include "tests/scenes/synthetic_library.h"
+#include "tests/scenes/temporary_folder.h"
+
+namespace flinch::database {
+namespace {
+
+using Eigen::Affine3d;
+using Eigen::Vector3d;
+using Eigen::Vector3f;
+using motion::kRoles;
+using motion::Role;
+using testing::HasSubstr;
+using tests::error_of;
+using tests::Glb;
+
+constexpr std::size_t kBodyPart = 0;
+constexpr std::size_t kAccentPart = 1;
+
+// glTF's axes, by its specification: X to the left, Y up, Z forward. Ours: X forward, Y left, Z up.
+Eigen::Matrix3d from_ours() {
+  Eigen::Matrix3d matrix;
+  matrix << Vector3d::UnitZ(), Vector3d::UnitX(), Vector3d::UnitY();
+  return matrix;
+}
+
+motion::Motion random_motion(std::mt19937& random, int count) {
+  motion::Motion motion;
+  motion.rate_hz = 30;
+  for (int k = 0; k < count; ++k) motion.poses.push_back(tests::random_pose(random));
+  return motion;
+}
+
+motion::Character crooked_character(std::mt19937& random) {
+  motion::Character character = motion::default_character();
+  character.skeleton = tests::with_crooked_bones(character.skeleton, random);
+  return character;
+}
+
+void expect_joints(const motion::Skeleton& skeleton, const motion::Pose& pose, const Glb& glb,
+                   double time_s) {
+  const motion::JointFrames expected = forward_kinematics(skeleton, pose);
+  const std::vector<Affine3d> scene = tests::scene_at(glb, time_s);
+  for (const Role role : kRoles) {
+    const auto node =
+        static_cast<std::size_t>(tests::node_named(glb, std::string(motion::name_of(role))));
+    EXPECT_LT(
+        (scene[node].translation() - from_ours() * expected.position[role].cast<double>()).norm(),
+        1e-5)
+        << motion::name_of(role) << " at " << time_s << " s";
+    const Eigen::Matrix3d turn = expected.orientation[role].cast<double>().toRotationMatrix();
+    EXPECT_LT((scene[node].linear() - from_ours() * turn).norm(), 1e-5) << motion::name_of(role);
+  }
+}
+
+TEST(GltfWriter, JointsAreWhereForwardKinematicsPutsThem) {
+  std::mt19937 random(1);
+  for (int round = 0; round < 5; ++round) {
+    const motion::Character character = crooked_character(random);
+    const motion::Motion motion = random_motion(random, 8);
+    const Glb glb = tests::read_glb(glb_of(character, motion));
+    for (std::size_t k = 0; k < motion.poses.size(); ++k) {
+      expect_joints(character.skeleton, motion.poses[k], glb, static_cast<double>(k) / 30);
+    }
+  }
+}
+
+TEST(GltfWriter, JointsAreWhereTheMotionIsSampledBetweenItsPoses) {
+  const Library library = scenes::synthetic_library();
+  for (const motion::Clip& clip : library.clips) {
+    const Glb glb = tests::read_glb(glb_of(library.character, clip.motion));
+    for (const float time_s : {0.004F, 0.123F, 0.49F, 0.777F}) {
+      expect_joints(library.character.skeleton, sample(clip.motion, time_s), glb, double{time_s});
+    }
+  }
+}
+
+TEST(GltfWriter, QuaternionsAreUnitAndStayOnOneSide) {
+  std::mt19937 random(2);
+  motion::Motion motion = random_motion(random, 40);
+  for (std::size_t k = 0; k < motion.poses.size(); k += 2) {
+    for (Eigen::Quaternionf& rotation : motion.poses[k].rotation) {
+      rotation.coeffs() *= -1.0005F;  // the same rotation, and a little off unit
+    }
+  }
+  const Glb glb = tests::read_glb(glb_of(motion::default_character(), motion));
+  int seen = 0;
+  for (const auto& channel : glb.document["animations"][0]["channels"]) {
+    if (channel["target"]["path"] != "rotation") continue;
+    const auto& sampler =
+        glb.document["animations"][0]["samplers"].at(channel["sampler"].get<std::size_t>());
+    const std::vector<double> keys = tests::numbers_of(glb, sampler["output"]);
+    ASSERT_EQ(keys.size(), 4 * motion.poses.size());
+    for (std::size_t k = 0; k < motion.poses.size(); ++k) {
+      const Eigen::Map<const Eigen::Vector4d> key(keys.data() + 4 * k);
+      EXPECT_NEAR(key.norm(), 1, 1e-6);
+      const double* before = keys.data() + 4 * (k > 0 ? k - 1 : 0);
+      EXPECT_GE(key.dot(Eigen::Map<const Eigen::Vector4d>(before)), 0) << k;
+    }
+    ++seen;
+  }
+  EXPECT_EQ(seen, motion::kRoleCount);
+}
+
+TEST(GltfWriter, SkinAtTheBindPoseIsTheMesh) {
+  std::mt19937 random(3);
+  const motion::Character character = crooked_character(random);
+  const Glb glb = tests::read_glb(glb_of(character, random_motion(random, 2)));
+  const std::vector<Affine3d> rest = tests::scene_at_rest(glb);
+  for (const std::size_t part : {kBodyPart, kAccentPart}) {
+    const auto& attributes = glb.document["meshes"][0]["primitives"][part]["attributes"];
+    const std::vector<double> mesh = tests::numbers_of(glb, attributes["POSITION"]);
+    const std::vector<Vector3d> skinned = tests::skinned_positions(glb, part, rest);
+    ASSERT_GT(skinned.size(), 100U);
+    for (std::size_t i = 0; i < skinned.size(); ++i) {
+      EXPECT_LT((skinned[i] - Eigen::Map<const Vector3d>(mesh.data() + 3 * i)).norm(), 1e-6);
+    }
+  }
+}
+
+// How far a point in the frame of a body's joint is outside its outline.
+double outside(const motion::Shape& shape, const Vector3d& point) {
+  const Vector3d local =
+      shape.orientation.cast<double>().conjugate() * (point - shape.centre.cast<double>());
+  if (shape.kind == motion::Shape::Kind::box) {
+    return (local.cwiseAbs() - shape.half_extents.cast<double>()).maxCoeff();
+  }
+  const double along = std::clamp<double>(local.z(), -shape.half_length, shape.half_length);
+  return (local - Vector3d(0, 0, along)).norm() - double{shape.radius};
+}
+
+TEST(GltfWriter, SkinMovesWithTheOutlinesOfTheBodyModel) {
+  std::mt19937 random(4);
+  const motion::Character character = crooked_character(random);
+  const motion::Motion motion = random_motion(random, 3);
+  const Glb glb = tests::read_glb(glb_of(character, motion));
+  const motion::BodyModel model = motion::make_body_model(character);
+  for (std::size_t k = 0; k < motion.poses.size(); ++k) {
+    const motion::JointFrames frames = forward_kinematics(character.skeleton, motion.poses[k]);
+    motion::PerBody<double> most;
+    for (double& value : most) value = -1;
+    const std::vector<Vector3d> skin =
+        tests::skinned_positions(glb, kBodyPart, tests::scene_at(glb, static_cast<double>(k) / 30));
+    const std::vector<double> joints = tests::numbers_of(
+        glb, glb.document["meshes"][0]["primitives"][kBodyPart]["attributes"]["JOINTS_0"]);
+    for (std::size_t i = 0; i < skin.size(); ++i) {
+      const auto role = static_cast<Role>(static_cast<int>(joints[4 * i]));
+      const Vector3d world = from_ours().transpose() * skin[i];
+      const Vector3d local = frames.orientation[role].cast<double>().conjugate() *
+                             (world - frames.position[role].cast<double>());
+      const motion::Body body = motion::body_of(role);
+      const double distance = outside(model[body].shape, local);
+      EXPECT_LT(distance, 1e-5) << motion::name_of(body);
+      if (model[body].shape.kind == motion::Shape::Kind::capsule) {
+        EXPECT_GT(distance, -1e-5) << motion::name_of(body);
+      }
+      most[body] = std::max(most[body], distance);
+    }
+    EXPECT_NEAR(most[motion::Body::chest], 0, 1e-5);  // boxes are touched from within
+    EXPECT_NEAR(most[motion::Body::left_shin], 0, 1e-5);
+  }
+}
+
+TEST(GltfWriter, FigureStandsUprightOnTheGroundAndShowsItsFaceInFront) {
+  const motion::Character character = motion::default_character();
+  motion::Motion motion;
+  motion.poses.push_back(motion::rest_pose(character.skeleton));
+  const Glb glb = tests::read_glb(glb_of(character, motion));
+  const std::vector<Affine3d> scene = tests::scene_at(glb, 0);
+  Eigen::AlignedBox3d whole;
+  Eigen::AlignedBox3d skull;
+  Eigen::AlignedBox3d visor;
+  for (const std::size_t part : {kBodyPart, kAccentPart}) {
+    const std::vector<Vector3d> skin = tests::skinned_positions(glb, part, scene);
+    const std::vector<double> joints = tests::numbers_of(
+        glb, glb.document["meshes"][0]["primitives"][part]["attributes"]["JOINTS_0"]);
+    for (std::size_t i = 0; i < skin.size(); ++i) {
+      whole.extend(skin[i]);
+      if (static_cast<int>(joints[4 * i]) != static_cast<int>(Role::head)) continue;
+      (part == kBodyPart ? skull : visor).extend(skin[i]);
+    }
+  }
+  EXPECT_NEAR(whole.min().y(), 0, 1e-3);
+  EXPECT_NEAR(whole.max().y(), 1.75, 0.01);
+  EXPECT_NEAR(visor.center().x(), 0, 1e-6);
+  EXPECT_GT(visor.max().z(), skull.max().z());     // stands out in front
+  EXPECT_GT(visor.min().z(), skull.center().z());  // and only there
+  EXPECT_GT(visor.min().y(), skull.min().y());
+  EXPECT_LT(visor.max().y(), skull.max().y());
+  EXPECT_GT(visor.center().y(), skull.center().y());  // where the eyes are
+  // The left hand is on glTF's left.
+  EXPECT_GT(scene[static_cast<std::size_t>(tests::node_named(glb, "left_hand"))].translation().x(),
+            0.5);
+}
+
+TEST(GltfWriter, BallFollowsItsTrackAndHasNoSizeWhileItIsNotThere) {
+  std::mt19937 random(5);
+  const motion::Motion motion = random_motion(random, 10);
+  BallTrack ball{0.2F, {}};
+  for (int k = 0; k < 10; ++k) {
+    const bool is_there = k >= 2 && k != 5 && k < 8;
+    ball.positions.push_back(is_there ? std::optional(tests::random_vector(random, 3))
+                                      : std::nullopt);
+  }
+  const Glb glb = tests::read_glb(glb_of(motion::default_character(), motion, ball));
+  const auto node = static_cast<std::size_t>(tests::node_named(glb, "ball"));
+  const int waits_at[10] = {2, 2, 2, 3, 4, 4, 6, 7, 7, 7};
+  for (std::size_t k = 0; k < 10; ++k) {
+    // Just after the key, whose time is rounded.
+    const Affine3d place = tests::scene_at(glb, static_cast<double>(k) / 30 + 1e-6)[node];
+    const Vector3f expected = *ball.positions[static_cast<std::size_t>(waits_at[k])];
+    EXPECT_LT((place.translation() - from_ours() * expected.cast<double>()).norm(), 1e-3);
+    EXPECT_NEAR(place.linear().norm(), ball.positions[k] ? std::sqrt(3) : 0, 1e-6) << k;
+  }
+  // Half-way between keys: on the straight line, and there until the key at which it is gone.
+  const Affine3d between = tests::scene_at(glb, 3.5 / 30)[node];
+  const Vector3f middle = 0.5F * (*ball.positions[3] + *ball.positions[4]);
+  EXPECT_LT((between.translation() - from_ours() * middle.cast<double>()).norm(), 1e-5);
+  EXPECT_NEAR(tests::scene_at(glb, 4.9 / 30)[node].linear().norm(), std::sqrt(3), 1e-6);
+
+  const auto& attributes = glb.document["meshes"][1]["primitives"][0]["attributes"];
+  const std::vector<double> sphere = tests::numbers_of(glb, attributes["POSITION"]);
+  for (std::size_t i = 0; i < sphere.size(); i += 3) {
+    EXPECT_NEAR(Eigen::Map<const Vector3d>(sphere.data() + i).norm(), 0.2, 1e-6);
+  }
+}
+
+TEST(GltfWriter, BallThatIsNeverThereHasNoSize) {
+  std::mt19937 random(6);
+  const BallTrack ball{0.1F, std::vector<std::optional<Vector3f>>(3)};
+  const Glb glb =
+      tests::read_glb(glb_of(motion::default_character(), random_motion(random, 3), ball));
+  const auto node = static_cast<std::size_t>(tests::node_named(glb, "ball"));
+  for (const double time_s : {0.0, 0.03, 0.1}) {
+    EXPECT_EQ(tests::scene_at(glb, time_s)[node].matrix().block(0, 0, 3, 4).norm(), 0);
+  }
+}
+
+TEST(GltfWriter, WithoutABallThereIsNone) {
+  std::mt19937 random(7);
+  const Glb glb = tests::read_glb(glb_of(motion::default_character(), random_motion(random, 3)));
+  EXPECT_THROW(tests::node_named(glb, "ball"), std::runtime_error);
+  EXPECT_EQ(glb.document["meshes"].size(), 1U);
+  EXPECT_EQ(glb.document["animations"][0]["channels"].size(), 22U);
+}
+
+TEST(GltfWriter, BoundsAreThoseOfTheNumbersAndViewsFillTheBuffer) {
+  std::mt19937 random(8);
+  const Glb glb = tests::read_glb(glb_of(motion::default_character(), random_motion(random, 5)));
+  std::size_t end = 0;
+  int bounded = 0;
+  for (std::size_t a = 0; a < glb.document["accessors"].size(); ++a) {
+    const auto& accessor = glb.document["accessors"][a];
+    const std::vector<double> numbers = tests::numbers_of(glb, a);  // checks the place of each
+    const auto& view = glb.document["bufferViews"].at(accessor["bufferView"].get<std::size_t>());
+    EXPECT_GE(view["byteOffset"].get<std::size_t>(), end);
+    EXPECT_LT(view["byteOffset"].get<std::size_t>(), end + 4);
+    end = view["byteOffset"].get<std::size_t>() + view["byteLength"].get<std::size_t>();
+    if (!accessor.contains("min")) continue;
+    ++bounded;
+    const std::size_t width = accessor["min"].size();
+    for (std::size_t c = 0; c < width; ++c) {
+      double least = std::numeric_limits<double>::infinity();
+      double most = -least;
+      for (std::size_t i = c; i < numbers.size(); i += width) {
+        least = std::min(least, numbers[i]);
+        most = std::max(most, numbers[i]);
+      }
+      EXPECT_EQ(accessor["min"][c].get<double>(), least);
+      EXPECT_EQ(accessor["max"][c].get<double>(), most);
+    }
+  }
+  EXPECT_EQ(bounded, 3);  // two meshes' positions, the times
+  EXPECT_EQ(glb.document["buffers"][0]["byteLength"].get<std::size_t>(), end);
+  EXPECT_EQ((end + 3) / 4 * 4, glb.binary.size());
+}
+
+TEST(GltfWriter, KeysAreAtTheMotionsRate) {
+  std::mt19937 random(9);
+  motion::Motion motion = random_motion(random, 400);
+  motion.rate_hz = 59.94F;
+  const Glb glb = tests::read_glb(glb_of(motion::default_character(), motion));
+  const auto& sampler = glb.document["animations"][0]["samplers"][0];
+  const std::vector<double> times = tests::numbers_of(glb, sampler["input"]);
+  ASSERT_EQ(times.size(), 400U);
+  for (std::size_t k = 0; k < times.size(); ++k) {
+    EXPECT_NEAR(times[k], static_cast<double>(k) / 59.94, 1e-6);
+  }
+}
+
+TEST(GltfWriter, SameInputGivesTheSameBytesInMemoryAndInTheFile) {
+  const Library library = scenes::synthetic_library();
+  const motion::Motion& motion = library.clips[1].motion;
+  const BallTrack ball{
+      0.1F, std::vector<std::optional<Vector3f>>(motion.poses.size(), Vector3f(1, 2, 3))};
+  const std::vector<std::byte> bytes = glb_of(library.character, motion, ball);
+  EXPECT_EQ(bytes, glb_of(library.character, motion, ball));
+  const tests::TemporaryFolder folder;
+  write_glb(folder / "motion.glb", library.character, motion, ball);
+  const std::string file = read_file(folder / "motion.glb");
+  ASSERT_EQ(file.size(), bytes.size());
+  EXPECT_EQ(std::memcmp(file.data(), bytes.data(), bytes.size()), 0);
+}
+
+TEST(GltfWriter, RefusesWhatItCannotWriteAndLeavesNoFile) {
+  constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+  const motion::Character character = motion::default_character();
+  std::mt19937 random(10);
+  const motion::Motion motion = random_motion(random, 3);
+  const tests::TemporaryFolder folder;
+  const auto refusal = [&](const motion::Character& who, const motion::Motion& what,
+                           const std::optional<BallTrack>& ball = std::nullopt) {
+    return error_of([&] { write_glb(folder / "refused.glb", who, what, ball); });
+  };
+  EXPECT_EQ(refusal(character, motion), "");
+  std::filesystem::remove(folder / "refused.glb");
+
+  motion::Motion broken = motion;
+  broken.poses.clear();
+  EXPECT_THAT(refusal(character, broken), HasSubstr("no poses"));
+  broken = motion;
+  broken.poses[1].root_position.y() = kNan;
+  EXPECT_THAT(refusal(character, broken), HasSubstr("pose 1 of the motion"));
+  broken = motion;
+  broken.poses[2].rotation[Role::head].coeffs() *= 1.1F;
+  EXPECT_THAT(refusal(character, broken), HasSubstr("pose 2 of the motion"));
+  for (const float rate : {0.0F, -60.0F, kNan, std::numeric_limits<float>::infinity()}) {
+    broken = motion;
+    broken.rate_hz = rate;
+    EXPECT_THAT(refusal(character, broken), HasSubstr("rate"));
+  }
+  motion::Character nobody = character;
+  nobody.skeleton.offset[Role::left_shin].z() = kNan;
+  EXPECT_THAT(refusal(nobody, motion), HasSubstr("skeleton"));
+  nobody = character;
+  nobody.skeleton.offset[Role::left_shin].z() = -3e38F;
+  nobody.skeleton.offset[Role::left_foot].z() = -3e38F;
+  EXPECT_THAT(refusal(nobody, motion), HasSubstr("too large"));
+
+  BallTrack ball{0.1F, std::vector<std::optional<Vector3f>>(2)};
+  EXPECT_THAT(refusal(character, motion, ball), HasSubstr("2 positions, the motion 3 poses"));
+  ball.positions.emplace_back(Vector3f(0, kNan, 0));
+  EXPECT_THAT(refusal(character, motion, ball), HasSubstr("position 2 of the ball"));
+  ball.positions[2].reset();
+  ball.radius = 0;
+  EXPECT_THAT(refusal(character, motion, ball), HasSubstr("radius"));
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+}
+
+}  // namespace
+}  // namespace flinch::database

@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: MIT
+#include "database/library/library_file.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <functional>
+#include <limits>
+
+#include "database/import/file_io.h"
+#include "database/import/library_writer.h"
+#include "tests/database/library/random_library.h"
+#include "tests/scenes/error_of.h"
+#include "tests/scenes/temporary_folder.h"
+
+namespace flinch::database {
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+using tests::random_library;
+
+std::span<const std::byte> bytes_of(const std::string& text) {
+  return std::as_bytes(std::span(text));
+}
+
+LoadStatus read(const std::string& bytes, Library& library) {
+  return read_library(bytes_of(bytes), library);
+}
+
+void expect_same(const motion::PerRole<Eigen::Vector3f>& one,
+                 const motion::PerRole<Eigen::Vector3f>& other) {
+  EXPECT_TRUE(std::equal(one.begin(), one.end(), other.begin()));
+}
+
+void expect_same(const std::vector<motion::Pose>& one, const std::vector<motion::Pose>& other) {
+  ASSERT_EQ(one.size(), other.size());
+  for (std::size_t i = 0; i < one.size(); ++i) {
+    EXPECT_EQ(one[i].root_position, other[i].root_position);
+    for (motion::Role role : motion::kRoles) {
+      EXPECT_EQ(one[i].rotation[role].coeffs(), other[i].rotation[role].coeffs());
+    }
+  }
+}
+
+void expect_same(const motion::Clip& one, const motion::Clip& other) {
+  EXPECT_EQ(one.name, other.name);
+  EXPECT_EQ(one.purpose, other.purpose);
+  EXPECT_EQ(one.kind, other.kind);
+  EXPECT_EQ(one.source, other.source);
+  EXPECT_EQ(one.mirrored_from, other.mirrored_from);
+  EXPECT_EQ(one.motion.rate_hz, other.motion.rate_hz);
+  expect_same(one.motion.poses, other.motion.poses);
+  ASSERT_EQ(one.annotation.has_value(), other.annotation.has_value());
+  if (!one.annotation) return;
+  EXPECT_EQ(one.annotation->target, other.annotation->target);
+  EXPECT_EQ(one.annotation->direction, other.annotation->direction);
+  EXPECT_EQ(one.annotation->degree, other.annotation->degree);
+  EXPECT_EQ(one.annotation->onset_s, other.annotation->onset_s);
+  EXPECT_EQ(one.annotation->peak_s, other.annotation->peak_s);
+  EXPECT_EQ(one.annotation->end_s, other.annotation->end_s);
+}
+
+void expect_same(const Library& one, const Library& other) {
+  EXPECT_EQ(one.name, other.name);
+  expect_same(one.character.skeleton.offset, other.character.skeleton.offset);
+  expect_same(one.character.skeleton.tip, other.character.skeleton.tip);
+  EXPECT_EQ(one.character.mass_kg, other.character.mass_kg);
+  EXPECT_EQ(one.character.sex, other.character.sex);
+  EXPECT_EQ(one.rate_hz, other.rate_hz);
+  EXPECT_EQ(one.idle, other.idle);
+  ASSERT_EQ(one.clips.size(), other.clips.size());
+  for (std::size_t i = 0; i < one.clips.size(); ++i) expect_same(one.clips[i], other.clips[i]);
+}
+
+TEST(LibraryFile, ALibraryComesBackBitForBit) {
+  const tests::TemporaryFolder folder;
+  for (unsigned seed = 0; seed < 5; ++seed) {
+    const Library library = random_library(seed, 40);
+    const std::uint64_t hash = write_library(library, folder / "a.flinchlib");
+    Library read;
+    ASSERT_EQ(read_library(folder / "a.flinchlib", read), LoadStatus::ok);
+    expect_same(read, library);
+    EXPECT_EQ(read.hash, hash);
+    expect_same(load_library(folder / "a.flinchlib"), library);
+  }
+}
+
+TEST(LibraryFile, TheHashIsOfTheContentAndOnlyOfIt) {
+  Library library = random_library(1, 3);
+  const std::string bytes = library_bytes(library);
+  library.hash = 17;
+  EXPECT_EQ(library_bytes(library), bytes);
+  Library read;
+  ASSERT_EQ(database::read_library(bytes_of(bytes), read), LoadStatus::ok);
+  EXPECT_EQ(library_bytes(read), bytes);
+  const std::uint64_t hash = read.hash;
+  EXPECT_NE(hash, 0U);
+  library.clips[2].motion.poses[1].root_position.x() += 1e-6F;
+  ASSERT_EQ(database::read_library(bytes_of(library_bytes(library)), read), LoadStatus::ok);
+  EXPECT_NE(read.hash, hash);
+}
+
+TEST(LibraryFile, BytesMayStandAnywhereInMemory) {
+  const std::string bytes = library_bytes(random_library(2, 3));
+  for (std::size_t shift = 0; shift < 16; ++shift) {
+    const std::string moved = std::string(shift, 'x') + bytes;
+    Library library;
+    EXPECT_EQ(read_library(bytes_of(moved).subspan(shift), library), LoadStatus::ok);
+  }
+}
+
+TEST(LibraryFile, OneWrongBitAnywhereIsNoticed) {
+  std::string bytes = library_bytes(random_library(3, 2));
+  Library library;
+  for (char& byte : bytes) {
+    for (int bit = 0; bit < 8; ++bit) {
+      byte = static_cast<char>(byte ^ (1 << bit));
+      ASSERT_NE(read(bytes, library), LoadStatus::ok) << &byte - bytes.data() << " bit " << bit;
+      byte = static_cast<char>(byte ^ (1 << bit));
+    }
+  }
+  EXPECT_TRUE(library.clips.empty()) << "a refused file must leave the library as it was";
+  EXPECT_EQ(read(bytes, library), LoadStatus::ok);
+}
+
+TEST(LibraryFile, AMissingEndOrOneTooManyIsNoticed) {
+  const std::string bytes = library_bytes(random_library(3, 2));
+  Library library;
+  for (std::size_t size = 0; size < bytes.size(); ++size) {
+    ASSERT_NE(read(bytes.substr(0, size), library), LoadStatus::ok) << size;
+  }
+  EXPECT_EQ(read(bytes + '\0', library), LoadStatus::damaged);
+}
+
+TEST(LibraryFile, TheStatusSaysWhatIsWrong) {
+  const std::string bytes = library_bytes(random_library(3, 2));
+  Library library;
+  EXPECT_EQ(read_library("no/such/file", library), LoadStatus::cannot_open);
+  EXPECT_EQ(read_library(FLINCH_SOURCE_DIR, library), LoadStatus::cannot_open);
+  EXPECT_EQ(read("", library), LoadStatus::not_a_library);
+  EXPECT_EQ(read("HIERARCHY\nROOT Hips", library), LoadStatus::not_a_library);
+  std::string other = bytes;
+  ++other[7];
+  EXPECT_EQ(read(other, library), LoadStatus::other_version);
+  EXPECT_EQ(read(bytes.substr(0, 100), library), LoadStatus::damaged);
+}
+
+/// The content with a seal that fits it: what only the checks behind the seal can refuse.
+std::string sealed(const std::string& content) {
+  const auto seal = make_seal(kLibraryKind, bytes_of(content));
+  return std::string(reinterpret_cast<const char*>(seal.data()), seal.size()) + content;
+}
+
+TEST(LibraryFile, ContentThatIsWrongUnderASoundSealIsReadOnlyIfItKeepsTheInvariants) {
+  const std::string content = library_bytes(random_library(4, 2)).substr(kSealSize);
+  std::mt19937 random(4);
+  int refused = 0;
+  for (int i = 0; i < 20000; ++i) {
+    std::string damaged = content;
+    for (int edit = 0; edit < 1 + i % 3; ++edit) {
+      damaged[random() % damaged.size()] = static_cast<char>(random() % 256);
+    }
+    if (i % 10 == 0) damaged.resize(random() % damaged.size());
+    Library library;
+    if (read(sealed(damaged), library) != LoadStatus::ok) {
+      ++refused;
+    } else {
+      ASSERT_FALSE(fault_of(library));
+    }
+  }
+  EXPECT_GT(refused, 1000);
+}
+
+/// The float's bytes in the content, of which there is one place, replaced by another's.
+std::string with_float(const std::string& content, float what, float with) {
+  std::string bytes = content;
+  const auto pattern = std::as_bytes(std::span(&what, 1));
+  const auto same = [](char a, std::byte b) { return static_cast<std::byte>(a) == b; };
+  const auto found = std::search(bytes.begin(), bytes.end(), pattern.begin(), pattern.end(), same);
+  EXPECT_NE(found, bytes.end());
+  std::transform(std::as_bytes(std::span(&with, 1)).begin(),
+                 std::as_bytes(std::span(&with, 1)).end(), found,
+                 [](std::byte byte) { return static_cast<char>(byte); });
+  return bytes;
+}
+
+TEST(LibraryFile, NumbersThatBreakAnInvariantAreRefusedUnderASoundSeal) {
+  Library library = random_library(5, 3);
+  library.clips[3].motion.poses[2].root_position.z() = 123.456F;
+  const std::string content = library_bytes(library).substr(kSealSize);
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  const float mass = library.character.mass_kg;
+  const float component = library.clips[0].motion.poses[1].rotation[motion::Role::head].w();
+  const float peak = library.clips[0].annotation->peak_s;
+  Library read_back;
+  EXPECT_EQ(read(sealed(with_float(content, mass, 62)), read_back), LoadStatus::ok);
+  EXPECT_EQ(read_back.character.mass_kg, 62);
+  for (const std::string& wrong :
+       {with_float(content, mass, nan), with_float(content, mass, 0),
+        with_float(content, 123.456F, nan), with_float(content, component, component + 0.5F),
+        with_float(content, component, nan), with_float(content, peak, 9),
+        with_float(content, peak, nan)}) {
+    EXPECT_EQ(read(sealed(wrong), read_back), LoadStatus::damaged);
+  }
+}
+
+struct Breakage {
+  const char* words;
+  std::function<void(Library&)> apply;
+};
+
+TEST(LibraryFile, ALibraryThatCouldNotBeReadIsNotWritten) {
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  const Breakage breakages[] = {
+      {"no name", [](Library& l) { l.name.clear(); }},
+      {"clip 2 () has no name", [](Library& l) { l.clips[2].name.clear(); }},
+      {"clip 3 (idle) shares its name", [](Library& l) { l.clips[3].name = "idle"; }},
+      {"rate", [](Library& l) { l.rate_hz = 0; }},
+      {"another rate", [](Library& l) { l.clips[0].motion.rate_hz = 30; }},
+      {"mass", [](Library& l) { l.character.mass_kg = -1; }},
+      {"skeleton", [&](Library& l) { l.character.skeleton.tip[motion::Role::head].x() = nan; }},
+      {"no idle", [](Library& l) { l.idle = -1; }},
+      {"no idle", [](Library& l) { l.idle = 4; }},
+      {"no idle", [](Library& l) { l.clips.clear(); }},
+      {"no poses", [](Library& l) { l.clips[3].motion.poses.clear(); }},
+      {"not finite", [&](Library& l) { l.clips[3].motion.poses[1].root_position.y() = nan; }},
+      {"unit",
+       [](Library& l) { l.clips[3].motion.poses[1].rotation[motion::Role::neck].w() += 2; }},
+      {"target", [](Library& l) { l.clips[0].annotation->target = motion::Target{4}; }},
+      {"degree", [](Library& l) { l.clips[0].annotation->degree = motion::Degree{2}; }},
+      {"purpose", [](Library& l) { l.clips[0].purpose = motion::Purpose{3}; }},
+      {"sex", [](Library& l) { l.character.sex = motion::Sex{2}; }},
+      {"eight", [](Library& l) { l.clips[0].annotation->direction = 0.1F; }},
+      {"eight", [](Library& l) { l.clips[0].annotation->direction = -std::numbers::pi_v<float>; }},
+      {"eight", [&](Library& l) { l.clips[0].annotation->direction = nan; }},
+      {"onset", [](Library& l) { l.clips[0].annotation->onset_s = -0.1F; }},
+      {"onset", [](Library& l) { l.clips[0].annotation->peak_s = 0; }},
+      {"onset", [](Library& l) { l.clips[0].annotation->end_s = 0.01F; }},
+      {"onset", [](Library& l) { l.clips[0].annotation->end_s += 0.01F; }},
+  };
+  const tests::TemporaryFolder folder;
+  for (const Breakage& breakage : breakages) {
+    Library library = random_library(6, 3);
+    EXPECT_FALSE(fault_of(library));
+    breakage.apply(library);
+    EXPECT_THAT(tests::error_of([&] { write_library(library, folder / "a.flinchlib"); }),
+                HasSubstr(breakage.words));
+  }
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+}
+
+TEST(LoadLibrary, SaysWhatTheFileIsInstead) {
+  const tests::TemporaryFolder folder;
+  const auto message_for = [&](const std::string& bytes) {
+    write_file_atomically(folder / "file", bytes);
+    return tests::error_of([&] { load_library(folder / "file"); });
+  };
+  EXPECT_THAT(message_for(""), StartsWith(folder / "file: is an empty file, not a library"));
+  EXPECT_THAT(message_for("HIERARCHY\n"), HasSubstr("is a BVH file,"));
+  EXPECT_THAT(message_for(std::string("SQLite format 3\0\x10", 17)), HasSubstr("is a store"));
+  EXPECT_THAT(message_for("FLINCHS\x01"), HasSubstr("is a selector,"));
+  EXPECT_THAT(message_for("PK\x03\x04"), HasSubstr("is an archive,"));
+  EXPECT_THAT(message_for("some text\n"), HasSubstr("is a text file,"));
+  EXPECT_THAT(message_for("\x01\x02"), HasSubstr("no file that Flinch knows,"));
+  EXPECT_THAT(message_for("FLINCHL\x02 cut"), HasSubstr("damaged"));
+  EXPECT_THAT(message_for("FLINCHL\x09 and something"), HasSubstr("another version"));
+  EXPECT_THAT(tests::error_of([&] { load_library(folder / "none"); }), HasSubstr("No such file"));
+}
+
+TEST(HashText, IsSixteenHexadecimalDigits) {
+  EXPECT_EQ(hash_text(0), "0000000000000000");
+  EXPECT_EQ(hash_text(0x0123456789ABCDEF), "0123456789abcdef");
+}
+
+}  // namespace
+}  // namespace flinch::database

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+#include "database/quality/quality.h"
+
+#include <gmock/gmock.h>
+
+#include "tests/database/author/author_scene.h"
+
+namespace flinch::database {
+namespace {
+
+using motion::Clip;
+using motion::degrees;
+using motion::radians;
+using motion::Role;
+using motion::Side;
+using motion::turn_about;
+using test::Scene;
+using testing::Contains;
+using testing::IsEmpty;
+
+Clip still_clip(const motion::Pose& pose, int count = 30) {
+  Clip clip;
+  clip.name = "still";
+  clip.motion.poses.assign(static_cast<std::size_t>(count), pose);
+  return clip;
+}
+
+TEST(Quality, StandingStillBreaksNothing) {
+  const Scene scene;
+  const ClipQuality quality = measure_quality(scene.figure, still_clip(scene.start));
+  EXPECT_THAT(broken_bounds(quality), IsEmpty());
+  EXPECT_EQ(quality.limit_excess_deg, 0);
+  EXPECT_EQ(quality.peak_acceleration_mps2, 0);
+  EXPECT_GT(quality.balance_margin_m, 0.05F);
+}
+
+TEST(Quality, SeesAKneeBentTheWrongWay) {
+  const Scene scene;
+  motion::Pose pose = scene.start;
+  pose.rotation[Role::left_shin] = turn_about(Eigen::Vector3f::UnitY(), radians(-25));
+  const ClipQuality quality = measure_quality(scene.figure, still_clip(pose));
+  EXPECT_NEAR(quality.limit_excess_deg, 20, 0.01);
+  EXPECT_EQ(quality.limit_joint, "left_knee");
+  EXPECT_THAT(broken_bounds(quality), Contains("limit_excess_deg"));
+}
+
+TEST(Quality, SeesAHandInTheBelly) {
+  const Scene scene;
+  motion::Pose pose = scene.start;
+  const Eigen::Vector3f inside = scene.frames.position[Role::abdomen] + Eigen::Vector3f(0, 0, 0.1F);
+  put_hand(scene.figure.skeleton(), scene.frames, Side::left,
+           {inside, -Eigen::Vector3f::UnitX(), 0}, pose);
+  EXPECT_LT(measure_quality(scene.figure, still_clip(pose)).hand_clearance_m, 0);
+}
+
+TEST(Quality, SeesSlippingAndSinkingFeet) {
+  const Scene scene;
+  Clip slipping = still_clip(scene.start);
+  for (std::size_t k = 0; k < slipping.motion.poses.size(); ++k) {
+    slipping.motion.poses[k].root_position.x() += 0.001F * static_cast<float>(k);
+  }
+  EXPECT_NEAR(measure_quality(scene.figure, slipping).support_drift_m, 0.029F, 1e-4F);
+  motion::Pose sunk = scene.start;
+  sunk.root_position.z() -= 0.01F;
+  EXPECT_NEAR(measure_quality(scene.figure, still_clip(sunk)).foot_below_ground_m, 0.01F, 2e-4F);
+}
+
+TEST(Quality, SeesAFigureThatWouldFall) {
+  const Scene scene;
+  const motion::Pose leaning = motion::placed(scene.start, 0, Eigen::Vector3f::Zero());
+  motion::Pose pose = leaning;
+  pose.root_position.x() += 0.25F;
+  pose.root_position.z() -= 0.08F;
+  pose = with_feet(scene.figure.skeleton(), pose,
+                   {foot_place(scene.frames, Side::left), foot_place(scene.frames, Side::right)});
+  EXPECT_LT(measure_quality(scene.figure, still_clip(pose)).balance_margin_m, 0);
+}
+
+// A head that turns 10 degrees a pose at 60 Hz does 600 degrees a second, of the neck's 700.
+TEST(Quality, MeasuresSpeedAsAShareOfTheHumanOne) {
+  const Scene scene;
+  Clip clip = still_clip(scene.start, 8);
+  for (std::size_t k = 0; k < clip.motion.poses.size(); ++k) {
+    clip.motion.poses[k].rotation[Role::head] =
+        scene.start.rotation[Role::head] *
+        turn_about(Eigen::Vector3f::UnitZ(), radians(10) * static_cast<float>(k));
+  }
+  const ClipQuality quality = measure_quality(scene.figure, clip);
+  EXPECT_NEAR(quality.speed_share, 600.0F / 700, 0.01F);
+  EXPECT_EQ(quality.speed_joint, "neck");
+}
+
+// Constant acceleration of 3 m/s^2 of the whole figure.
+TEST(Quality, MeasuresAcceleration) {
+  const Scene scene;
+  Clip clip = still_clip(scene.start, 20);
+  for (std::size_t k = 0; k < clip.motion.poses.size(); ++k) {
+    const float time = static_cast<float>(k) / 60;
+    clip.motion.poses[k].root_position.x() += 1.5F * time * time;
+  }
+  EXPECT_NEAR(measure_quality(scene.figure, clip).peak_acceleration_mps2, 3, 0.05);
+}
+
+}  // namespace
+}  // namespace flinch::database

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: MIT
+#include "reaction/reacting_character.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "motion/rotation.h"
+#include "tests/reaction/reaction_player.h"
+#include "tests/runtime/made_up_selector.h"
+
+namespace flinch::sim {
+namespace {
+
+using motion::Role;
+using scenes::same_bits;
+
+constexpr float kFrame_s = 1.0F / 60;
+constexpr float kImpact_s = 0.6F;
+
+/// The made-up library; with a clip of purpose push that moves as the protective clip `clip` does
+/// from its peak on, if asked for.
+runtime::Library loaded(std::optional<int> push_like) {
+  database::Library clips = tests::made_up_library(5, 120);
+  if (push_like) {
+    motion::Clip push = clips.clips[static_cast<std::size_t>(*push_like)];
+    push.name = "recover";
+    push.purpose = motion::Purpose::push;
+    push.annotation.reset();
+    clips.clips.push_back(push);
+  }
+  runtime::Library library;
+  const std::string file = tests::made_up_selector(clips, 60, tests::Fitted::knn).file();
+  EXPECT_EQ(library.load(std::as_bytes(std::span(file))), database::LoadStatus::ok);
+  return library;
+}
+
+constexpr int kClip = 1;
+
+const runtime::Library& plain() {
+  static const runtime::Library library = loaded(std::nullopt);
+  return library;
+}
+const runtime::Library& with_push() {
+  static const runtime::Library library = loaded(kClip);
+  return library;
+}
+
+/// A volleyball at the middle of the chest as it is shown, there in 0.05 s.
+Ball ball_at_chest(const runtime::Library& library, const motion::Pose& pose, double mass_kg) {
+  const motion::Skeleton& skeleton = library.clips().character.skeleton;
+  const Eigen::Vector3f chest = forward_kinematics(skeleton, pose).position[Role::chest];
+  Ball ball = scenes::aimed_ball(chest.cast<double>(), {-14, 2, 0}, 0.05);
+  ball.mass_kg = mass_kg;
+  return ball;
+}
+
+struct Played {
+  std::vector<motion::Pose> poses;
+  std::vector<Mover> movers;
+};
+
+/// Plays `duration_s` of an answer that is hit at its peak.
+Played play(ReactingCharacter& character, const runtime::Library& library, float duration_s,
+            double mass_kg = 0.27) {
+  EXPECT_EQ(character.character().respond(kClip, kImpact_s), runtime::Status::ok);
+  Played played;
+  bool met = false;
+  for (float time_s = 0; time_s < duration_s; time_s += kFrame_s) {
+    if (!met && time_s > kImpact_s) {
+      EXPECT_EQ(character.meet(ball_at_chest(library, character.pose(), mass_kg)),
+                ReactionStatus::ok);
+      met = true;
+    }
+    EXPECT_EQ(character.update(kFrame_s), ReactionStatus::ok);
+    played.poses.push_back(character.pose());
+    played.movers.push_back(character.mover());
+  }
+  return played;
+}
+
+TEST(ReactingCharacter, UntilItIsHitAndAfterwardsMovesAsTheRunTimeHasIt) {
+  ReactingCharacter hit(plain(), make_reaction_kit(plain()));
+  const Played played = play(hit, plain(), 5);
+  runtime::Character twin(plain());
+  twin.respond(kClip, kImpact_s);
+  int alike = 0;
+  int physical = 0;
+  for (std::size_t k = 0; k < played.poses.size(); ++k) {
+    twin.update(kFrame_s);
+    if (played.movers[k] == Mover::character) {
+      EXPECT_TRUE(same_bits(played.poses[k], twin.pose())) << "frame " << k;
+      ++alike;
+    } else {
+      ++physical;
+    }
+  }
+  EXPECT_TRUE(std::isfinite(hit.reaction().contact_s()));
+  EXPECT_EQ(hit.reaction().phase(), ReactionPhase::over);
+  EXPECT_GT(alike, 200);
+  EXPECT_GT(physical, 40);
+  EXPECT_EQ(hit.mover(), Mover::character);
+  EXPECT_EQ(hit.character().phase(), runtime::Phase::idle);
+}
+
+TEST(ReactingCharacter, GoesOnWithAClipThatMovesAlikeAndThenIdles) {
+  ReactingCharacter hit(with_push(), make_reaction_kit(with_push()));
+  const Played played = play(hit, with_push(), 7);
+  const auto first = std::ranges::find(played.movers, Mover::reaction_clip);
+  ASSERT_NE(first, played.movers.end());
+  EXPECT_EQ(*(first - 1), Mover::physics);
+  const auto last = std::find_if(first, played.movers.end(),
+                                 [](Mover mover) { return mover != Mover::reaction_clip; });
+  ASSERT_NE(last, played.movers.end());
+  EXPECT_EQ(*last, Mover::character);
+  EXPECT_FALSE(hit.reaction_clip());
+  EXPECT_EQ(hit.character().phase(), runtime::Phase::idle);
+}
+
+/// The most by which a joint's velocity changes from frame to frame, rad/s.
+float velocity_step(const std::vector<motion::Pose>& poses, std::size_t k) {
+  const auto way = [&](std::size_t from, Role role) {
+    return motion::rotation_vector<float>(poses[from + 1].rotation[role] *
+                                          poses[from].rotation[role].conjugate());
+  };
+  float most = 0;
+  for (Role role : motion::kRoles) {
+    most = std::max(most, (way(k, role) - way(k - 1, role)).norm() / kFrame_s);
+  }
+  return most;
+}
+
+TEST(ReactingCharacter, NothingSnapsWhereTheBodyChangesHands) {
+  for (const runtime::Library* library : {&plain(), &with_push()}) {
+    ReactingCharacter hit(*library, make_reaction_kit(*library));
+    const Played played = play(hit, *library, 7);
+    int changes = 0;
+    for (std::size_t k = 2; k + 1 < played.poses.size(); ++k) {
+      if (played.movers[k] == played.movers[k - 1]) continue;
+      ++changes;
+      // A spring of 10 1/s that lets go of a joint a radian off changes its velocity by 1.7 rad/s
+      // in a frame; a jump by 3 degrees in one would change it by 3.
+      for (std::size_t frame : {k - 1, k}) {
+        EXPECT_LT(velocity_step(played.poses, frame), 2.5F) << "frame " << frame;
+      }
+    }
+    EXPECT_EQ(changes, library == &plain() ? 2 : 3);
+  }
+}
+
+TEST(ReactingCharacter, KnockedOverStaysWithPhysicsUntilTheGameHelpsItUp) {
+  ReactingCharacter hit(plain(), make_reaction_kit(plain()));
+  play(hit, plain(), 3, 40);
+  ASSERT_EQ(hit.reaction().phase(), ReactionPhase::knocked_over);
+  EXPECT_EQ(hit.mover(), Mover::physics);
+  hit.character().place({2, 1}, 0.5F, 0);
+  hit.stop();
+  EXPECT_EQ(hit.mover(), Mover::character);
+  EXPECT_TRUE(same_bits(hit.pose(), hit.character().pose()));
+  EXPECT_EQ(hit.update(kFrame_s), ReactionStatus::ok);
+}
+
+TEST(ReactingCharacter, RefusesBadInputAndGoesOn) {
+  constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+  ReactingCharacter hit(plain(), make_reaction_kit(plain()));
+  ReactingCharacter untroubled(plain(), make_reaction_kit(plain()));
+  const Played played = play(untroubled, plain(), 2);
+  ASSERT_EQ(hit.character().respond(kClip, kImpact_s), runtime::Status::ok);
+  bool met = false;
+  std::size_t k = 0;
+  for (float time_s = 0; time_s < 2; time_s += kFrame_s) {
+    for (float dt_s : {0.0F, -1.0F, kNan}) EXPECT_EQ(hit.update(dt_s), ReactionStatus::bad_time);
+    Ball bad = ball_at_chest(plain(), hit.pose(), 0.27);
+    bad.velocity.x() = static_cast<double>(kNan);
+    EXPECT_EQ(hit.meet(bad), ReactionStatus::bad_ball);
+    if (hit.mover() == Mover::physics) {
+      EXPECT_EQ(hit.update(0.2F), ReactionStatus::bad_time);
+    }
+    if (!met && time_s > kImpact_s) {
+      hit.meet(ball_at_chest(plain(), hit.pose(), 0.27));
+      met = true;
+    }
+    EXPECT_EQ(hit.update(kFrame_s), ReactionStatus::ok);
+    EXPECT_TRUE(same_bits(hit.pose(), played.poses[k++]));
+  }
+  ReactingCharacter bare(plain(), nullptr);
+  EXPECT_EQ(bare.meet(ball_at_chest(plain(), bare.pose(), 0.27)), ReactionStatus::bad_options);
+  EXPECT_EQ(bare.update(kFrame_s), ReactionStatus::ok);
+  EXPECT_EQ(make_reaction_kit(runtime::Library()), nullptr);
+}
+
+}  // namespace
+}  // namespace flinch::sim

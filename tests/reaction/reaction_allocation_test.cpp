@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include "reaction/reaction_clips.h"
+#include "tests/reaction/reaction_scenes.h"
+#include "tests/scenes/allocation_count.h"
+
+namespace flinch::sim {
+namespace {
+
+TEST(Reaction, AllocatesNothingOnceBegun) {
+  const motion::Character character = motion::default_character();
+  const auto motions = scenes::motions_by_rule(character.skeleton);
+  const auto plan = make_figure_plan(character);
+  const ReactionClips clips(character, {});
+  Reaction reaction(plan);
+  int hits = 0;
+  for (const auto& blow : scenes::random_blows(character, motions, 12, 5)) {
+    ASSERT_EQ(scenes::begin(reaction, blow), ReactionStatus::ok);
+    for (int k = 1; k < 60; ++k) {
+      const motion::Pose wanted =
+          scenes::pose_at(*blow.motion, blow.begin_s + k * scenes::kFrame_s);
+      const motion::Pose before = reaction.pose();
+      const std::size_t allocations = tests::allocation_count();
+      ASSERT_EQ(reaction.advance(scenes::kFrame_s, wanted, wanted), ReactionStatus::ok);
+      clips.find(before, reaction.pose(), static_cast<float>(scenes::kFrame_s));
+      EXPECT_EQ(tests::allocation_count(), allocations) << "frame " << k;
+    }
+    if (std::isfinite(reaction.contact_s())) ++hits;
+  }
+  EXPECT_GT(hits, 8);
+}
+
+}  // namespace
+}  // namespace flinch::sim

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cmath>
+
+#include "reaction/reaction.h"
+#include "tests/sim/random_hits.h"
+
+// Characters that are about to be hit, for the tests and the benchmark of reactions.
+namespace flinch::scenes {
+
+/// A motion, a ball, and when in the motion the reaction begins, from when on the ball is told.
+struct Blow {
+  const motion::Motion* motion;
+  sim::Ball ball;
+  double begin_s;
+};
+
+constexpr double kLead_s = 0.02;  ///< from begin to contact
+constexpr double kFrame_s = 1.0 / 60;
+
+inline motion::Pose pose_at(const motion::Motion& motion, double time_s) {
+  return motion::sample(motion, static_cast<float>(time_s));
+}
+
+/// Of the balls of random_hits, those that hit, by balls of `mass_kg`.
+inline std::vector<Blow> random_blows(const motion::Character& character,
+                                      const std::vector<NamedMotion>& motions, std::size_t count,
+                                      unsigned seed, double mass_kg = 0.27) {
+  const sim::Simulator simulator(character, {});
+  std::vector<Blow> blows;
+  for (const Hit& hit : random_hits(character, motions, count, seed)) {
+    const motion::Motion& motion = motions[hit.motion].motion;
+    const double contact_s = simulator.simulate(motion, &hit.ball, 1).first_contact_s;
+    const double begin_s = contact_s - kLead_s;
+    if (!std::isfinite(contact_s) || begin_s < kFrame_s) continue;
+    sim::Ball ball = hit.ball;
+    const Eigen::Vector3d gravity(0, 0, -sim::SimulationOptions{}.gravity_mps2);
+    ball.position += begin_s * ball.velocity + begin_s * begin_s / 2 * gravity;
+    ball.velocity += begin_s * gravity;
+    ball.mass_kg = mass_kg;
+    blows.push_back({&motion, ball, begin_s});
+  }
+  return blows;
+}
+
+inline sim::ReactionStatus begin(sim::Reaction& reaction, const Blow& blow) {
+  return reaction.begin(pose_at(*blow.motion, blow.begin_s - kFrame_s),
+                        pose_at(*blow.motion, blow.begin_s), kFrame_s, &blow.ball);
+}
+
+}  // namespace flinch::scenes

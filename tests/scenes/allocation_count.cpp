@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// In a file of its own: where the compiler sees only one of the operators inlined it takes free()
+// for a mismatch.
+#include "tests/scenes/allocation_count.h"
+
+#include <cstdlib>
+#include <new>
+
+namespace {
+thread_local std::size_t count = 0;
+}  // namespace
+
+void* operator new(std::size_t size) {
+  ++count;
+  if (void* memory = std::malloc(size)) return memory;
+  throw std::bad_alloc();
+}
+
+void* operator new(std::size_t size, std::align_val_t alignment) {
+  ++count;
+  const auto boundary = static_cast<std::size_t>(alignment);
+  // aligned_alloc wants whole multiples of the boundary.
+  if (void* memory = std::aligned_alloc(boundary, (size + boundary - 1) / boundary * boundary)) {
+    return memory;
+  }
+  throw std::bad_alloc();
+}
+
+// What std::stable_sort asks for; the library's own would come from elsewhere than our delete.
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
+  ++count;
+  return std::malloc(size);
+}
+
+void operator delete(void* memory) noexcept {
+  std::free(memory);
+}
+
+void operator delete(void* memory, std::size_t) noexcept {
+  std::free(memory);
+}
+
+void operator delete(void* memory, std::align_val_t) noexcept {
+  std::free(memory);
+}
+
+void operator delete(void* memory, std::size_t, std::align_val_t) noexcept {
+  std::free(memory);
+}
+
+std::size_t flinch::tests::allocation_count() {
+  return count;
+}

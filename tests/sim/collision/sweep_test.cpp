@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#include "sim/collision/sweep.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "tests/motion/random_outlines.h"
+
+namespace flinch::sim {
+namespace {
+
+constexpr double kHorizon_s = 0.05;
+constexpr double kTouch_m = 1e-4;
+
+class RandomScene : public tests::RandomOutlines {
+ public:
+  using RandomOutlines::RandomOutlines;
+
+  MovingShape shape() {
+    MovingShape shape{outline()};
+    shape.velocity = vector(5);
+    shape.angular_velocity = vector(15);
+    return shape;
+  }
+};
+
+// Against the path sampled so finely that a gap changes by less than a tenth of the touch between
+// samples.
+TEST(TimeOfTouch, AgreesWithFineSampling) {
+  RandomScene random(5);
+  int touched = 0;
+  int missed = 0;
+  for (int i = 0; i < 400; ++i) {
+    const features::FreeFlight ball = random.ball();
+    const MovingShape shape = random.shape();
+    const auto found = time_of_touch(ball, shape, kHorizon_s, kTouch_m, 0);
+    constexpr int kSamples = 20000;
+    std::optional<double> sampled;
+    double least = std::numeric_limits<double>::infinity();
+    for (int k = 0; k <= kSamples && !sampled; ++k) {
+      const double time_s = kHorizon_s * k / kSamples;
+      const double gap = clearance(ball.position_at(time_s), ball.radius, shape.at(time_s)).gap;
+      least = std::min(least, gap);
+      if (gap <= 0.5 * kTouch_m) sampled = time_s;
+    }
+    if (sampled) {
+      ASSERT_TRUE(found) << "missed a touch at " << *sampled;
+      EXPECT_LE(*found, *sampled);
+      // At the time found the surfaces do touch.
+      EXPECT_LE(clearance(ball.position_at(*found), ball.radius, shape.at(*found)).gap, kTouch_m);
+      ++touched;
+    } else if (least > 1.1 * kTouch_m) {
+      EXPECT_FALSE(found);
+      ++missed;
+    }
+  }
+  EXPECT_GT(touched, 50);
+  EXPECT_GT(missed, 50);
+}
+
+// Whatever accelerations up to the slack a shape has, it is not touched before the time found.
+TEST(TimeOfTouch, WithSlackIsSafeForAcceleratingShapes) {
+  RandomScene random(6);
+  constexpr double kSlack_mps2 = 100;
+  int touched = 0;
+  for (int i = 0; i < 200; ++i) {
+    const features::FreeFlight ball = random.ball();
+    const MovingShape shape = random.shape();
+    const Eigen::Vector3d acceleration = kSlack_mps2 * random.vector(1).normalized();
+    const double safe_s =
+        time_of_touch(ball, shape, kHorizon_s, kTouch_m, kSlack_mps2).value_or(kHorizon_s);
+    for (int k = 0; k < 1000; ++k) {
+      const double time_s = safe_s * k / 1000;
+      MovingShape accelerated = shape.at(time_s);
+      accelerated.centre += 0.5 * time_s * time_s * acceleration;
+      EXPECT_GT(clearance(ball.position_at(time_s), ball.radius, accelerated).gap, 0);
+    }
+    if (safe_s < kHorizon_s) ++touched;
+  }
+  EXPECT_GT(touched, 50);
+}
+
+}  // namespace
+}  // namespace flinch::sim

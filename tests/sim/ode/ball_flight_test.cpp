@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: MIT
+#include "sim/ode/ball_flight.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+namespace flinch::sim {
+namespace {
+
+using motion::Body;
+
+constexpr double kAboveGround_m = 20;  // where no scene reaches the ground that is not about it
+
+/// A ball and one free sphere, met by the rules that a figure is met by.
+class FreeSphere {
+ public:
+  FreeSphere(const Ball& ball, const BodyState& state, double radius, double mass_kg,
+             const SimulationOptions& options)
+      : options_(options),
+        contacts_(world_.id()),
+        ball_(world_.id(), ball, options.gravity_mps2),
+        body_(dBodyCreate(world_.id())),
+        radius_(radius) {
+    dMass mass;
+    dMassSetSphereTotal(&mass, mass_kg, radius);
+    dBodySetMass(body_, &mass);
+    dBodySetGravityMode(body_, 0);
+    BodyState lifted = state;
+    lifted.position.z() += kAboveGround_m;
+    set_state(body_, lifted);
+  }
+
+  void run(double duration_s) {
+    for (double time_s = 0; time_s < duration_s;) {
+      const MovingShape shape = outline();
+      contacts_.clear();
+      const StepAhead ahead = step_ahead(ball_.flight(), {&shape, 1}, options_);
+      const features::Clearance near =
+          clearance(ball_.flight().position, ball_.flight().radius, shape);
+      if (hits(ball_.flight(), shape, near)) {
+        contacts_.add_hit(ball_.body(), body_, Body::head, near, options_.restitution);
+      }
+      if (ahead.on_ground) ball_.meet_ground(contacts_, options_.restitution);
+      const double step_s = std::min(ahead.step_s, duration_s - time_s);
+      ball_.step(world_, step_s);
+      for (const ContactImpulse& hit : contacts_.impulses(step_s)) impulse_ += hit.impulse_ns;
+      time_s += step_s;
+    }
+  }
+
+  double impulse() const { return impulse_; }
+  features::FreeFlight ball() const { return ball_.flight(); }
+  Eigen::Vector3d sphere_velocity() const { return velocity_of(body_); }
+
+ private:
+  MovingShape outline() const {
+    MovingShape shape;
+    shape.radius = radius_;
+    shape.centre = position_of(body_);
+    shape.velocity = velocity_of(body_);
+    shape.angular_velocity = angular_velocity_of(body_);
+    return shape;
+  }
+
+  SimulationOptions options_;
+  OdeWorld world_;
+  Contacts contacts_;
+  BallFlight ball_;
+  dBodyID body_;
+  double radius_;
+  double impulse_ = 0;
+};
+
+SimulationOptions weightless() {
+  SimulationOptions options;
+  options.gravity_mps2 = 0;
+  return options;
+}
+
+Ball ball_at(const Eigen::Vector3d& position, const Eigen::Vector3d& velocity) {
+  Ball ball;
+  ball.position = position + kAboveGround_m * Eigen::Vector3d::UnitZ();
+  ball.velocity = velocity;
+  return ball;
+}
+
+// J = (1 + e) v m1 m2 / (m1 + m2), the one-dimensional collision of two free masses.
+double head_on_impulse(double restitution, double speed_mps, double first_kg, double second_kg) {
+  return (1 + restitution) * speed_mps * first_kg * second_kg / (first_kg + second_kg);
+}
+
+TEST(BallFlight, IsTheParabolaAtAnyMixOfSteps) {
+  std::mt19937 generator(1);
+  std::uniform_real_distribution<double> step(1e-6, 0.02);
+  const Ball thrown = ball_at({1, 2, 30}, {-4, 3, 8});
+  const OdeWorld world;
+  const BallFlight ball(world.id(), thrown, 9.81);
+  double time_s = 0;
+  for (int i = 0; i < 200; ++i) {
+    const double step_s = step(generator);
+    ball.step(world, step_s);
+    time_s += step_s;
+    const Eigen::Vector3d expected = thrown.position + time_s * thrown.velocity -
+                                     0.5 * 9.81 * time_s * time_s * Eigen::Vector3d::UnitZ();
+    ASSERT_LT((ball.flight().position - expected).norm(), 1e-9);
+    ASSERT_NEAR(ball.flight().velocity.z(), 8 - 9.81 * time_s, 1e-9);
+  }
+}
+
+TEST(BallFlight, GivesAFreeSphereTheClosedFormImpulse) {
+  for (double mass_kg : {0.3, 1.0, 4.4, 30.0}) {
+    for (double speed_mps : {5.0, 17.0, 30.0}) {
+      const Ball ball = ball_at({3, 0, 0}, {-speed_mps, 0, 0});
+      FreeSphere scene(ball, {}, 0.1, mass_kg, weightless());
+      scene.run(1);
+      const double expected = head_on_impulse(0.7, speed_mps, ball.mass_kg, mass_kg);
+      EXPECT_NEAR(scene.impulse(), expected, 0.02 * expected) << mass_kg << " kg, " << speed_mps;
+      EXPECT_NEAR(scene.sphere_velocity().x(), -expected / mass_kg, 0.02 * expected / mass_kg);
+    }
+  }
+}
+
+// Figures from biomechanics: a 4.4 kg head under a 0.27 kg volleyball of 22.8 to 29.7 m/s.
+TEST(BallFlight, GivesAFreeHeadTheImpulseOfAVolleyball) {
+  for (const auto& [speed_mps, expected] : {std::pair{22.8, 9.86}, {29.7, 12.84}}) {
+    FreeSphere scene(ball_at({3, 0, 0}, {-speed_mps, 0, 0}), {}, 0.1, 4.4, weightless());
+    scene.run(0.5);
+    EXPECT_NEAR(scene.impulse(), expected, 0.02 * expected);
+  }
+}
+
+TEST(BallFlight, HitsAMovingSphereWithTheRelativeVelocity) {
+  BodyState state;
+  state.velocity = {6, 0, 0};
+  FreeSphere scene(ball_at({3, 0, 0}, {-14, 0, 0}), state, 0.1, 2, weightless());
+  scene.run(1);
+  const double expected = head_on_impulse(0.7, 20, 0.27, 2);
+  EXPECT_NEAR(scene.impulse(), expected, 0.02 * expected);
+}
+
+TEST(BallFlight, KeepsTheMomentumOfBallAndSphere) {
+  std::mt19937 generator(2);
+  std::uniform_real_distribution<double> offset(-0.15, 0.15);
+  int hits = 0;
+  for (int i = 0; i < 50; ++i) {
+    const Ball ball = ball_at({2, offset(generator), offset(generator)}, {-20, 0, 0});
+    FreeSphere scene(ball, {}, 0.1, 1.5, weightless());
+    scene.run(0.4);
+    const Eigen::Vector3d momentum =
+        ball.mass_kg * scene.ball().velocity + 1.5 * scene.sphere_velocity();
+    EXPECT_LT((momentum - ball.mass_kg * ball.velocity).norm(), 1e-9);
+    // What friction adds never exceeds what stopping and throwing back the ball takes.
+    EXPECT_LE(scene.impulse(), 1.01 * head_on_impulse(0.7, 20, 0.27, 1.5));
+    if (scene.impulse() > 0) ++hits;
+  }
+  EXPECT_GT(hits, 25);
+}
+
+// Off-centre by s, the normal stands at angle a with sin a = s / (r1 + r2). Friction within its
+// cone: J = J_n sqrt(1 + mu^2) where the ball slides throughout.
+TEST(BallFlight, SlidesOffWithCoulombFriction) {
+  const double angle = 1.2;
+  const double offset = 0.205 * std::sin(angle);
+  FreeSphere scene(ball_at({2, offset, 0}, {-20, 0, 0}), {}, 0.1, 4.4, weightless());
+  scene.run(0.5);
+  const double normal = head_on_impulse(0.7, 20 * std::cos(angle), 0.27, 4.4);
+  const double expected = normal * std::sqrt(1 + 0.5 * 0.5);
+  EXPECT_NEAR(scene.impulse(), expected, 0.03 * expected);
+}
+
+TEST(BallFlight, MissesWithoutTouching) {
+  FreeSphere scene(ball_at({2, 0.21, 0}, {-20, 0, 0}), {}, 0.1, 1, weightless());
+  scene.run(0.5);
+  EXPECT_EQ(scene.impulse(), 0);
+  EXPECT_EQ(scene.sphere_velocity().norm(), 0);
+}
+
+TEST(BallFlight, DoesNotTunnelThroughThinThings) {
+  for (double radius : {0.005, 0.02}) {
+    const Ball ball = ball_at({3.017, 0, 0}, {-30, 0, 0});
+    FreeSphere scene(ball, {}, radius, 1, weightless());
+    scene.run(0.5);
+    const double expected = head_on_impulse(0.7, 30, 0.27, 1);
+    EXPECT_NEAR(scene.impulse(), expected, 0.02 * expected) << radius;
+  }
+}
+
+// After a fall of 1 m to e^2 = 0.49 m.
+TEST(BallFlight, BouncesOffTheGround) {
+  BodyState far;
+  far.position = {50, 0, 1};
+  FreeSphere scene(ball_at({0, 0, 1.105 - kAboveGround_m}, Eigen::Vector3d::Zero()), far, 0.1, 1,
+                   {});
+  const double fall_s = std::sqrt(2 / 9.81);
+  scene.run(fall_s * 1.7);  // to the top of the first bounce
+  EXPECT_NEAR(scene.ball().position.z(), 0.105 + 0.49, 0.005);
+  EXPECT_NEAR(scene.ball().velocity.z(), 0, 0.05);
+  EXPECT_EQ(scene.impulse(), 0);
+  scene.run(20);
+  EXPECT_NEAR(scene.ball().position.z(), 0.105, 0.002);  // come to rest, on the ground
+}
+
+TEST(BallFlight, AnswersDoNotHangOnTheSteps) {
+  const Ball ball = ball_at({3, 0.05, 0.1}, {-25, 0, 1});
+  const SimulationOptions coarse;
+  SimulationOptions fine = coarse;
+  fine.free_step_s /= 7;
+  fine.contact_step_s /= 7;
+  FreeSphere first(ball, {}, 0.1, 4.4, coarse);
+  FreeSphere second(ball, {}, 0.1, 4.4, fine);
+  first.run(0.5);
+  second.run(0.5);
+  EXPECT_NEAR(first.impulse(), second.impulse(), 0.005 * second.impulse());
+}
+
+}  // namespace
+}  // namespace flinch::sim

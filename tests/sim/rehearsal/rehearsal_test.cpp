@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: MIT
+#include "sim/rehearsal/rehearsal.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+#include <numeric>
+
+#include "motion/error.h"
+#include "sim/figure/figure_rows.h"
+#include "sim/rehearsal/rehearsed_run.h"
+#include "tests/sim/random_hits.h"
+#include "tests/sim/same_bits.h"
+
+namespace flinch::sim {
+namespace {
+
+using motion::Body;
+
+double total(const SimulationResult& result) {
+  return std::accumulate(result.impulse.begin(), result.impulse.end(), 0.0);
+}
+
+/// sum over the bodies |J - J'|, over the greater whole.
+double change(const SimulationResult& first, const SimulationResult& second) {
+  double sum = 0;
+  for (Body body : motion::kBodies) sum += std::abs(first.impulse[body] - second.impulse[body]);
+  const double whole = std::max(total(first), total(second));
+  return whole > 0 ? sum / whole : 0;
+}
+
+class RehearsalTest : public testing::Test {
+ protected:
+  motion::Character man_ = motion::default_character();
+  std::vector<scenes::NamedMotion> motions_ = scenes::motions_by_rule(man_.skeleton);
+  Simulator simulator_{man_, {}};
+
+  std::vector<Rehearsal> rehearsals(double from_s = 0) const {
+    std::vector<Rehearsal> result;
+    for (const auto& [name, motion] : motions_) {
+      result.push_back(simulator_.rehearse(motion, from_s, 1));
+    }
+    return result;
+  }
+  /// Aimed at the figure, and turned aside so that many just miss it or glance off.
+  std::vector<scenes::Hit> balls(std::size_t count, unsigned seed) const {
+    auto hits = scenes::random_hits(man_, motions_, count, seed);
+    std::mt19937 generator(seed);
+    std::uniform_real_distribution<double> aside(-0.3, 0.3);
+    for (scenes::Hit& hit : hits) {
+      hit.ball.position += Eigen::Vector3d(aside(generator), aside(generator), aside(generator));
+    }
+    return hits;
+  }
+};
+
+TEST_F(RehearsalTest, GivesTheImpulsesOfTheUnabridgedSimulation) {
+  const auto rehearsed = rehearsals();
+  int hits = 0;
+  int misses = 0;
+  int other = 0;
+  for (const scenes::Hit& hit : balls(150, 11)) {
+    const auto slow = simulator_.simulate(motions_[hit.motion].motion, &hit.ball, 1);
+    const auto fast = simulator_.simulate(rehearsed[hit.motion], hit.ball);
+    EXPECT_EQ(total(slow) > 0, total(fast) > 0);
+    if (total(slow) == 0) {
+      ++misses;
+      EXPECT_TRUE(std::isinf(fast.first_contact_s));
+      continue;
+    }
+    ++hits;
+    EXPECT_NEAR(slow.first_contact_s, fast.first_contact_s, 1e-6);
+    EXPECT_LE(fast.steps, slow.steps);
+    EXPECT_EQ(fast.solver_messages, 0);
+    if (change(slow, fast) > 0.005) ++other;
+  }
+  EXPECT_GT(hits, 90);
+  EXPECT_GT(misses, 5);
+  EXPECT_LE(other, 2);
+}
+
+// The ball falls before the shins, bounces off the ground and meets them on its way up.
+TEST_F(RehearsalTest, SeesHitsAfterABounceOffTheGround) {
+  const Rehearsal standing = simulator_.rehearse(motions_[0].motion, 0, 1);
+  int hits = 0;
+  for (int i = 0; i < 12; ++i) {
+    const Ball ball = scenes::aimed_ball({0.45 + 0.02 * i, 0.1, 0.106}, {-4.0, 0, -4.0}, 0.3);
+    const auto slow = simulator_.simulate(motions_[0].motion, &ball, 1);
+    const auto fast = simulator_.simulate(standing, ball);
+    EXPECT_LT(change(slow, fast), 0.005);
+    if (total(slow) > 0 && slow.first_contact_s > 0.3) ++hits;
+  }
+  EXPECT_GT(hits, 6);
+}
+
+// Against the figure's way and the ball's sampled so finely that a gap changes by 2 mm at most.
+TEST_F(RehearsalTest, BallMeetsTheFigureNoSoonerThanFound) {
+  const FigurePlan plan(man_);
+  const SimulationOptions options;
+  std::vector<std::unique_ptr<Rehearsal::Track>> tracks;
+  for (const auto& [name, motion] : motions_) {
+    tracks.push_back(std::make_unique<Rehearsal::Track>(plan, options, motion, 0, 1));
+  }
+  int met = 0;
+  std::size_t steps = 0;
+  for (const scenes::Hit& hit : balls(120, 12)) {
+    if (hit.ball.position.z() < hit.ball.radius) continue;  // thrown from under the ground
+    const Rehearsal::Track& track = *tracks[hit.motion];
+    const auto meeting = first_meeting(plan, options, track, hit.ball);
+    if (meeting) ++met;
+    const std::size_t until = meeting.value_or(track.begins_s.size());
+    steps += until;
+    features::FreeFlight ball{hit.ball.position, hit.ball.velocity, hit.ball.radius,
+                              options.gravity_mps2};
+    constexpr int kSamples = 250;
+    for (std::size_t step = 0; step < until; ++step) {
+      const auto& next = track.figure_at(std::min(step + 1, track.begins_s.size() - 1));
+      for (int k = 0; k < kSamples; ++k) {
+        const double later_s = options.free_step_s * k / kSamples;
+        const Eigen::Vector3d centre = ball.position_at(track.begins_s[step] + later_s);
+        ASSERT_GT(centre.z(), ball.radius);
+        for (Body body : motion::kBodies) {
+          // A step moves bodies with the velocity at its end.
+          BodyState state = track.figure_at(step)[body];
+          state.velocity = next[body].velocity;
+          state.angular_velocity = next[body].angular_velocity;
+          const MovingShape there = placed_shape(plan.outline[body], state);
+          if ((there.centre - centre).norm() > 1) continue;
+          ASSERT_GT(clearance(centre, ball.radius, there.at(later_s)).gap, 0);
+        }
+      }
+    }
+  }
+  EXPECT_GT(met, 80);
+  EXPECT_GT(steps, 1000U);
+}
+
+TEST_F(RehearsalTest, SkipsWhatCannotTouch) {
+  const Rehearsal standing = simulator_.rehearse(motions_[0].motion, 0, 1);
+  const Ball wide = scenes::aimed_ball({0, 3, 2}, {-20, 0, 0}, 0.4);
+  const auto missed = simulator_.simulate(standing, wide);
+  EXPECT_TRUE(missed.skipped);
+  EXPECT_EQ(missed.steps, 0);
+  EXPECT_EQ(total(missed), 0);
+  const Ball aimed = scenes::aimed_ball({0, 0, 1.2}, {-20, 0, 0}, 0.4);
+  const auto hit = simulator_.simulate(standing, aimed);
+  EXPECT_FALSE(hit.skipped);
+  EXPECT_GT(total(hit), 1);
+}
+
+TEST_F(RehearsalTest, RepeatsBitForBitWhateverElseIsSimulatedOnThreadsAtOnce) {
+  const auto rehearsed = rehearsals();
+  const auto hits = balls(40, 13);
+  const auto run = [&](std::vector<SimulationResult>& results) {
+    for (const scenes::Hit& hit : hits) {
+      results.push_back(simulator_.simulate(rehearsed[hit.motion], hit.ball));
+    }
+  };
+  scenes::expect_same_bits_on_threads(run);
+}
+
+TEST_F(RehearsalTest, KeptFromLaterOnGivesTheSameBitsInLessMemory) {
+  const auto whole = rehearsals();
+  const auto late = rehearsals(0.25);
+  for (std::size_t i = 0; i < whole.size(); ++i) {
+    EXPECT_LT(late[i].byte_count(), whole[i].byte_count());
+    EXPECT_EQ(late[i].from_s(), 0.25);
+  }
+  int hits = 0;
+  for (const scenes::Hit& hit : scenes::random_hits(man_, motions_, 40, 14)) {
+    const auto expected = simulator_.simulate(whole[hit.motion], hit.ball);
+    if (expected.first_contact_s < 0.32) continue;
+    try {
+      scenes::expect_same_bits(expected, simulator_.simulate(late[hit.motion], hit.ball));
+      ++hits;
+    } catch (const Error&) {  // near the figure before 0.25 s, if only near
+    }
+  }
+  EXPECT_GT(hits, 10);
+}
+
+TEST_F(RehearsalTest, RefusesABallThatComesBeforeItBegins) {
+  const Rehearsal late = simulator_.rehearse(motions_[0].motion, 0.6, 1);
+  const Ball early = scenes::aimed_ball({0, 0, 1.2}, {-20, 0, 0}, 0.3);
+  EXPECT_THROW(simulator_.simulate(late, early), Error);
+}
+
+}  // namespace
+}  // namespace flinch::sim

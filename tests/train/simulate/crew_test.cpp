@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: MIT
+#include "train/simulate/crew.h"
+
+#include <gtest/gtest.h>
+
+#include <thread>
+
+#include "motion/error.h"
+#include "tests/train/simulate/local_messenger.h"
+#include "train/simulate/scenario_ranges.h"
+
+namespace flinch::train {
+namespace {
+
+constexpr std::uint64_t kRun = 42;
+
+Done done_of(ScenarioRange range) {
+  Done done{range, {}, {}, {}};
+  done.counts.simulations = range.count;
+  for (std::uint64_t i = 0; i < range.count; ++i)
+    done.trials.push_back(std::vector<std::byte>(static_cast<std::size_t>((range.first + i) % 5)));
+  return done;
+}
+
+/// A run of helpers that do nothing, and of a writer that only hands out.
+struct Outcome {
+  std::vector<int> times_done;  ///< of each scenario
+  std::uint64_t simulations = 0;
+};
+
+Outcome run(std::uint64_t scenarios, int helpers,
+            const std::function<std::optional<Done>(int helper, ScenarioRange)>& simulate) {
+  LocalExchange exchange(helpers + 1);
+  std::vector<std::jthread> threads;
+  for (int helper = 1; helper <= helpers; ++helper) {
+    threads.emplace_back([&exchange, &simulate, helper] {
+      LocalMessenger messenger(exchange, helper);
+      help(messenger, kRun, 1, [&](ScenarioRange range) { return simulate(helper, range); });
+    });
+  }
+  LocalMessenger messenger(exchange, 0);
+  ScenarioRanges ranges({{0, scenarios}}, helpers, 64);
+  Outcome outcome{std::vector<int>(scenarios), 0};
+  const auto take = [&](const Done& done) {
+    EXPECT_EQ(done.trials.size(), done.range.count);
+    for (std::uint64_t i = 0; i < done.range.count; ++i) {
+      ++outcome.times_done[done.range.first + i];
+      EXPECT_EQ(done.trials[i].size(), (done.range.first + i) % 5);
+    }
+    outcome.simulations += done.counts.simulations;
+  };
+  Crew crew(messenger,
+            {[&](int) { return ranges.next(1); }, take,
+             [&](ScenarioRange range) { ranges.put_back(range); }},
+            kRun);
+  try {
+    while (crew.is_at_work()) {
+      crew.attend();
+      crew.wait();
+    }
+  } catch (...) {  // where processes would end with the job, threads must be sent home
+    for (int helper = 1; helper <= helpers; ++helper) messenger.send(helper, encode(Assignment{}));
+    throw;
+  }
+  return outcome;
+}
+
+TEST(Crew, EveryScenarioIsDoneOnce) {
+  for (const int helpers : {1, 2, 5}) {
+    const Outcome outcome =
+        run(3000, helpers, [](int, ScenarioRange range) { return done_of(range); });
+    EXPECT_EQ(outcome.times_done, std::vector<int>(3000, 1));
+    EXPECT_EQ(outcome.simulations, 3000U);
+  }
+}
+
+TEST(Crew, ASlowHelperHoldsNobodyUp) {
+  std::atomic<std::uint64_t> by_slow = 0;
+  const Outcome outcome = run(2000, 3, [&](int helper, ScenarioRange range) {
+    if (helper == 1) {
+      by_slow += range.count;
+      std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    }
+    return done_of(range);
+  });
+  EXPECT_EQ(outcome.times_done, std::vector<int>(2000, 1));
+  EXPECT_LT(by_slow, 500U);
+}
+
+TEST(Crew, AnInterruptedHelpersRangeIsDoneByAnother) {
+  const Outcome outcome = run(1000, 3, [](int helper, ScenarioRange range) -> std::optional<Done> {
+    if (helper == 2 && range.first > 100) return std::nullopt;
+    return done_of(range);
+  });
+  EXPECT_EQ(outcome.times_done, std::vector<int>(1000, 1));
+}
+
+TEST(Crew, AFailureIsToldWithItsReason) {
+  const auto fails = [](int helper, ScenarioRange range) -> std::optional<Done> {
+    if (helper == 2) throw Error("real.flinchlib", "is gone");
+    return done_of(range);
+  };
+  try {
+    run(50'000, 2, fails);
+    FAIL() << "nothing was told";
+  } catch (const Error& error) {
+    EXPECT_STREQ(error.what(), "process 2: real.flinchlib: is gone");
+  }
+}
+
+TEST(Crew, AHelperOfAnotherRunIsRefused) {
+  LocalExchange exchange(2);
+  LocalMessenger helper(exchange, 1);
+  helper.send(0, encode(Ready{kRun + 1, 1}));
+  LocalMessenger messenger(exchange, 0);
+  Crew crew(messenger, {}, kRun);
+  EXPECT_THROW(crew.attend(), Error);
+}
+
+TEST(CrewMessages, ArriveAsTheyWereSent) {
+  Done done = done_of({7, 3});
+  done.trials[1] = {std::byte{1}, std::byte{255}};
+  done.counts = {1, 2, 3, 4, 5};
+  done.cpu.striking_s = 0.25;
+  const auto arrived = std::get<Done>(decode(encode(done)));
+  EXPECT_EQ(arrived.range.first, 7U);
+  EXPECT_EQ(arrived.trials, done.trials);
+  EXPECT_EQ(arrived.counts.solver_messages, 5U);
+  EXPECT_EQ(arrived.cpu.striking_s, 0.25);
+  EXPECT_EQ(std::get<Failed>(decode(encode(Failed{"why"}))).why, "why");
+  EXPECT_EQ(std::get<Ready>(decode(encode(Ready{9, 8}))).threads, 8U);
+  EXPECT_EQ(std::get<Assignment>(decode(encode(Assignment{{4, 5}}))).range.count, 5U);
+}
+
+TEST(CrewMessages, CutShortOrTooLongAreRefused) {
+  std::vector<std::byte> bytes = encode(done_of({7, 3}));
+  for (std::size_t size = 0; size < bytes.size(); ++size)
+    EXPECT_THROW(decode(std::span(bytes).first(size)), Error) << size;
+  bytes.push_back({});
+  EXPECT_THROW(decode(bytes), Error);
+  EXPECT_THROW(decode(std::vector<std::byte>{std::byte{200}}), Error);
+}
+
+}  // namespace
+}  // namespace flinch::train

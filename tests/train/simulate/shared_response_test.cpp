@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+#include "train/simulate/shared_response.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "database/author/authored_library.h"
+#include "motion/default_character.h"
+#include "tests/scenes/synthetic_library.h"
+#include "train/simulate/trial.h"
+
+namespace flinch::train {
+namespace {
+
+/// The default library with what knows which of its responses are one.
+class SharedResponse : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    library_ = new database::Library(database::authored_library(motion::default_character()));
+    prepared_ = new runtime::PreparedLibrary(runtime::prepare(*library_));
+    shared_ = new SharedResponses(*prepared_, kDistribution);
+  }
+  static void TearDownTestSuite() {
+    delete shared_;
+    delete prepared_;
+    delete library_;
+  }
+
+  static runtime::Response response(int clip, GridPlace place) {
+    return runtime::make_response(*prepared_,
+                                  character_state_at(kDistribution, prepared_->idle(), place), clip,
+                                  time_to_impact_s(kDistribution, place.time));
+  }
+
+  /// The farthest that a joint of the two is apart, both seen from the impact, m, from when the
+  /// first begins until the second has long ended.
+  static float apart(const runtime::Response& early, float early_s, const runtime::Response& late,
+                     float late_s) {
+    float most = 0;
+    for (float t = -std::min(early_s, late_s); t < 1.5F; t += 0.037F) {
+      const auto a =
+          motion::forward_kinematics(prepared_->skeleton(), runtime::pose_at(early, early_s + t));
+      const auto b =
+          motion::forward_kinematics(prepared_->skeleton(), runtime::pose_at(late, late_s + t));
+      for (const motion::Role role : motion::kRoles)
+        most = std::max(most, (a.position[role] - b.position[role]).norm());
+    }
+    return most;
+  }
+
+  static constexpr ScenarioDistribution kDistribution{};
+  static inline const database::Library* library_ = nullptr;
+  static inline const runtime::PreparedLibrary* prepared_ = nullptr;
+  static inline const SharedResponses* shared_ = nullptr;
+};
+
+TEST_F(SharedResponse, IsTheSameMotionSeenFromTheImpact) {
+  int compared = 0;
+  for (int clip = 0; clip < static_cast<int>(library_->clips.size()); ++clip) {
+    for (int time = 0; time < time_count(kDistribution); ++time) {
+      const GridPlace place{(clip + time) % 4,
+                            time};  // each state for each clip, not for each time
+      const runtime::Response own = response(clip, place);
+      if (!runtime::is_valid(own)) continue;
+      const ResponseKey key = shared_->key_of(clip, place);
+      ASSERT_LE(key.place.time, time);
+      if (key.place.time == time) continue;
+      EXPECT_LT(apart(response(clip, key.place), time_to_impact_s(kDistribution, key.place.time),
+                      own, time_to_impact_s(kDistribution, time)),
+                2e-4F)
+          << library_->clips[static_cast<std::size_t>(clip)].name << ", time " << time;
+      ++compared;
+    }
+  }
+  EXPECT_GT(compared, 500);
+}
+
+TEST_F(SharedResponse, IsNoLongerSharedWhereThereIsLessTime) {
+  int rushed = 0;
+  for (int clip = 0; clip < static_cast<int>(library_->clips.size()); ++clip) {
+    const int last = time_count(kDistribution) - 1;
+    const ResponseKey key = shared_->key_of(clip, {0, last});
+    if (key.place.time < 1) continue;
+    const GridPlace sooner{0, key.place.time - 1};
+    EXPECT_GT(apart(response(clip, sooner), time_to_impact_s(kDistribution, sooner.time),
+                    response(clip, key.place), time_to_impact_s(kDistribution, key.place.time)),
+              2e-4F)
+        << library_->clips[static_cast<std::size_t>(clip)].name;
+    ++rushed;
+  }
+  EXPECT_GT(rushed, 50);
+}
+
+TEST_F(SharedResponse, OfTheIdlerIsOneForAllTimes) {
+  for (int time = 0; time < time_count(kDistribution); ++time)
+    EXPECT_EQ(shared_->key_of(library_->idle, {2, time}), (ResponseKey{library_->idle, {2, 0}}));
+}
+
+TEST_F(SharedResponse, ThereAreFarFewerThanPlaces) {
+  const std::size_t places =
+      library_->clips.size() * 4 * static_cast<std::size_t>(time_count(kDistribution));
+  EXPECT_LT(shared_->count(), places / 2);
+  EXPECT_GT(shared_->count(), 4 * library_->clips.size());
+  RecordProperty("responses", static_cast<int>(shared_->count()));
+}
+
+}  // namespace
+}  // namespace flinch::train

@@ -1,0 +1,425 @@
+// SPDX-License-Identifier: MIT
+#include "train/store/store.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <functional>
+
+#include "motion/error.h"
+#include "tests/train/store/made_up_store.h"
+#include "train/store/sqlite.h"
+#include "train/store/store_trials.h"
+
+namespace flinch::train {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+constexpr ScenarioRange kWanted{0, 200};  // more than any test appends
+
+std::string message_of(const std::function<void()>& action) {
+  try {
+    action();
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+void write_store(const std::string& path, const StoreHeader& header, std::uint64_t count) {
+  StoreWriter writer(path, header, {0, count});
+  while (!writer.missing().empty()) {
+    const ScenarioRange missing = writer.missing().front();
+    writer.append(
+        made_up_observations(header, missing.first, std::min(missing.end(), missing.first + 16)));
+  }
+  writer.finish();
+}
+
+TEST(Store, ReadsBackEveryBitThatWasWritten) {
+  const TemporaryFolder folder;
+  const StoreHeader header = made_up_header();
+  write_store(folder / "a.flinchobs", header, 40);
+  const Store store = read_store(folder / "a.flinchobs");
+  EXPECT_EQ(store.header.library_hash, header.library_hash);
+  EXPECT_EQ(store.header.library_name, header.library_name);
+  EXPECT_TRUE(store.header.library_file == header.library_file);
+  EXPECT_EQ(store.header.seed, header.seed);
+  EXPECT_EQ(store.header.reference_impulse_ns, header.reference_impulse_ns);
+  EXPECT_EQ(store.header.reference_work_j, header.reference_work_j);
+  EXPECT_EQ(store.header.clip_work_j, header.clip_work_j);
+  ASSERT_EQ(store.header.clips.size(), header.clips.size());
+  for (std::size_t i = 0; i < header.clips.size(); ++i) {
+    EXPECT_EQ(store.header.clips[i].name, header.clips[i].name);
+    ASSERT_EQ(store.header.clips[i].annotation.has_value(), header.clips[i].annotation.has_value());
+    if (!header.clips[i].annotation) continue;
+    EXPECT_EQ(store.header.clips[i].annotation->target, header.clips[i].annotation->target);
+    EXPECT_NEAR(store.header.clips[i].annotation->direction, header.clips[i].annotation->direction,
+                1e-6F);
+    EXPECT_EQ(store.header.clips[i].annotation->peak_s, header.clips[i].annotation->peak_s);
+  }
+  EXPECT_EQ(store.header.idle_target_centres[3], header.idle_target_centres[3]);
+  ASSERT_EQ(store.observations.size(), 40U);
+  for (std::uint64_t number = 0; number < 40; ++number) {
+    const Observation expected = made_up_observation(header, number);
+    const Observation& found = store.observations[number];
+    EXPECT_EQ(found.number, number);
+    EXPECT_EQ(found.scenario.target, expected.scenario.target);
+    EXPECT_EQ(found.scenario.threat.position, expected.scenario.threat.position);
+    EXPECT_EQ(found.scenario.threat.velocity, expected.scenario.threat.velocity);
+    EXPECT_EQ(found.scenario.state.idle_time_s, expected.scenario.state.idle_time_s);
+    EXPECT_EQ(found.features, expected.features);
+    EXPECT_EQ(encode_trials(found.trials), encode_trials(expected.trials));
+  }
+}
+
+TEST(Store, InterruptedAnywhereEndsWithTheSameBytes) {
+  const TemporaryFolder folder;
+  const StoreHeader header = made_up_header();
+  write_store(folder / "whole", header, 70);
+  for (const std::uint64_t stop : {0U, 16U, 21U, 64U}) {
+    const std::string path = folder / ("stopped-at-" + std::to_string(stop));
+    {
+      StoreWriter writer(path, header, kWanted);
+      if (stop > 0) writer.append(made_up_observations(header, 0, stop));
+      EXPECT_FALSE(std::filesystem::exists(path)) << "nothing stands under the final name yet";
+    }
+    write_store(path, header, 70);
+    EXPECT_TRUE(bytes_of(path) == bytes_of(folder / "whole")) << "stopped after " << stop;
+    EXPECT_FALSE(std::filesystem::exists(path + ".partial"));
+  }
+}
+
+TEST(Store, KilledInTheMiddleOfATransactionKeepsWhatWasCommitted) {
+  const TemporaryFolder folder;
+  const StoreHeader header = made_up_header();
+  write_store(folder / "whole", header, 32);
+  const std::string path = folder / "killed";
+  const pid_t child = fork();
+  if (child == 0) {
+    StoreWriter writer(path, header, kWanted);
+    writer.append(made_up_observations(header, 0, 16));
+    // The next transaction reaches the file, its journal is hot, and then the lights go out.
+    raise(SIGSTOP);
+    writer.append(made_up_observations(header, 16, 32));
+    _exit(0);
+  }
+  int status = 0;
+  ASSERT_EQ(waitpid(child, &status, WUNTRACED), child);
+  ASSERT_TRUE(WIFSTOPPED(status));
+  EXPECT_THAT(message_of([&] { StoreWriter(path, header, kWanted); }),
+              HasSubstr("another process"));
+  kill(child, SIGKILL);
+  waitpid(child, &status, 0);
+  {
+    const StoreWriter writer(path, header, kWanted);
+    EXPECT_EQ(writer.count(), 16U);
+  }
+  write_store(path, header, 32);
+  EXPECT_TRUE(bytes_of(path) == bytes_of(folder / "whole"));
+}
+
+TEST(Store, AFinishedStoreGoesOnAndEndsWithTheSameBytes) {
+  const TemporaryFolder folder;
+  const StoreHeader header = made_up_header();
+  write_store(folder / "whole", header, 50);
+  write_store(folder / "grown", header, 21);
+  write_store(folder / "grown", header, 50);
+  EXPECT_TRUE(bytes_of(folder / "grown") == bytes_of(folder / "whole"));
+}
+
+TEST(Store, OfAnotherRunIsRefusedAndLeftAlone) {
+  const TemporaryFolder folder;
+  const StoreHeader header = made_up_header();
+  const std::string path = folder / "a.flinchobs";
+  write_store(path, header, 10);
+  const std::string before = bytes_of(path);
+  StoreHeader other = header;
+  other.library_hash = 1;
+  EXPECT_THAT(message_of([&] { StoreWriter(path, other, kWanted); }), HasSubstr("another library"));
+  other = header;
+  other.seed = 6;
+  EXPECT_THAT(message_of([&] { StoreWriter(path, other, kWanted); }), HasSubstr("--seed 5"));
+  other = header;
+  other.distribution = "{}";
+  EXPECT_THAT(message_of([&] { StoreWriter(path, other, kWanted); }),
+              HasSubstr("scenario distribution"));
+  other = header;
+  other.simulation = "{}";
+  EXPECT_THAT(message_of([&] { StoreWriter(path, other, kWanted); }),
+              HasSubstr("another simulation"));
+  EXPECT_TRUE(bytes_of(path) == before);
+}
+
+TEST(Store, FilesThatAreNoStoreAreRefusedByName) {
+  const TemporaryFolder folder;
+  const auto write = [&](const std::string& name, const std::string& bytes) {
+    std::ofstream(folder / name, std::ios::binary) << bytes;
+    return folder / name;
+  };
+  EXPECT_THAT(message_of([&] { read_store(folder / "none"); }),
+              HasSubstr("none: cannot be read: No such file"));
+  EXPECT_THAT(message_of([&] { read_store(write("empty", "")); }), HasSubstr("empty"));
+  EXPECT_THAT(message_of([&] { read_store(write("text", "HIERARCHY")); }),
+              HasSubstr("not a store"));
+  {
+    Database database(folder / "other.db", Database::Mode::create);
+    database.execute("CREATE TABLE t(x)");
+  }
+  EXPECT_THAT(message_of([&] { read_store(folder / "other.db"); }), HasSubstr("not a store"));
+  write_store(folder / "a", made_up_header(), 30);
+  const std::string whole = bytes_of(folder / "a");
+  for (const std::size_t length : {100UL, 5000UL, whole.size() / 2, whole.size() - 1}) {
+    const std::string message =
+        message_of([&] { read_store(write("cut", whole.substr(0, length))); });
+    EXPECT_THAT(message, HasSubstr("cut: ")) << length;
+    EXPECT_THAT(message, Not(HasSubstr("\n"))) << length;
+  }
+  Database database(folder / "a", Database::Mode::write);
+  database.execute("PRAGMA user_version = 99");
+  EXPECT_THAT(message_of([&] { read_store(folder / "a"); }), HasSubstr("format 99"));
+}
+
+TEST(Store, DamagedRowsAreRefused) {
+  const TemporaryFolder folder;
+  for (const char* damage :
+       {"UPDATE observation SET trials = x'0000' WHERE number = 3",
+        "UPDATE observation SET target = 'nose' WHERE number = 3",
+        "UPDATE observation SET threat_x = 1e999 WHERE number = 3",
+        "UPDATE observation SET mass_kg = 0.28 WHERE number = 3",
+        "UPDATE observation SET number = 5 WHERE number = 4",
+        "DELETE FROM observation WHERE number = 4", "DELETE FROM observation",
+        "UPDATE seal SET scenarios = 4", "UPDATE clip SET work_j = 1 WHERE clip = 2",
+        "UPDATE body SET name = 'nose' WHERE body = 2", "DROP TABLE observation",
+        "UPDATE meta SET value = 999 WHERE key = 'idle_clip'", "DELETE FROM meta",
+        "DELETE FROM clip", "DELETE FROM library", "UPDATE library SET file = x'464C'",
+        "UPDATE library SET file = substr(file, 1, length(file) - 1)",
+        "UPDATE meta SET value = '1' WHERE key = 'library_hash'"}) {
+    const std::string path = folder / "damaged";
+    std::filesystem::remove(path);
+    write_store(path, made_up_header(), 5);
+    Database(path, Database::Mode::write).execute(damage);
+    EXPECT_THAT(message_of([&] { read_store(path); }), HasSubstr("damaged")) << damage;
+  }
+}
+
+TEST(Store, AScenarioThatIsGoneIsNamed) {
+  const TemporaryFolder folder;
+  write_store(folder / "a", made_up_header(), 5);
+  Database(folder / "a", Database::Mode::write)
+      .execute("DELETE FROM observation WHERE number IN (2, 3)");
+  EXPECT_THAT(message_of([&] { read_store(folder / "a"); }),
+              HasSubstr("a: the store lacks scenarios 2 to 3"));
+}
+
+/// All that a reader makes of a store, as bytes; of a damaged one, that it says so in one line.
+std::string content_of(const std::string& path) {
+  std::string content;
+  const auto add = [&content](const auto& values) {
+    content.append(reinterpret_cast<const char*>(values.data()),
+                   values.size() * sizeof *values.data());
+  };
+  const std::string message = message_of([&] {
+    const Store store = read_store(path);
+    content = store.header.distribution + store.header.simulation + store.header.library_name;
+    add(store.header.library_file);
+    add(store.header.clip_work_j);
+    for (const models::ClipSummary& clip : store.header.clips) content += clip.name;
+    for (const Observation& observation : store.observations) {
+      add(observation.features);
+      add(encode_trials(observation.trials));
+    }
+  });
+  EXPECT_THAT(message, Not(HasSubstr("\n")));
+  return message.empty() ? content : "refused";
+}
+
+TEST(Store, AChangedByteAnywhereIsNoticedOrChangesNothing) {
+  const TemporaryFolder folder;
+  write_store(folder / "whole", made_up_header(), 60);
+  const std::string whole = bytes_of(folder / "whole");
+  const std::string content = content_of(folder / "whole");
+  ASSERT_NE(content, "refused");
+  features::Random random(3, features::Purpose::baseline, 0);
+  std::size_t refused = 0;
+  // The library has tests of its own: half of the flips hit the file's ends, and half an
+  // observation, of which the trials and some hundred bytes before them are.
+  const std::size_t ends = 50'000;
+  ASSERT_GT(whole.size(), 2 * ends);
+  for (int flip = 0; flip < 400; ++flip) {
+    std::string flipped = whole;
+    std::size_t place = random.index(2 * ends);
+    if (place >= ends) place += whole.size() - 2 * ends;
+    if (flip % 2 == 0) {
+      const std::vector<std::byte> trials =
+          encode_trials(made_up_observation(made_up_header(), random.index(60)).trials);
+      place = whole.find(std::string(reinterpret_cast<const char*>(trials.data()), trials.size()));
+      ASSERT_NE(place, std::string::npos);
+      place += random.index(100 + trials.size()) - 100;
+    }
+    char& byte = flipped[place];
+    byte = static_cast<char>(byte ^ (1 << random.index(8)));
+    std::ofstream(folder / "flipped", std::ios::binary) << flipped;
+    const std::string found = content_of(folder / "flipped");
+    refused += found == "refused" ? 1U : 0U;
+    EXPECT_TRUE(found == "refused" || found == content) << place;
+  }
+  EXPECT_GT(refused, 200U);
+}
+
+TEST(Store, FilledInAnyOrderHasTheSameBytes) {
+  const TemporaryFolder folder;
+  const StoreHeader header = made_up_header();
+  const ScenarioRange wanted{30, 40};
+  const auto fill = [&](const std::string& path, std::vector<ScenarioRange> pieces) {
+    StoreWriter writer(path, header, wanted);
+    for (const ScenarioRange& piece : pieces)
+      writer.append(made_up_observations(header, piece.first, piece.end()));
+    EXPECT_EQ(writer.count(), 40U);
+    EXPECT_TRUE(writer.missing().empty());
+    writer.finish();
+  };
+  fill(folder / "in-order", {{30, 40}});
+  fill(folder / "backwards", {{50, 20}, {40, 10}, {30, 10}});
+  fill(folder / "mixed", {{41, 1}, {31, 9}, {42, 28}, {30, 1}, {40, 1}});
+  EXPECT_TRUE(bytes_of(folder / "backwards") == bytes_of(folder / "in-order"));
+  EXPECT_TRUE(bytes_of(folder / "mixed") == bytes_of(folder / "in-order"));
+  const StoreSummary summary = summarise_store(folder / "mixed");
+  EXPECT_EQ(summary.range, wanted);
+  EXPECT_TRUE(summary.holds({35, 5}));
+  EXPECT_FALSE(summary.holds({29, 5}));
+}
+
+TEST(Store, WhatIsMissingIsKnownAfterAnInterruption) {
+  const TemporaryFolder folder;
+  const StoreHeader header = made_up_header();
+  {
+    StoreWriter writer(folder / "a", header, {10, 30});
+    writer.append(made_up_observations(header, 15, 20));
+    writer.append(made_up_observations(header, 30, 31));
+    const Observation there = made_up_observation(header, 16);
+    EXPECT_TRUE(writer.holds(there));
+    Observation other = there;
+    other.trials[1].impulse[motion::Body::head] += 1;
+    EXPECT_FALSE(writer.holds(other));
+    EXPECT_FALSE(writer.holds(made_up_observation(header, 20)));
+    EXPECT_THAT(message_of([&] { writer.append(made_up_observations(header, 19, 21)); }),
+                HasSubstr("not missing"));
+    EXPECT_THAT(message_of([&] { writer.append(made_up_observations(header, 39, 41)); }),
+                HasSubstr("not missing"));
+    EXPECT_THAT(message_of([&] { writer.finish(); }), HasSubstr("lacks scenarios 10 to 14"));
+  }
+  EXPECT_FALSE(std::filesystem::exists(folder / "a"));
+  const std::vector<ScenarioRange> expected{{5, 10}, {20, 10}, {31, 9}};
+  EXPECT_EQ(StoreWriter(folder / "a", header, {5, 35}).missing(), expected);
+}
+
+TEST(Store, RangesThatCannotBeAreRefused) {
+  const TemporaryFolder folder;
+  const StoreHeader header = made_up_header();
+  const std::uint64_t last = kScenarioNumberEnd - 1;
+  for (const ScenarioRange& range :
+       {ScenarioRange{last, 2}, ScenarioRange{~std::uint64_t{0}, 1},
+        ScenarioRange{kScenarioNumberEnd, 1}, ScenarioRange{1, ~std::uint64_t{0}}})
+    EXPECT_THAT(message_of([&] { StoreWriter(folder / "a", header, range); }),
+                HasSubstr("go past the last, 9223372036854775807"));
+  EXPECT_THAT(message_of([&] {
+                StoreWriter(folder / "a", header, {3, 0});
+              }),
+              HasSubstr("no scenario"));
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path())) << "nothing is left behind";
+  EXPECT_EQ(StoreWriter(folder / "end", header, {last, 1}).missing().front().first, last);
+}
+
+TEST(Store, ARangeThatLeavesOutWhatIsThereIsRefused) {
+  const TemporaryFolder folder;
+  const StoreHeader header = made_up_header();
+  write_store(folder / "a", header, 20);
+  const std::string before = bytes_of(folder / "a");
+  EXPECT_THAT(message_of([&] {
+                StoreWriter(folder / "a", header, {10, 30});
+              }),
+              HasSubstr("a: holds scenarios 0 to 19"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "a.partial"));
+  EXPECT_TRUE(bytes_of(folder / "a") == before);
+  { StoreWriter(folder / "b", header, {0, 20}).append(made_up_observations(header, 0, 20)); }
+  EXPECT_THAT(message_of([&] {
+                StoreWriter(folder / "b", header, {0, 10});
+              }),
+              HasSubstr("b.partial: holds scenarios 0 to 19"));
+  EXPECT_EQ(StoreWriter(folder / "b", header, {0, 20}).count(), 20U);
+}
+
+TEST(Store, FinishingOnAFullDiskLosesNothing) {
+  const TemporaryFolder folder;
+  const StoreHeader header = made_up_header();
+  write_store(folder / "whole", header, 64);
+  const std::string path = folder / "full";
+  {
+    StoreWriter writer(path, header, {0, 64});
+    writer.append(made_up_observations(header, 0, 64));
+    signal(SIGXFSZ, SIG_IGN);
+    rlimit before{};
+    getrlimit(RLIMIT_FSIZE, &before);
+    rlimit small = before;
+    small.rlim_cur = std::filesystem::file_size(writer.partial_path()) / 2;
+    ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &small), 0);
+    const std::string message = message_of([&] { writer.finish(); });
+    ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &before), 0);
+    EXPECT_THAT(message, HasSubstr("make room"));
+  }
+  EXPECT_FALSE(std::filesystem::exists(path));
+  EXPECT_FALSE(std::filesystem::exists(path + ".partial-copy"));
+  EXPECT_EQ(StoreWriter(path, header, {0, 64}).count(), 64U);
+  write_store(path, header, 64);
+  EXPECT_TRUE(bytes_of(path) == bytes_of(folder / "whole"));
+}
+
+TEST(Store, AFullDiskIsToldAndKeepsWhatWasCommitted) {
+  const TemporaryFolder folder;
+  const StoreHeader header = made_up_header();
+  write_store(folder / "whole", header, 160);
+  const std::string path = folder / "full";
+  {
+    StoreWriter writer(path, header, kWanted);
+    writer.append(made_up_observations(header, 0, 16));
+    // No file of this process may grow any more: the same as a full disk to whoever writes.
+    signal(SIGXFSZ, SIG_IGN);
+    rlimit before{};
+    getrlimit(RLIMIT_FSIZE, &before);
+    rlimit small = before;
+    small.rlim_cur = std::filesystem::file_size(writer.partial_path());
+    ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &small), 0);
+    const std::string message =
+        message_of([&] { writer.append(made_up_observations(header, 16, 160)); });
+    ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &before), 0);
+    EXPECT_THAT(message, HasSubstr("full.partial: "));
+    EXPECT_THAT(message, HasSubstr("make room"));
+  }
+  EXPECT_FALSE(std::filesystem::exists(path));
+  EXPECT_EQ(StoreWriter(path, header, kWanted).count(), 16U);
+  write_store(path, header, 160);
+  EXPECT_TRUE(bytes_of(path) == bytes_of(folder / "whole"));
+}
+
+TEST(Sqlite, AFullDatabaseIsAFullDisk) {
+  const TemporaryFolder folder;
+  Database database(folder / "small", Database::Mode::create);
+  database.execute("CREATE TABLE t(x)");
+  database.execute("PRAGMA max_page_count = 3");
+  const std::string message = message_of([&] {
+    Transaction transaction(database);
+    database.execute("INSERT INTO t VALUES(zeroblob(100000))");
+    transaction.commit();
+  });
+  EXPECT_THAT(message, HasSubstr("the disk is full"));
+}
+
+}  // namespace
+}  // namespace flinch::train

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "train/evaluate/evaluation.h"
+
+namespace flinch::train {
+
+/// How one row did on some of the tested scenarios.
+struct GroupRow {
+  std::string group;  ///< "target", "speed_mps" (at the impact) or "time_to_impact_s"
+  std::string value;  ///< which of the group, such as "head" or "0.50 to 0.75"
+  std::size_t scenarios = 0;
+  std::string name;  ///< of the row
+  Estimate mean_cost_ns;
+  Estimate regret_ns;
+  Estimate protection;
+};
+
+/// Every row in every group that has scenarios, with intervals over the group's own scenarios.
+/// `seed` draws the resamples.
+std::vector<GroupRow> group_rows(const Split& split, const Evaluation& evaluation,
+                                 std::uint64_t seed);
+
+}  // namespace flinch::train

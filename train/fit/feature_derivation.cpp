@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#include "train/fit/feature_derivation.h"
+
+#include "database/library/library_file.h"
+#include "motion/error.h"
+
+namespace flinch::train {
+
+void derive_features(const features::Layout& layout, const StoreHeader& header,
+                     std::span<Observation> observations) {
+  database::Library library;
+  const database::LoadStatus status = database::read_enclosed_library(header.library_file, library);
+  if (status != database::LoadStatus::ok)
+    throw Error("", std::string("the library in the store ") + database::message_of(status) +
+                        "; simulate it again");
+  const motion::BodyModel model = motion::make_body_model(library.character);
+  const features::IdlingFigure figure{
+      &library.character.skeleton, &model,
+      &library.clips[static_cast<std::size_t>(library.idle)].motion};
+  for (Observation& observation : observations)
+    observation.features = features::feature_vector(layout, observation.scenario, figure);
+}
+
+void derive_features(const features::Layout& layout, Store& store) {
+  derive_features(layout, store.header, store.observations);
+  store.header.layout = layout;
+}
+
+}  // namespace flinch::train

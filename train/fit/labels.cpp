@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#include "train/fit/labels.h"
+
+#include <cstddef>
+#include <limits>
+
+namespace flinch::train {
+
+CostModel make_cost_model(const StoreHeader& header, const Vulnerability& vulnerability,
+                          double brawn) {
+  return {vulnerability, brawn, reference_damage_ns(vulnerability, header.reference_impulse_ns),
+          header.reference_work_j};
+}
+
+Labels label(std::span<const Observation> observations, const CostModel& model) {
+  Labels labels;
+  for (const Observation& observation : observations) {
+    labels.cost.push_back(costs_of(observation.trials, model));
+    const std::size_t best = best_trial(observation.trials, labels.cost.back());
+    labels.clip.push_back(observation.trials[best].clip);
+  }
+  return labels;
+}
+
+double cost_of_choice(std::span<const Observation> observations, const Labels& labels,
+                      std::size_t observation, int clip) {
+  return labels.cost[observation][trial_of(observations[observation], clip)];
+}
+
+features::Scaling scaling_of(const StoreHeader& header, std::span<const Observation> observations) {
+  std::vector<features::FeatureVector> rows;
+  rows.reserve(observations.size());
+  for (const Observation& observation : observations) rows.push_back(observation.features);
+  return features::make_scaling(rows, header.layout.names());
+}
+
+models::TrainingSet make_training_set(const StoreHeader& header,
+                                      std::span<const Observation> observations,
+                                      const Labels& labels, const features::Scaling& scaling) {
+  models::TrainingSet set;
+  set.feature_count = header.layout.size();
+  set.idle = header.idle;
+  for (int target = 0; target < motion::kTargetCount; ++target) {
+    set.masks.push_back(
+        models::allowed_clips(header.clips, header.idle, static_cast<motion::Target>(target)));
+  }
+  std::vector<double> scaled(static_cast<std::size_t>(set.feature_count));
+  for (const Observation& observation : observations) {
+    scaling.apply(observation.features, scaled);
+    set.points.insert(set.points.end(), scaled.begin(), scaled.end());
+    set.mask.push_back(static_cast<int>(observation.scenario.target));
+  }
+  set.label = labels.clip;
+  const std::size_t clips = header.clips.size();
+  set.cost.assign(observations.size() * clips, std::numeric_limits<float>::infinity());
+  for (std::size_t i = 0; i < observations.size(); ++i) {
+    const std::vector<Trial>& trials = observations[i].trials;
+    for (std::size_t t = 0; t < trials.size(); ++t) {
+      const auto clip = static_cast<std::size_t>(trials[t].clip);
+      set.cost[i * clips + clip] = static_cast<float>(labels.cost[i][t]);
+    }
+  }
+  return set;
+}
+
+}  // namespace flinch::train

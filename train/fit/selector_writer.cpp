@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: MIT
+#include "train/fit/selector_writer.h"
+
+#include <span>
+#include <vector>
+
+#include "database/import/file_io.h"
+#include "motion/error.h"
+#include "runtime/selector_file.h"
+#include "selector_generated.h"
+
+namespace flinch::train {
+namespace {
+
+namespace schema = runtime::schema;
+using flatbuffers::FlatBufferBuilder;
+using flatbuffers::Offset;
+
+// Parts are stored one statement each: the order of a call's arguments is the compiler's to choose,
+// and the bytes must not depend on it.
+Offset<schema::Clip> store(FlatBufferBuilder& builder, const models::ClipSummary& clip) {
+  const auto name = builder.CreateString(clip.name);
+  Offset<schema::Annotation> annotation;
+  if (clip.annotation) {
+    annotation = schema::CreateAnnotation(
+        builder, static_cast<std::uint8_t>(clip.annotation->target),
+        static_cast<std::uint8_t>(clip.annotation->degree), clip.annotation->direction,
+        clip.annotation->onset_s, clip.annotation->peak_s, clip.annotation->end_s);
+  }
+  return schema::CreateClip(builder, name, annotation);
+}
+
+Offset<void> store(FlatBufferBuilder& builder, const models::SvmModel& model) {
+  const auto label = builder.CreateVector(model.label);
+  const auto vectors_of_class = builder.CreateVector(model.vectors_of_class);
+  const auto bound = builder.CreateVector(model.bound);
+  const auto support_vectors = builder.CreateVector(model.support_vectors);
+  std::vector<double> rhos;
+  std::vector<std::uint16_t> all_counts;
+  for (const models::SvmMachine& machine : model.machines) {
+    rhos.push_back(machine.rho);
+    all_counts.insert(all_counts.end(), machine.count.begin(), machine.count.end());
+  }
+  const auto rho = builder.CreateVector(rhos);
+  const auto counts = builder.CreateVector(all_counts);
+  const auto vectors = builder.CreateVector(model.vectors);
+  const auto coefficients = builder.CreateVector(model.coefficients);
+  return schema::CreateSvm(builder, static_cast<std::uint8_t>(model.kernel), model.degree,
+                           model.gamma, model.coef0, model.cost, label, vectors_of_class, bound,
+                           support_vectors, rho, counts, vectors, coefficients)
+      .Union();
+}
+
+Offset<void> store(FlatBufferBuilder& builder, const models::KnnModel& model) {
+  const auto points = builder.CreateVector(model.points);
+  const auto label = builder.CreateVector(model.label);
+  Offset<flatbuffers::Vector<std::uint16_t>> cost;
+  if (!model.cost.empty()) cost = builder.CreateVector(model.cost);
+  return schema::CreateKnn(builder, model.k, static_cast<std::uint8_t>(model.vote), points, label,
+                           cost, model.cost_step_ns)
+      .Union();
+}
+
+Offset<void> store(FlatBufferBuilder& builder, const models::NetworkModel& model) {
+  const auto clip = builder.CreateVector(model.clip);
+  const auto weights = builder.CreateVector(model.weights);
+  return schema::CreateNetwork(builder, model.hidden_count, model.member_count, clip,
+                               model.mean_root, model.scale_root, model.variance_ns, weights)
+      .Union();
+}
+
+Offset<void> store(FlatBufferBuilder& builder, const models::PairwiseModel& model) {
+  const auto clip = builder.CreateVector(model.clip);
+  const auto machine = builder.CreateVector(model.machine);
+  const auto weights = builder.CreateVector(model.weights);
+  return schema::CreatePairwiseLinear(builder, clip, machine, weights).Union();
+}
+
+schema::Model kind_of(const models::SvmModel&) {
+  return schema::Model::Svm;
+}
+
+schema::Model kind_of(const models::KnnModel&) {
+  return schema::Model::Knn;
+}
+
+schema::Model kind_of(const models::NetworkModel&) {
+  return schema::Model::Network;
+}
+
+schema::Model kind_of(const models::PairwiseModel&) {
+  return schema::Model::PairwiseLinear;
+}
+
+// At a multiple of 16 bytes, so that the library is read in place.
+Offset<flatbuffers::Vector<std::uint8_t>> store(FlatBufferBuilder& builder,
+                                                std::span<const std::byte> library_file) {
+  builder.ForceVectorAlignment(library_file.size(), 1, 16);
+  return builder.CreateVector(reinterpret_cast<const std::uint8_t*>(library_file.data()),
+                              library_file.size());
+}
+
+void store(FlatBufferBuilder& builder, const models::Selector& selector,
+           std::span<const std::byte> library_file) {
+  std::vector<Offset<schema::Clip>> stored;
+  for (const models::ClipSummary& clip : selector.clips) stored.push_back(store(builder, clip));
+  const auto clips = builder.CreateVector(stored);
+  const auto names = builder.CreateVectorOfStrings(selector.layout.names());
+  const auto least = builder.CreateVector(selector.scaling.least);
+  const auto most = builder.CreateVector(selector.scaling.most);
+  std::vector<float> floats;
+  for (const Eigen::Vector3f& centre : selector.target_centres) {
+    floats.insert(floats.end(), centre.begin(), centre.end());
+  }
+  const auto centres = builder.CreateVector(floats);
+  const auto kind = std::visit([](const auto& model) { return kind_of(model); }, selector.model);
+  const auto model =
+      std::visit([&builder](const auto& one) { return store(builder, one); }, selector.model);
+  Offset<flatbuffers::Vector<std::uint8_t>> library;
+  if (!library_file.empty()) library = store(builder, library_file);
+  schema::FinishSelectorBuffer(
+      builder, schema::CreateSelector(builder, selector.library_hash, clips, selector.idle, names,
+                                      least, most, selector.brawn, centres, kind, model, library));
+}
+
+std::span<const std::byte> bytes_of(std::string_view text) {
+  return std::as_bytes(std::span(text));
+}
+
+}  // namespace
+
+std::string selector_bytes(const models::Selector& selector,
+                           std::span<const std::byte> library_file) {
+  FlatBufferBuilder builder;
+  store(builder, selector, library_file);
+  const std::string_view content(reinterpret_cast<const char*>(builder.GetBufferPointer()),
+                                 builder.GetSize());
+  const auto seal = database::make_seal(database::kSelectorKind, bytes_of(content));
+  std::string bytes(reinterpret_cast<const char*>(seal.data()), seal.size());
+  bytes.append(content);
+  models::Selector read;
+  const database::LoadStatus status = runtime::read_selector(bytes_of(bytes), read);
+  if (status != database::LoadStatus::ok) {
+    throw Error("", std::string("the selector cannot be written: read back, it ") +
+                        database::message_of(status) + "; check what it was trained on");
+  }
+  return bytes;
+}
+
+void write_selector(const models::Selector& selector, std::span<const std::byte> library_file,
+                    const std::string& path) {
+  database::write_file_atomically(path, selector_bytes(selector, library_file));
+}
+
+}  // namespace flinch::train

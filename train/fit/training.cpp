@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: MIT
+#include "train/fit/training.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cstddef>
+
+#include "models/fit/cross_validation.h"
+#include "models/fit/knn_fit.h"
+#include "models/fit/network_fit.h"
+#include "models/fit/pairwise_linear_fit.h"
+#include "models/fit/svm_fit.h"
+#include "motion/error.h"
+#include "train/fit/labels.h"
+
+namespace flinch::train {
+
+namespace {
+
+constexpr int kMostFolds = 5;
+
+/// What a method makes of a training set.
+struct Fitted {
+  decltype(models::Selector::model) model;
+  std::vector<NamedValue> parameters;
+  double mean_regret_ns = 0;
+};
+using Fit = Fitted (*)(const models::TrainingSet&, std::span<const int> folds,
+                       const models::Score& regret);
+
+Fitted fit_knn(const models::TrainingSet& set, std::span<const int> folds,
+               const models::Score& regret) {
+  const auto chosen = models::choose_parameters(set, models::knn_grid(), folds, regret);
+  const models::KnnParameters& parameters = chosen.parameters;
+  const bool majority = parameters.vote == models::KnnVote::majority;
+  return {models::fit_knn(set, parameters),
+          {{"k", parameters.k}, {"vote", majority ? "majority" : "inverse_distance"}},
+          chosen.mean_score};
+}
+
+Fitted fit_knn_cost(const models::TrainingSet& set, std::span<const int> folds,
+                    const models::Score& regret) {
+  const auto chosen = models::choose_parameters(set, models::knn_cost_grid(), folds, regret);
+  return {models::fit_knn(set, chosen.parameters), {{"k", chosen.parameters.k}}, chosen.mean_score};
+}
+
+/// The parameters of models that take long to fit are chosen on 5000 observations at the most, and
+/// on as few folds as tell them apart.
+template <typename Parameters>
+models::Chosen<Parameters> choose_on_few(const models::TrainingSet& set,
+                                         const std::vector<Parameters>& grid,
+                                         std::span<const int> folds, const models::Score& regret) {
+  constexpr int kMost = 5000;
+  std::vector<int> few;
+  std::vector<int> folds_of_few;
+  const int step = 1 + (set.size() - 1) / kMost;
+  for (int i = 0; i < set.size(); i += step) {
+    few.push_back(i);
+    folds_of_few.push_back(folds[static_cast<std::size_t>(i)]);
+  }
+  const models::Score regret_of_few = [&](int observation, int clip) {
+    return regret(few[static_cast<std::size_t>(observation)], clip);
+  };
+  return models::choose_parameters(models::subset(set, few), std::span<const Parameters>(grid),
+                                   models::enough_folds(folds_of_few), regret_of_few);
+}
+
+Fitted fit_svm_with(models::SvmKernel kernel, const models::TrainingSet& set,
+                    std::span<const int> folds, const models::Score& regret) {
+  const auto chosen =
+      choose_on_few(set, models::svm_grid(set.feature_count, kernel), folds, regret);
+  const models::SvmParameters& parameters = chosen.parameters;
+  std::vector<NamedValue> named;
+  if (kernel == models::SvmKernel::polynomial) {
+    named = {{"kernel", "polynomial"}, {"degree", parameters.degree}, {"coef0", parameters.coef0}};
+  } else {
+    named = {{"kernel", "rbf"}};
+  }
+  named.push_back({"gamma", parameters.gamma});
+  named.push_back({"c", parameters.cost});
+  return {models::fit_svm(set, parameters), named, chosen.mean_score};
+}
+
+Fitted fit_svm(const models::TrainingSet& set, std::span<const int> folds,
+               const models::Score& regret) {
+  return fit_svm_with(models::SvmKernel::polynomial, set, folds, regret);
+}
+
+Fitted fit_svm_rbf(const models::TrainingSet& set, std::span<const int> folds,
+                   const models::Score& regret) {
+  return fit_svm_with(models::SvmKernel::rbf, set, folds, regret);
+}
+
+Fitted fit_network(const models::TrainingSet& set, std::span<const int> folds,
+                   const models::Score& regret) {
+  const models::NetworkParameters parameters;
+  const auto validation =
+      models::validate_network(set, parameters, models::enough_folds(folds), regret);
+  models::NetworkModel model = models::fit_network(set, parameters);
+  model.variance_ns = static_cast<float>(validation.variance_ns);
+  return {std::move(model),
+          {{"members", parameters.member_count},
+           {"hidden", parameters.hidden_count},
+           {"epochs", parameters.epoch_count},
+           {"weight_decay", parameters.weight_decay}},
+          validation.mean_score};
+}
+
+Fitted fit_pairwise_cost(const models::TrainingSet& set, std::span<const int> folds,
+                         const models::Score& regret) {
+  const auto chosen = choose_on_few(set, models::pairwise_grid(), folds, regret);
+  return {models::fit_pairwise(set, chosen.parameters),
+          {{"c", chosen.parameters.c}, {"nearness", chosen.parameters.nearness}},
+          chosen.mean_score};
+}
+
+struct MethodEntry {
+  Method method;
+  std::string_view name;
+  Fit fit;
+};
+// By rising method.
+constexpr std::array kEntries{
+    MethodEntry{Method::knn, "knn", fit_knn},
+    MethodEntry{Method::svm, "svm", fit_svm},
+    MethodEntry{Method::svm_rbf, "svm_rbf", fit_svm_rbf},
+    MethodEntry{Method::knn_cost, "knn_cost", fit_knn_cost},
+    MethodEntry{Method::network, "network", fit_network},
+    MethodEntry{Method::pairwise_cost, "pairwise_cost", fit_pairwise_cost},
+};
+constexpr auto kMethods = [] {
+  std::array<Method, kEntries.size()> methods{};
+  std::ranges::transform(kEntries, methods.begin(), &MethodEntry::method);
+  return methods;
+}();
+
+const MethodEntry& entry_of(Method method) {
+  return kEntries[static_cast<std::size_t>(method)];
+}
+
+std::string text_of(const NamedValue& parameter) {
+  if (const auto* text = std::get_if<std::string>(&parameter.value)) return *text;
+  if (const auto* count = std::get_if<int>(&parameter.value)) return std::to_string(*count);
+  std::array<char, 32> text{};
+  const auto end = std::to_chars(text.data(), text.data() + text.size(),
+                                 std::get<double>(parameter.value), std::chars_format::general, 6);
+  return {text.data(), end.ptr};
+}
+
+std::string text_of(std::span<const NamedValue> parameters) {
+  std::string text;
+  for (const NamedValue& parameter : parameters)
+    text += (text.empty() ? "" : ", ") + parameter.name + ' ' + text_of(parameter);
+  return text;
+}
+
+}  // namespace
+
+std::string_view name_of(Method method) {
+  return entry_of(method).name;
+}
+
+std::optional<Method> method_named(std::string_view name) {
+  const auto found = std::ranges::find(kEntries, name, &MethodEntry::name);
+  if (found == kEntries.end()) return std::nullopt;
+  return found->method;
+}
+
+std::span<const Method> methods() {
+  return kMethods;
+}
+
+Training train_selector(const StoreHeader& header, std::span<const Observation> observations,
+                        const CostModel& cost_model, Method method, std::uint64_t seed) {
+  if (observations.size() < 2)
+    throw Error("", "training needs at least 2 scenarios and there are " +
+                        std::to_string(observations.size()) + "; simulate more");
+  const Labels labels = label(observations, cost_model);
+  Training training;
+  models::Selector& selector = training.selector;
+  selector.library_hash = header.library_hash;
+  selector.clips = header.clips;
+  selector.idle = header.idle;
+  selector.layout = header.layout;
+  selector.scaling = scaling_of(header, observations);
+  selector.brawn = cost_model.brawn;
+  selector.target_centres = header.idle_target_centres;
+
+  const models::TrainingSet set = make_training_set(header, observations, labels, selector.scaling);
+  const std::vector<int> folds =
+      models::make_folds(set.label, std::min(kMostFolds, set.size()), seed);
+  const models::Score regret = [&](int observation, int chosen) {
+    const auto i = static_cast<std::size_t>(observation);
+    return cost_of_choice(observations, labels, i, chosen) -
+           cost_of_choice(observations, labels, i, labels.clip[i]);
+  };
+  Fitted fitted = entry_of(method).fit(set, folds, regret);
+  selector.model = std::move(fitted.model);
+  training.cross_validated_regret_ns = fitted.mean_regret_ns;
+  training.parameters = text_of(fitted.parameters);
+  training.parameter_values = std::move(fitted.parameters);
+  return training;
+}
+
+}  // namespace flinch::train

@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: MIT
+#include "train/report/chart.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <limits>
+
+namespace flinch::train {
+namespace {
+
+// Pixels of the drawing, and of what is kept free for titles.
+constexpr double kWidth = 640;
+constexpr double kHeight = 300;
+constexpr double kLeft = 60;
+constexpr double kRight = 130;
+constexpr double kTop = 12;
+constexpr double kBottom = 44;
+constexpr double kRowHeight = 24;
+constexpr double kNameWidth = 150;
+constexpr double kTickCount = 5;
+constexpr double kLabelHeight = 13;
+
+std::string text_of(double value, int digits) {
+  std::array<char, 32> text{};
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), value,
+                                 std::chars_format::general, digits)
+                       .ptr;
+  return {text.data(), end};
+}
+
+std::string px(double value) {
+  return text_of(std::round(10 * value) / 10, 6);
+}
+
+struct Range {
+  double least = std::numeric_limits<double>::infinity();
+  double most = -std::numeric_limits<double>::infinity();
+
+  void include(double value) {
+    if (!std::isfinite(value)) return;
+    least = std::min(least, value);
+    most = std::max(most, value);
+  }
+};
+
+/// From values to pixels.
+struct Scale {
+  Range range;
+  double from = 0;
+  double to = 0;
+  bool logarithmic = false;
+
+  double position(double value) const { return logarithmic ? std::log10(value) : value; }
+  double operator()(double value) const {
+    const double span = position(range.most) - position(range.least);
+    return from + (to - from) * (position(value) - position(range.least)) / span;
+  }
+};
+
+/// Round numbers, from about the least to about the most: 1, 2 or 5 times a power of ten apart.
+std::vector<double> round_ticks(const Range& range) {
+  const double rough = (range.most - range.least) / kTickCount;
+  const double power = std::pow(10, std::floor(std::log10(rough)));
+  const double step = rough / power < 1.5 ? power : rough / power < 3.5 ? 2 * power : 5 * power;
+  std::vector<double> ticks;
+  const double first = std::floor(range.least / step + 1e-9);
+  for (double k = first; k * step < range.most + step * (1 - 1e-9); ++k) ticks.push_back(k * step);
+  return ticks;
+}
+
+Range widened(Range range) {
+  if (!(range.least < range.most)) return {range.least - 0.5, range.least + 0.5};
+  return range;
+}
+
+std::string line(double x1, double y1, double x2, double y2, const char* style) {
+  return "<line class='" + std::string(style) + "' x1='" + px(x1) + "' y1='" + px(y1) + "' x2='" +
+         px(x2) + "' y2='" + px(y2) + "'/>";
+}
+
+std::string label(double x, double y, const std::string& text, const std::string& style) {
+  return "<text class='" + style + "' x='" + px(x) + "' y='" + px(y) + "'>" + escaped(text) +
+         "</text>";
+}
+
+std::string figure(const std::string& title, double height, const std::string& drawing) {
+  return "<figure><figcaption>" + escaped(title) + "</figcaption><svg role='img' aria-label='" +
+         escaped(title) + "' viewBox='0 0 " + px(kWidth) + ' ' + px(height) + "'>" + drawing +
+         "</svg></figure>\n";
+}
+
+std::string axis_x(const Scale& scale, const std::vector<double>& ticks, double top, double bottom,
+                   const std::string& title) {
+  std::string drawing;
+  for (const double tick : ticks) {
+    drawing += line(scale(tick), top, scale(tick), bottom, "grid") +
+               label(scale(tick), bottom + 16, text_of(tick, 6), "tick middle");
+  }
+  return drawing + label((scale.from + scale.to) / 2, bottom + 36, title, "axis middle");
+}
+
+std::string axis_y(const Scale& scale, const std::vector<double>& ticks, double left, double right,
+                   const std::string& title) {
+  std::string drawing;
+  for (const double tick : ticks) {
+    drawing += line(left, scale(tick), right, scale(tick), "grid") +
+               label(left - 8, scale(tick) + 4, text_of(tick, 6), "tick end");
+  }
+  return drawing + "<text class='axis middle' transform='translate(14 " +
+         px((scale.from + scale.to) / 2) + ") rotate(-90)'>" + escaped(title) + "</text>";
+}
+
+Scale fitted_scale(const Range& found, double from, double to, std::vector<double>& ticks) {
+  const Range range = widened(found);
+  ticks = round_ticks(range);
+  return {{ticks.front(), ticks.back()}, from, to};
+}
+
+std::string drawn(const Series& series, const Scale& x, const Scale& y, std::size_t number) {
+  const std::string colour = " c" + std::to_string(number % 8);
+  std::string points;
+  std::string dots;
+  for (std::size_t i = 0; i < series.x.size(); ++i) {
+    if (!std::isfinite(series.x[i]) || !std::isfinite(series.y[i])) continue;
+    const std::string at_x = px(x(series.x[i]));
+    const std::string at_y = px(y(series.y[i]));
+    points += (points.empty() ? "" : " ") + at_x + ',' + at_y;
+    dots += "<circle class='dot" + colour + "' r='3' cx='" + at_x + "' cy='" + at_y + "'/>";
+  }
+  return "<polyline class='line" + colour + "' points='" + points + "'/>" + dots;
+}
+
+/// The names at the lines' ends, moved apart where they would overlap.
+std::string end_labels(const std::vector<Series>& series, const Scale& y) {
+  std::vector<std::pair<double, std::size_t>> places;
+  for (std::size_t i = 0; i < series.size(); ++i)
+    if (!series[i].y.empty() && std::isfinite(series[i].y.back()))
+      places.emplace_back(y(series[i].y.back()), i);
+  std::ranges::sort(places);
+  std::string drawing;
+  double least = kTop;
+  for (auto& [place, number] : places) {
+    place = std::max(place, least);
+    least = place + kLabelHeight;
+  }
+  double most = kHeight - kBottom;
+  for (auto at = places.rbegin(); at != places.rend(); ++at) {
+    at->first = std::min(at->first, most);
+    most = at->first - kLabelHeight;
+  }
+  for (const auto& [place, number] : places)
+    drawing += label(kWidth - kRight + 8, place + 4, series[number].name,
+                     "name c" + std::to_string(number % 8));
+  return drawing;
+}
+
+}  // namespace
+
+std::string escaped(const std::string& text) {
+  std::string result;
+  for (const char c : text) {
+    switch (c) {
+      case '<':
+        result += "&lt;";
+        break;
+      case '>':
+        result += "&gt;";
+        break;
+      case '&':
+        result += "&amp;";
+        break;
+      case '\'':
+        result += "&#39;";
+        break;
+      default:
+        result += c;
+    }
+  }
+  return result;
+}
+
+std::string svg_of(const LineChart& chart) {
+  Range found_x;
+  Range found_y;
+  for (const Series& series : chart.series) {
+    for (const double x : series.x) found_x.include(x);
+    for (const double y : series.y) found_y.include(y);
+  }
+  if (chart.diagonal) {
+    found_y.include(found_x.least);
+    found_y.include(found_x.most);
+  }
+  std::vector<double> ticks_x;
+  std::vector<double> ticks_y;
+  const Scale y = fitted_scale(found_y, kHeight - kBottom, kTop, ticks_y);
+  Scale x = fitted_scale(found_x, kLeft, kWidth - kRight, ticks_x);
+  if (chart.logarithmic_x && found_x.least < found_x.most) {
+    x.range = found_x;
+    x.logarithmic = true;
+    ticks_x = chart.series.front().x;
+  }
+  std::string drawing = axis_y(y, ticks_y, kLeft, kWidth - kRight, chart.y_title) +
+                        axis_x(x, ticks_x, kTop, kHeight - kBottom, chart.x_title);
+  if (chart.diagonal) {
+    drawing +=
+        line(x(found_x.least), y(found_x.least), x(found_x.most), y(found_x.most), "diagonal");
+  }
+  for (std::size_t i = 0; i < chart.series.size(); ++i) drawing += drawn(chart.series[i], x, y, i);
+  return figure(chart.title, kHeight, drawing + end_labels(chart.series, y));
+}
+
+std::string svg_of(const DotChart& chart) {
+  Range found;
+  found.include(0);
+  for (const Estimate& estimate : chart.estimates) {
+    found.include(estimate.interval.low);
+    found.include(estimate.interval.high);
+    found.include(estimate.value);
+  }
+  std::vector<double> ticks;
+  const Scale x = fitted_scale(found, kNameWidth, kWidth - 60, ticks);
+  const double bottom = kTop + kRowHeight * static_cast<double>(chart.names.size());
+  std::string drawing = axis_x(x, ticks, kTop, bottom, chart.x_title);
+  for (std::size_t i = 0; i < chart.names.size(); ++i) {
+    const Estimate& estimate = chart.estimates[i];
+    const double middle = kTop + kRowHeight * (static_cast<double>(i) + 0.5);
+    drawing += label(kNameWidth - 10, middle + 4, chart.names[i], "name end");
+    if (!std::isfinite(estimate.value)) continue;
+    drawing +=
+        line(x(estimate.interval.low), middle, x(estimate.interval.high), middle, "whisker") +
+        "<circle class='dot c0' r='4.5' cx='" + px(x(estimate.value)) + "' cy='" + px(middle) +
+        "'/>" +
+        label(x(estimate.interval.high) + 8, middle + 4, text_of(estimate.value, 3), "tick");
+  }
+  return figure(chart.title, bottom + kBottom, drawing);
+}
+
+std::string chart_style() {
+  // Okabe and Ito's colours, which people tell apart whatever their colour vision.
+  return "figure{margin:0}figcaption{font-weight:600;margin:0 0 .5rem}"
+         "svg{width:100%;height:auto;font:12px system-ui,sans-serif}"
+         ".grid{stroke:var(--grid);stroke-width:1}.diagonal{stroke:var(--quiet);stroke-dasharray:4 "
+         "4}"
+         ".tick{fill:var(--quiet);font-size:11px}.axis{fill:var(--quiet)}.name{fill:var(--ink)}"
+         ".middle{text-anchor:middle}.end{text-anchor:end}"
+         ".line{fill:none;stroke-width:2;stroke-linejoin:round}"
+         ".whisker{stroke:var(--quiet);stroke-width:2;stroke-linecap:round}"
+         ".c0{--c:#0072b2}.c1{--c:#d55e00}.c2{--c:#009e73}.c3{--c:#cc79a7}.c4{--c:#e69f00}"
+         ".c5{--c:#56b4e9}.c6{--c:#8a6d3b}.c7{--c:#777}"
+         ".line[class*=c]{stroke:var(--c)}.dot[class*=c]{fill:var(--c)}"
+         ".name[class*=' c']{fill:var(--c)}";
+}
+
+}  // namespace flinch::train

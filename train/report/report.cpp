@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: MIT
+#include "train/report/report.h"
+
+#include <filesystem>
+
+#include "database/import/file_io.h"
+#include "motion/error.h"
+#include "train/report/csv.h"
+#include "train/report/report_page.h"
+
+namespace flinch::train {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+void put(Json& document, const std::string& key, const Estimate& estimate) {
+  document[key] = estimate.value;
+  document[key + "_ci"] = Json::array({estimate.interval.low, estimate.interval.high});
+}
+
+Json cost_model_document(const CostModel& model) {
+  Json vulnerability;
+  for (const motion::Body body : motion::kBodies)
+    vulnerability[std::string(name_of(body))] = model.vulnerability[body];
+  return {{"brawn", model.brawn},
+          {"reference_damage_ns", model.reference_damage_ns},
+          {"reference_work_j", model.reference_work_j},
+          {"vulnerability", vulnerability}};
+}
+
+/// One object an element; an empty array for none.
+template <class Element, class ToDocument>
+Json list(const std::vector<Element>& elements, const ToDocument& to_document) {
+  Json documents = Json::array();
+  for (const Element& element : elements) documents.push_back(to_document(element));
+  return documents;
+}
+
+Json document_of(const EvaluationRow& row) {
+  Json document{{"name", row.name}};
+  put(document, "accuracy", row.accuracy);
+  put(document, "top_three", row.top_three);
+  put(document, "mean_cost", row.mean_cost_ns);
+  put(document, "mean_damage", row.mean_damage_ns);
+  put(document, "regret", row.regret_ns);
+  put(document, "protection", row.protection);
+  for (const Difference& difference : row.differences)
+    put(document, "minus_" + difference.from, difference.cost_ns);
+  return document;
+}
+
+Json document_of(const GroupRow& row) {
+  Json document{
+      {"group", row.group}, {"value", row.value}, {"scenarios", row.scenarios}, {"name", row.name}};
+  put(document, "mean_cost", row.mean_cost_ns);
+  put(document, "regret", row.regret_ns);
+  put(document, "protection", row.protection);
+  return document;
+}
+
+Json document_of(const ReliabilityBin& bin) {
+  return {{"name", bin.name},
+          {"said", bin.said},
+          {"mean_said", bin.mean_said},
+          {"scenarios", bin.scenarios},
+          {"accuracy", bin.accuracy},
+          {"mean_cost", bin.mean_cost_ns},
+          {"mean_regret", bin.mean_regret_ns}};
+}
+
+Json document_of(const NoiseRow& row) {
+  return {{"name", row.name},
+          {"noise", row.noise},
+          {"regret", row.regret_ns},
+          {"protection", row.protection}};
+}
+
+Json document_of(const CurveRow& row) {
+  return {{"name", row.name},
+          {"scenarios_fitted", row.fitted_count},
+          {"regret", row.regret_ns},
+          {"protection", row.protection}};
+}
+
+Json document_of(const TransferRow& row) {
+  return {{"name", row.name},
+          {"fitted_brawn", row.fitted_brawn},
+          {"judged_brawn", row.judged_brawn},
+          {"regret", row.regret_ns},
+          {"protection", row.protection}};
+}
+
+Json document_of(const AblationRow& row) {
+  return {{"name", row.name},
+          {"features", row.features},
+          {"feature_count", row.feature_count},
+          {"cross_validated_regret", row.cross_validated_regret_ns},
+          {"regret", row.regret_ns},
+          {"protection", row.protection}};
+}
+
+Json document_of(const PreventionRow& row) {
+  return {{"group", row.group},
+          {"value", row.value},
+          {"scenarios", row.scenarios},
+          {"idle_cost_ns", row.idle_cost_ns},
+          {"oracle_cost_ns", row.oracle_cost_ns},
+          {"prevented", row.prevented()}};
+}
+
+Json document_of(const MethodSummary& method) {
+  return {{"name", method.name},
+          {"parameters", method.parameters},
+          {"cross_validated_regret", method.cross_validated_regret_ns}};
+}
+
+Json document_of(const RowTiming& timing) {
+  return {{"name", timing.name},
+          {"median_us", timing.median_us},
+          {"p99_us", timing.p99_us},
+          {"fit_s", timing.fit_s}};
+}
+
+/// The difference of SVM and KNN; nothing where one of them is no row.
+Json paired_document(const Evaluation& evaluation) {
+  const EvaluationRow* svm = row_named(evaluation, "svm");
+  if (svm == nullptr || svm->differences.empty()) return nullptr;
+  Json document{{"names", {"svm", "knn"}}};
+  const Estimate& difference = svm->differences.front().cost_ns;
+  document["difference"] = difference.value;
+  document["ci"] = Json::array({difference.interval.low, difference.interval.high});
+  return document;
+}
+
+std::string cell(const Json& value) {
+  if (value.is_number_float()) return exact(value.get<double>());
+  if (value.is_string()) return csv_cell(value.get<std::string>());
+  return value.is_null() ? "" : value.dump();
+}
+
+/// Flat objects with the same keys as comma-separated values; a `…_ci` makes two columns.
+std::string csv_of(const Json& objects) {
+  std::string text;
+  for (const auto& [key, value] : objects.front().items()) {
+    const std::string separator = text.empty() ? "" : ",";
+    text += value.is_array() ? separator + key + "_low," + key + "_high" : separator + key;
+  }
+  text += '\n';
+  for (const Json& object : objects) {
+    std::string line;
+    for (const auto& [key, value] : object.items()) {
+      if (!line.empty()) line += ',';
+      line += value.is_array() ? cell(value[0]) + ',' + cell(value[1]) : cell(value);
+    }
+    text += line + '\n';
+  }
+  return text;
+}
+
+}  // namespace
+
+Json report_document(const Report& report) {
+  const auto to_document = [](const auto& element) { return document_of(element); };
+  Json sizes = Json::array();
+  for (const RowTiming& row : report.evaluation.timing)
+    sizes.push_back({{"name", row.name}, {"file_bytes", row.file_bytes}});
+  return {{"library", report.library},
+          {"library_hash", database::hash_text(report.library_hash)},
+          {"seed", report.seed},
+          {"scenarios_fitted", report.fitted_count},
+          {"scenarios_tested", report.tested_count},
+          {"test_store", report.has_test_store},
+          {"features", report.features},
+          {"cost_model", cost_model_document(report.evaluation.cost_model)},
+          {"rows", list(report.evaluation.rows, to_document)},
+          {"paired", paired_document(report.evaluation)},
+          {"methods", list(report.methods, to_document)},
+          {"sizes", sizes},
+          {"groups", list(report.groups, to_document)},
+          {"reliability", list(report.reliability, to_document)},
+          {"noise", list(report.noise, to_document)},
+          {"curves", list(report.curves, to_document)},
+          {"transfer", list(report.transfer, to_document)},
+          {"ablation", list(report.ablation, to_document)},
+          {"prevention", list(report.prevention, to_document)}};
+}
+
+Json timing_document(const Evaluation& evaluation) {
+  return list(evaluation.timing, [](const RowTiming& timing) { return document_of(timing); });
+}
+
+std::string scenarios_csv(const Split& split, const Evaluation& evaluation) {
+  std::string text = "number,target,label";
+  for (const EvaluationRow& row : evaluation.rows)
+    text += ',' + row.name + "_clip," + row.name + "_cost_ns";
+  text += '\n';
+  for (std::size_t i = 0; i < split.tested.size(); ++i) {
+    const Observation& observation = split.tested[i];
+    text += std::to_string(observation.number) + ',' +
+            std::string(motion::name_of(observation.scenario.target)) + ',' +
+            std::to_string(evaluation.labels.clip[i]);
+    for (const EvaluationRow& row : evaluation.rows)
+      text += ',' + std::to_string(row.chosen[i]) + ',' + exact(row.cost_ns[i]);
+    text += '\n';
+  }
+  return text;
+}
+
+void write_report(const Report& report, const Split& split, const std::string& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) throw Error(folder, "cannot make the folder: " + error.message());
+  const auto write = [&](const std::string& name, const std::string& text) {
+    database::write_file_atomically((std::filesystem::path(folder) / name).string(), text);
+  };
+  const Json document = report_document(report);
+  write("report.json", document.dump(2) + '\n');
+  write("timing.json", timing_document(report.evaluation).dump(2) + '\n');
+  write("report.html", report_page(report));
+  write("scenarios.csv", scenarios_csv(split, report.evaluation));
+  for (const char* chart :
+       {"groups", "reliability", "noise", "curves", "transfer", "ablation", "prevention"})
+    if (!document[chart].empty()) write(std::string(chart) + ".csv", csv_of(document[chart]));
+}
+
+}  // namespace flinch::train

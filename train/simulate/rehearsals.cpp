@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+#include "train/simulate/rehearsals.h"
+
+namespace flinch::train {
+
+std::shared_ptr<const RehearsedResponse> Rehearsals::find(const ResponseKey& key) const {
+  const std::lock_guard lock(mutex_);
+  const auto found = kept_.find(key);
+  return found == kept_.end() ? nullptr : found->second;
+}
+
+void Rehearsals::offer(std::shared_ptr<const RehearsedResponse> response) {
+  const std::lock_guard lock(mutex_);
+  const std::uint64_t bytes = response->byte_count();
+  if (bytes_ + bytes > most_bytes_) return;
+  const ResponseKey key = response->key;
+  if (kept_.emplace(key, std::move(response)).second) bytes_ += bytes;
+}
+
+std::uint64_t Rehearsals::byte_count() const {
+  const std::lock_guard lock(mutex_);
+  return bytes_;
+}
+
+}  // namespace flinch::train

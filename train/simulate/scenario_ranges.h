@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <optional>
+#include <vector>
+
+#include "train/store/store_range.h"
+
+namespace flinch::train {
+
+/// Hands out the scenarios that a run still has to simulate, in ranges: small ones first, so that
+/// something is committed and known of the rate soon, then ones of a second or two of work, and
+/// small ones again as the end nears, so that nobody waits long for the last.
+class ScenarioRanges {
+ public:
+  /// `missing` in the order to simulate in. `workers` processes will ask, and each range should be
+  /// of `most` scenarios for each of their threads.
+  ScenarioRanges(const std::vector<ScenarioRange>& missing, int workers, std::uint64_t most);
+
+  /// The next range for a process of this many threads; nothing when all are handed out.
+  std::optional<ScenarioRange> next(int threads);
+  /// Takes back a range that was handed out: it is the next.
+  void put_back(ScenarioRange range);
+
+ private:
+  std::deque<ScenarioRange> missing_;
+  std::uint64_t workers_;
+  std::uint64_t most_;
+  std::uint64_t left_ = 0;
+  std::uint64_t handed_out_ = 0;
+};
+
+}  // namespace flinch::train

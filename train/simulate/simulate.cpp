@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: MIT
+#include "train/simulate/simulate.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <optional>
+#include <span>
+
+#include "database/import/library_writer.h"
+#include "database/library/content_hash.h"
+#include "database/library/sealed_file.h"
+#include "motion/error.h"
+#include "train/simulate/crew.h"
+#include "train/simulate/scenario_ranges.h"
+#include "train/store/store_trials.h"
+
+namespace flinch::train {
+
+namespace {
+
+/// Scenarios that a thread simulates before they are committed: a second of work.
+constexpr std::uint64_t kBatch = 128;
+/// The same where responses must be rehearsed anew for every batch, which should pay.
+constexpr std::uint64_t kBatchWithoutMemory = 1024;
+
+constexpr double degrees(double radians) {
+  return radians * 180 / std::numbers::pi;
+}
+
+std::string describe(const ScenarioDistribution& distribution) {
+  return nlohmann::ordered_json{
+      {"radius_m", distribution.radius_m},
+      {"mass_kg", distribution.mass_kg},
+      {"speed_mps", {distribution.least_speed_mps, distribution.most_speed_mps}},
+      {"elevation_degrees",
+       {degrees(distribution.least_elevation), degrees(distribution.most_elevation)}},
+      {"time_to_impact_s",
+       {distribution.least_time_to_impact_s, distribution.most_time_to_impact_s}},
+      {"time_to_impact_step_s", distribution.time_to_impact_step_s},
+      {"character_states", distribution.character_states},
+      {"aim_radius_m", distribution.aim_radius_m}}
+      .dump();
+}
+
+std::string describe(const SimulationPlan& plan) {
+  return nlohmann::ordered_json{{"free_step_s", plan.options.free_step_s},
+                                {"contact_step_s", plan.options.contact_step_s},
+                                {"restitution", plan.options.restitution},
+                                {"gravity_mps2", plan.options.gravity_mps2},
+                                {"tail_s", plan.tail_s},
+                                {"unabridged", plan.unabridged}}
+      .dump();
+}
+
+/// About what all responses take, rehearsed: each as much in each second as idling does.
+std::uint64_t bytes_of_all_responses(const SimulationSubject& subject) {
+  const RehearsedResponse idle =
+      rehearse(subject, subject.responses.key_of(subject.library.idle, {}));
+  double seconds = 0;
+  for (int time = 0; time < time_count(subject.plan.distribution); ++time) {
+    const double performed_s =
+        double{time_to_impact_s(subject.plan.distribution, time)} + subject.plan.tail_s;
+    seconds += static_cast<double>(subject.responses.count_at(time)) * performed_s;
+  }
+  return static_cast<std::uint64_t>(seconds / idle.rehearsal.duration_s() *
+                                    static_cast<double>(idle.byte_count()));
+}
+
+/// What must be the same in all processes of a run.
+std::uint64_t hash_of_run(const StoreHeader& header) {
+  const std::string text = database::hash_text(header.library_hash) + " " +
+                           std::to_string(header.seed) + " " + header.distribution + " " +
+                           header.simulation;
+  return database::content_hash(std::as_bytes(std::span(text)));
+}
+
+/// Writes what was simulated, and tells how far it is.
+class Collector {
+ public:
+  /// Without a writer all is there, and nothing may be taken.
+  Collector(const SimulationSubject& subject, StoreWriter* writer, const SimulationRun& run)
+      : subject_(subject), writer_(writer), run_(run) {
+    progress_.of = run.wanted.count;
+    report();
+  }
+
+  void take(const Batch& batch) { write(batch.observations, batch.counts, batch.cpu); }
+
+  void take(const Done& done) {
+    std::vector<Observation> observations;
+    for (std::uint64_t i = 0; i < done.range.count; ++i) {
+      observations.push_back(pose_scenario(subject_, done.range.first + i));
+      observations.back().trials = decode_trials(done.trials[i]);
+    }
+    write(observations, done.counts, done.cpu);
+  }
+
+ private:
+  void write(const std::vector<Observation>& observations, const SimulationCounts& counts,
+             const PhaseTimes& cpu) {
+    const double begin_s = run_.batch.cpu_s();
+    writer_->append(observations);
+    progress_.counts.add(counts);
+    progress_.cpu.add(cpu);
+    progress_.cpu.writing_s += run_.batch.cpu_s() - begin_s;
+    report();
+  }
+
+  void report() {
+    progress_.scenarios = writer_ ? writer_->count() : run_.wanted.count;
+    run_.report(progress_);
+  }
+
+  const SimulationSubject& subject_;
+  StoreWriter* writer_;
+  const SimulationRun& run_;
+  SimulationProgress progress_;
+};
+
+bool is_finished(const std::string& path, const StoreHeader& header, ScenarioRange wanted) {
+  if (!std::filesystem::is_regular_file(path)) return false;
+  const StoreSummary finished = summarise_store(path);
+  require_same_run(finished.header, header, path);
+  return finished.holds(wanted);
+}
+
+}  // namespace
+
+StoreHeader make_store_header(const SimulationSubject& subject) {
+  const database::Library& library = subject.library;
+  StoreHeader header;
+  const std::string file = database::library_bytes(library);
+  const auto bytes = std::as_bytes(std::span(file));
+  header.library_file.assign(bytes.begin(), bytes.end());
+  header.library_hash = database::unseal(database::kLibraryKind, bytes).hash;
+  header.library_name = library.name;
+  header.seed = subject.plan.seed;
+  header.distribution = describe(subject.plan.distribution);
+  header.simulation = describe(subject.plan);
+  header.reference_impulse_ns = (1 + subject.plan.options.restitution) *
+                                subject.plan.distribution.mass_kg *
+                                subject.plan.distribution.most_speed_mps;
+  header.idle = library.idle;
+  for (int clip = 0; clip < static_cast<int>(library.clips.size()); ++clip) {
+    const motion::Clip& source = library.clips[static_cast<std::size_t>(clip)];
+    const bool answers = source.purpose == motion::Purpose::anticipation && clip != library.idle;
+    header.clips.push_back({source.name, answers ? source.annotation : std::nullopt});
+    header.clip_work_j.push_back(answers ? reference_work_j(subject, clip) : 0);
+  }
+  header.reference_work_j = *std::ranges::max_element(header.clip_work_j);
+  if (!(header.reference_work_j > 0))
+    throw Error("", "the library " + library.name +
+                        " has no annotated clip that moves; annotate its clips in the manifest "
+                        "and import again");
+  const motion::Motion& idle = library.clips[static_cast<std::size_t>(library.idle)].motion;
+  header.idle_target_centres = target_centres_in_character_frame(
+      library.character.skeleton, subject.body_model, idle.poses.front());
+  return header;
+}
+
+MemoryPlan plan_memory(const SimulationSubject& subject, std::uint64_t most, int threads) {
+  // The program with a library of a few hundred clips; and a batch, a response that is being
+  // rehearsed and a world, a thread. tests/bench measures them.
+  constexpr std::uint64_t kProgram = 64;
+  constexpr std::uint64_t kThread = 16;
+  constexpr int kMebi = 20;
+  MemoryPlan plan;
+  plan.most = most;
+  plan.reserved = (kProgram + kThread * static_cast<std::uint64_t>(threads)) << kMebi;
+  if (most < plan.reserved)
+    throw Error("", std::to_string(most >> kMebi) + " MiB are too little memory for " +
+                        std::to_string(threads) + " threads; give at least --memory " +
+                        std::to_string(plan.reserved >> kMebi) + "M");
+  plan.response_count = subject.responses.count();
+  plan.all_responses = bytes_of_all_responses(subject);
+  return plan;
+}
+
+bool simulate_store(const SimulationSubject& subject, const std::string& path,
+                    const SimulationRun& run) {
+  const StoreHeader header = make_store_header(subject);
+  NoMessenger nobody;
+  Messenger& messenger = run.messenger ? *run.messenger : nobody;
+  std::optional<StoreWriter> writer;
+  std::vector<ScenarioRange> missing;
+  if (!is_finished(path, header, run.wanted)) {
+    writer.emplace(path, header, run.wanted);
+    missing = writer->missing();
+  }
+  ScenarioRanges ranges(missing, messenger.size(),
+                        run.memory.keeps_all() ? kBatch : kBatchWithoutMemory);
+  Collector collector(subject, writer ? &*writer : nullptr, run);
+  Crew crew(messenger,
+            {[&](int threads) { return ranges.next(threads); },
+             [&](const Done& done) { collector.take(done); },
+             [&](ScenarioRange range) { ranges.put_back(range); }},
+            hash_of_run(header));
+  Rehearsals rehearsals(run.memory.for_responses());
+  BatchContext context = run.batch;
+  context.attend = [&crew] { crew.attend(); };
+  for (;;) {
+    if (context.stop != nullptr && *context.stop) return false;
+    crew.attend();
+    if (const auto range = ranges.next(context.threads)) {
+      Batch batch;
+      if (!simulate_batch(subject, rehearsals, *range, context, batch)) return false;
+      collector.take(batch);
+    } else if (crew.is_at_work()) {
+      crew.wait();
+    } else {
+      break;
+    }
+  }
+  if (writer) writer->finish();
+  return true;
+}
+
+void help_simulate(const SimulationSubject& subject, const SimulationRun& run) {
+  Rehearsals rehearsals(run.memory.for_responses());
+  const auto simulate = [&](ScenarioRange range) -> std::optional<Done> {
+    Batch batch;
+    if (!simulate_batch(subject, rehearsals, range, run.batch, batch)) return std::nullopt;
+    Done done{range, batch.counts, batch.cpu, {}};
+    for (const Observation& observation : batch.observations)
+      done.trials.push_back(encode_trials(observation.trials));
+    return done;
+  };
+  help(*run.messenger, hash_of_run(make_store_header(subject)), run.batch.threads, simulate);
+}
+
+}  // namespace flinch::train

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: MIT
+#include "train/store/store.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+
+#include "database/library/library_file.h"
+#include "features/feature_vector.h"
+#include "motion/error.h"
+#include "train/store/file_opening.h"
+#include "train/store/sqlite.h"
+#include "train/store/store_rows.h"
+#include "train/store/store_schema.h"
+
+namespace flinch::train {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::int64_t integer(Database& database, const std::string& sql) {
+  Statement statement = database.prepare(sql);
+  return statement.step() ? statement.integer(0) : 0;
+}
+
+Database open_for_reading(const std::string& path) {
+  const database::FileKind kind = file_kind_at(path);
+  if (kind != database::FileKind::store)
+    throw Error(path,
+                "is " + std::string(name_of(kind)) + ", not a store; `flinch simulate` makes one");
+  Database database(path, Database::Mode::read);
+  // SQLite reads a page that ends early as if zeros followed.
+  const auto size = static_cast<std::int64_t>(fs::file_size(path));
+  if (integer(database, "PRAGMA page_size") * integer(database, "PRAGMA page_count") != size)
+    throw Error(path,
+                "the store is damaged (cut short); delete it and run `flinch simulate` again");
+  return database;
+}
+
+/// What idling looks like, which the features need.
+motion::Motion idle_of(const StoreHeader& header, const std::string& path) {
+  database::Library library;
+  if (read_library(header.library_file, library) != database::LoadStatus::ok ||
+      library.idle != header.idle)
+    throw Error(path, kDamagedStore);
+  return library.clips[static_cast<std::size_t>(library.idle)].motion;
+}
+
+}  // namespace
+
+void require_same_run(const StoreHeader& stored, const StoreHeader& wanted, const std::string& path,
+                      const std::string& remedy) {
+  if (stored.library_hash != wanted.library_hash)
+    throw Error(path, "made from another library (" + stored.library_name + ", " +
+                          database::hash_text(stored.library_hash) + "), not from " +
+                          wanted.library_name + ", " + database::hash_text(wanted.library_hash) +
+                          "; " + remedy);
+  if (stored.seed != wanted.seed)
+    throw Error(path, "made with --seed " + std::to_string(stored.seed) + ", not " +
+                          std::to_string(wanted.seed) + "; " + remedy);
+  if (stored.distribution != wanted.distribution)
+    throw Error(path,
+                "made with another scenario distribution, " + stored.distribution + "; " + remedy);
+  if (stored.simulation != wanted.simulation)
+    throw Error(path, "made with another simulation, " + stored.simulation + "; " + remedy);
+}
+
+struct StoreReader::File {
+  explicit File(const std::string& path)
+      : database(open_for_reading(path)),
+        header(read_header(database)),
+        seal(read_seal(database)),
+        idle(idle_of(header, path)),
+        row(prepare_select(database)) {}
+
+  /// That the observation is the one that must follow.
+  void require_next(std::uint64_t number);
+  void require_whole() const;
+
+  Database database;
+  StoreHeader header;
+  std::optional<ScenarioRange> seal;
+  motion::Motion idle;
+  Statement row;
+  ScenarioRange taken;
+};
+
+void StoreReader::File::require_next(std::uint64_t number) {
+  if (taken.count == 0) taken.first = number;
+  if (number != taken.end())
+    throw Error(database.path(), "the store lacks " + text_of({taken.end(), number - taken.end()}) +
+                                     "; run the `flinch simulate` that made it again");
+  ++taken.count;
+}
+
+void StoreReader::File::require_whole() const {
+  if (seal && taken != *seal) throw Error(database.path(), kDamagedStore);
+}
+
+StoreReader::StoreReader(const std::string& path) : file_(std::make_unique<File>(path)) {}
+StoreReader::~StoreReader() = default;
+StoreReader::StoreReader(StoreReader&&) noexcept = default;
+StoreReader& StoreReader::operator=(StoreReader&&) noexcept = default;
+
+const StoreHeader& StoreReader::header() const {
+  return file_->header;
+}
+
+bool StoreReader::next(Observation& observation) {
+  if (!file_->row.step()) {
+    file_->require_whole();
+    return false;
+  }
+  observation = observation_of(file_->row, file_->header, file_->database.path());
+  file_->require_next(observation.number);
+  observation.features =
+      features::to_vector(features::features_of(observation.scenario, file_->idle));
+  return true;
+}
+
+Store read_store(const std::string& path) {
+  StoreReader reader(path);
+  Store store;
+  store.header = reader.header();
+  Observation observation;
+  while (reader.next(observation)) store.observations.push_back(std::move(observation));
+  return store;
+}
+
+StoreSummary summarise_store(const std::string& path) {
+  Database database = open_for_reading(path);
+  StoreSummary summary;
+  summary.header = read_header(database);
+  if (const std::optional<ScenarioRange> seal = read_seal(database)) {
+    summary.range = *seal;
+    summary.observation_count = seal->count;
+  } else {
+    summary.range = range_of_rows(database);
+    summary.observation_count =
+        static_cast<std::uint64_t>(integer(database, "SELECT count(*) FROM observation"));
+  }
+  return summary;
+}
+
+StoreContents count_contents(const std::string& path) {
+  StoreContents contents;
+  contents.bytes = fs::file_size(path);
+  StoreReader reader(path);
+  Observation observation;
+  while (reader.next(observation)) {
+    contents.trials += observation.trials.size();
+    for (const Trial& trial : observation.trials)
+      contents.impulses += static_cast<std::uint64_t>(
+          std::ranges::count_if(trial.impulse, [](float impulse) { return impulse != 0; }));
+  }
+  return contents;
+}
+
+bool StoreSummary::holds(const ScenarioRange& wanted) const {
+  return observation_count == range.count && contains(range, wanted);
+}
+
+}  // namespace flinch::train

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: MIT
+#include "train/store/store_rows.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+
+#include "database/library/content_hash.h"
+#include "motion/error.h"
+#include "train/store/store_schema.h"
+#include "train/store/store_trials.h"
+
+namespace flinch::train {
+
+namespace {
+
+/// A scenario's numbers, each a column after `number` and `target`.
+constexpr std::array<const char*, 13> kScenarioColumns{
+    "time_to_impact_s",  "threat_x",          "threat_y",        "threat_z", "threat_velocity_x",
+    "threat_velocity_y", "threat_velocity_z", "radius_m",        "mass_kg",  "idle_time_s",
+    "character_x",       "character_y",       "character_facing"};
+using ScenarioNumbers = std::array<double, kScenarioColumns.size()>;
+constexpr int kTrialsColumn = 2 + static_cast<int>(kScenarioColumns.size());
+
+ScenarioNumbers numbers_of(const features::Scenario& scenario) {
+  const features::Threat& threat = scenario.threat;
+  const features::CharacterState& state = scenario.state;
+  const std::array<float, kScenarioColumns.size()> numbers{scenario.time_to_impact_s,
+                                                           threat.position.x(),
+                                                           threat.position.y(),
+                                                           threat.position.z(),
+                                                           threat.velocity.x(),
+                                                           threat.velocity.y(),
+                                                           threat.velocity.z(),
+                                                           threat.radius,
+                                                           threat.mass_kg,
+                                                           state.idle_time_s,
+                                                           state.position.x(),
+                                                           state.position.y(),
+                                                           state.facing};
+  ScenarioNumbers exact{};
+  std::ranges::copy(numbers, exact.begin());
+  return exact;
+}
+
+features::Scenario scenario_of(const ScenarioNumbers& numbers, motion::Target target) {
+  std::array<float, kScenarioColumns.size()> n{};
+  std::ranges::transform(numbers, n.begin(), [](double x) { return static_cast<float>(x); });
+  features::Scenario scenario;
+  scenario.target = target;
+  scenario.time_to_impact_s = n[0];
+  scenario.threat = {{n[1], n[2], n[3]}, {n[4], n[5], n[6]}, n[7], n[8]};
+  scenario.state = {n[9], {n[10], n[11]}, n[12]};
+  return scenario;
+}
+
+/// Of all that stands in the row: the number, the target's place, the scenario's numbers and the
+/// trials. The half of a 64-bit hash is enough to notice an accident.
+std::int64_t checksum_of(std::uint64_t number, motion::Target target,
+                         const ScenarioNumbers& numbers, std::span<const std::byte> trials) {
+  const auto place = static_cast<std::uint64_t>(target);
+  std::vector<std::byte> bytes(sizeof number + sizeof place + sizeof numbers + trials.size());
+  std::byte* to = bytes.data();
+  const auto put = [&to](const void* from, std::size_t size) {
+    if (size > 0) std::memcpy(to, from, size);
+    to += size;
+  };
+  put(&number, sizeof number);
+  put(&place, sizeof place);
+  put(numbers.data(), sizeof numbers);
+  put(trials.data(), trials.size());
+  return static_cast<std::int32_t>(database::content_hash(bytes));
+}
+
+bool are_sound(std::span<const Trial> trials, const StoreHeader& header) {
+  return std::ranges::find(trials, header.idle, &Trial::clip) != trials.end() &&
+         trials.back().clip < static_cast<int>(header.clips.size()) &&
+         std::ranges::all_of(trials, [](const Trial& trial) {
+           return std::isfinite(trial.work_j) &&
+                  std::ranges::all_of(trial.impulse, [](float i) { return std::isfinite(i); });
+         });
+}
+
+std::string columns() {
+  std::string names = "number, target";
+  for (const char* column : kScenarioColumns) names += std::string(", ") + column;
+  return names + ", trials, checksum";
+}
+
+}  // namespace
+
+void create_observation_table(Database& database) {
+  std::string sql = "CREATE TABLE observation(number INTEGER PRIMARY KEY, target TEXT NOT NULL";
+  for (const char* column : kScenarioColumns) sql += std::string(", ") + column + " REAL NOT NULL";
+  database.execute(sql + ", trials BLOB NOT NULL, checksum INTEGER NOT NULL)");
+}
+
+Statement prepare_insert(Database& database) {
+  std::string marks = "?, ?";
+  for (std::size_t i = 0; i < kScenarioColumns.size(); ++i) marks += ", ?";
+  return database.prepare("INSERT INTO observation(" + columns() + ") VALUES(" + marks + ", ?, ?)");
+}
+
+void insert(Statement& statement, const Observation& observation) {
+  const motion::Target target = observation.scenario.target;
+  const ScenarioNumbers numbers = numbers_of(observation.scenario);
+  const std::vector<std::byte> trials = encode_trials(observation.trials);
+  statement.bind(static_cast<std::int64_t>(observation.number))
+      .bind(std::string(motion::name_of(target)));
+  for (const double number : numbers) statement.bind(number);
+  statement.bind(std::span<const std::byte>(trials))
+      .bind(checksum_of(observation.number, target, numbers, trials))
+      .run();
+}
+
+Statement prepare_select(Database& database) {
+  return database.prepare("SELECT " + columns() + " FROM observation ORDER BY number");
+}
+
+Statement prepare_select_one(Database& database) {
+  return database.prepare("SELECT " + columns() + " FROM observation WHERE number = ?");
+}
+
+Observation observation_of(const Statement& row, const StoreHeader& header,
+                           const std::string& path) {
+  Observation observation;
+  observation.number = static_cast<std::uint64_t>(row.integer(0));
+  const auto target = motion::target_named(row.text(1));
+  ScenarioNumbers numbers{};
+  for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = row.real(2 + static_cast<int>(i));
+  const std::span<const std::byte> trials = row.blob(kTrialsColumn);
+  if (!target ||
+      row.integer(kTrialsColumn + 1) != checksum_of(observation.number, *target, numbers, trials))
+    throw Error(path, kDamagedStore);
+  observation.scenario = scenario_of(numbers, *target);
+  observation.trials = decode_trials(trials);
+  if (!are_sound(observation.trials, header) ||
+      !std::ranges::all_of(numbers, [](double x) { return std::isfinite(x); }))
+    throw Error(path, kDamagedStore);
+  return observation;
+}
+
+ScenarioRange range_of_rows(Database& database) {
+  Statement row = database.prepare(
+      "SELECT coalesce((SELECT min(number) FROM observation), 0), "
+      "coalesce((SELECT max(number) + 1 FROM observation), 0)");
+  row.step();
+  const auto first = static_cast<std::uint64_t>(row.integer(0));
+  return {first, static_cast<std::uint64_t>(row.integer(1)) - first};
+}
+
+std::vector<ScenarioRange> missing_rows(Database& database, const ScenarioRange& wanted) {
+  std::vector<ScenarioRange> missing;
+  std::uint64_t next = wanted.first;
+  Statement row = database.prepare("SELECT number FROM observation ORDER BY number");
+  while (row.step()) {
+    const auto number = static_cast<std::uint64_t>(row.integer(0));
+    if (number > next) missing.push_back({next, number - next});
+    next = number + 1;
+  }
+  if (next < wanted.end()) missing.push_back({next, wanted.end() - next});
+  return missing;
+}
+
+bool have_same_row(const Observation& a, const Observation& b) {
+  return a.number == b.number && a.scenario.target == b.scenario.target &&
+         numbers_of(a.scenario) == numbers_of(b.scenario) &&
+         encode_trials(a.trials) == encode_trials(b.trials);
+}
+
+}  // namespace flinch::train

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: MIT
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <optional>
+
+#include "motion/error.h"
+#include "train/store/sqlite.h"
+#include "train/store/store.h"
+#include "train/store/store_rows.h"
+#include "train/store/store_schema.h"
+
+namespace flinch::train {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+void require_sound(const ScenarioRange& wanted, const std::string& path) {
+  if (wanted.count == 0) throw Error(path, "no scenario is wanted; ask for at least one");
+  if (wanted.first >= kScenarioNumberEnd || wanted.count > kScenarioNumberEnd - wanted.first)
+    throw Error(path, std::to_string(wanted.count) + " scenarios from number " +
+                          std::to_string(wanted.first) + " go past the last, " +
+                          std::to_string(kScenarioNumberEnd - 1) + "; ask for lower ones");
+}
+
+void require_wanted(const ScenarioRange& there, const ScenarioRange& wanted,
+                    const std::string& path) {
+  if (!contains(wanted, there))
+    throw Error(path, "holds " + text_of(there) + ", and not all are among the wanted " +
+                          text_of(wanted) + "; ask for these too, or choose another --out");
+}
+
+void sync(const std::string& path) {
+  const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  const bool synced = file >= 0 && ::fsync(file) == 0;
+  const int error = errno;
+  if (file >= 0) ::close(file);
+  if (!synced) throw Error(path, std::string("cannot be written: ") + std::strerror(error));
+}
+
+/// Writes the whole database anew: the bytes then depend on its content alone and not on the
+/// transactions that made it.
+void write_compacted(Database& database, const std::string& path) {
+  fs::remove(path);
+  // VACUUM keeps, and raises, the one number in the header that counts what went before.
+  database.execute("PRAGMA schema_version = 1");
+  try {
+    database.prepare("VACUUM INTO ?").bind(path).run();
+    sync(path);
+  } catch (const Error&) {
+    std::error_code ignored;
+    fs::remove(path, ignored);  // half of a copy takes the room that is missing
+    throw;
+  }
+}
+
+void rename_or_throw(const std::string& from, const std::string& to) {
+  std::error_code error;
+  fs::rename(from, to, error);
+  if (error) throw Error(to, "cannot be written: " + error.message());
+}
+
+bool is_empty(Database& database) {
+  return !database.prepare("SELECT 1 FROM sqlite_master").step();
+}
+
+}  // namespace
+
+struct StoreWriter::File {
+  std::string path;
+  StoreHeader header;
+  ScenarioRange wanted;
+  std::vector<ScenarioRange> missing;
+  std::optional<Database> database;
+
+  std::string partial() const { return path + ".partial"; }
+  std::string copy() const { return path + ".partial-copy"; }
+
+  void check_finished() const;
+  void open_partial();
+  void start_partial();
+};
+
+/// Before anything is written: that what is finished, if anything is, can be gone on with.
+void StoreWriter::File::check_finished() const {
+  if (!fs::exists(path)) return;
+  const StoreSummary finished = summarise_store(path);
+  require_same_run(finished.header, header, path);
+  require_wanted(finished.range, wanted, path);
+}
+
+void StoreWriter::File::open_partial() {
+  database.emplace(partial(), Database::Mode::create);
+  // All of one run must have the same pages; the lock keeps other writers out until the end.
+  database->execute("PRAGMA page_size = 16384");
+  database->execute("PRAGMA locking_mode = EXCLUSIVE");
+  Transaction transaction(*database);
+  // Whoever held the lock until now may have finished the file and taken it away.
+  if (!fs::exists(partial()))
+    throw Error(path, "another process has just finished it; run the same command again");
+  if (is_empty(*database)) start_partial();
+  require_same_run(read_header(*database), header, partial());
+  require_wanted(range_of_rows(*database), wanted, partial());
+  break_seal(*database);
+  missing = missing_rows(*database, wanted);
+  transaction.commit();
+}
+
+/// The tables, and what a finished store holds already.
+void StoreWriter::File::start_partial() {
+  write_header(*database, header);
+  if (!fs::exists(path)) return;
+  StoreReader finished(path);
+  Statement statement = prepare_insert(*database);
+  Observation observation;
+  while (finished.next(observation)) insert(statement, observation);
+}
+
+StoreWriter::StoreWriter(const std::string& path, const StoreHeader& header, ScenarioRange wanted)
+    : file_(std::make_unique<File>()) {
+  require_sound(wanted, path);
+  file_->path = path;
+  file_->header = header;
+  file_->wanted = wanted;
+  if (fs::is_directory(path)) throw Error(path, "is a folder; name a file in it");
+  file_->check_finished();
+  file_->open_partial();
+}
+
+StoreWriter::~StoreWriter() = default;
+
+std::vector<ScenarioRange> StoreWriter::missing() const {
+  return file_->missing;
+}
+
+std::uint64_t StoreWriter::count() const {
+  std::uint64_t count = file_->wanted.count;
+  for (const ScenarioRange& range : file_->missing) count -= range.count;
+  return count;
+}
+
+std::string StoreWriter::partial_path() const {
+  return file_->partial();
+}
+
+bool StoreWriter::holds(const Observation& observation) const {
+  Statement row = prepare_select_one(*file_->database);
+  return row.bind(static_cast<std::int64_t>(observation.number)).step() &&
+         have_same_row(observation_of(row, file_->header, file_->partial()), observation);
+}
+
+void StoreWriter::append(std::span<const Observation> observations) {
+  if (observations.empty()) return;
+  std::vector<ScenarioRange> missing = file_->missing;
+  take_out({observations.front().number, observations.size()}, missing);
+  Transaction transaction(*file_->database);
+  Statement statement = prepare_insert(*file_->database);
+  for (const Observation& observation : observations) insert(statement, observation);
+  transaction.commit();
+  file_->missing = std::move(missing);
+}
+
+void StoreWriter::finish() {
+  if (!file_->missing.empty())
+    throw Error(file_->partial(),
+                "lacks " + text_of(file_->missing.front()) + " still; run the same command again");
+  Transaction transaction(*file_->database);
+  write_seal(*file_->database, file_->wanted);
+  transaction.commit();
+  write_compacted(*file_->database, file_->copy());
+  rename_or_throw(file_->copy(), file_->path);
+  fs::remove(file_->partial());  // before the lock is given up
+  file_->database.reset();
+}
+
+}  // namespace flinch::train
