@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "sim/figure/figure_plan.h"
 
-#include <ode/mass.h>
+#include <numbers>
 
 #include "sim/collision/pair_clearance.h"
 
@@ -21,19 +21,41 @@ MovingShape outline_of(const motion::BodyProperties& properties) {
   return outline;
 }
 
-/// Of a body of even density that fills its outline, about its own middle.
+// Of even density, with V the volume and m the mass:
+//
+//   box of sides a, b, c:       I_x = m (b^2 + c^2) / 12, and so on
+//   capsule along z, of radius r, whose cylinder is l long (volume V_1) and whose caps make up a
+//   sphere (volume V_2):        I_x = I_y = m / V (V_1 (r^2 / 4 + l^2 / 12)
+//                                                 + V_2 (2 r^2 / 5 + 3 r l / 8 + l^2 / 4))
+//                               I_z = m / V (V_1 / 2 + 2 V_2 / 5) r^2
+
+Eigen::Vector3d box_inertia(const Eigen::Vector3d& sides, double mass_kg) {
+  const Eigen::Vector3d squares = sides.cwiseAbs2();
+  const double volume = sides.x() * sides.y() * sides.z();
+  const Eigen::Vector3d per_density{volume / 12 * (squares.y() + squares.z()),
+                                    volume / 12 * (squares.x() + squares.z()),
+                                    volume / 12 * (squares.x() + squares.y())};
+  return mass_kg / volume * per_density;
+}
+
+Eigen::Vector3d capsule_inertia(double r, double l, double mass_kg) {
+  constexpr double kPi = std::numbers::pi;
+  const double cylinder = kPi * r * r * l;
+  const double caps = 4.0 / 3.0 * kPi * r * r * r;
+  const double across = cylinder * (0.25 * r * r + 1.0 / 12.0 * l * l) +
+                        caps * (0.4 * r * r + 0.375 * r * l + 0.25 * l * l);
+  const double along = (cylinder * 0.5 + caps * 0.4) * r * r;
+  return mass_kg / (cylinder + caps) * Eigen::Vector3d(across, across, along);
+}
+
+/// About its own middle, of a body that fills its outline, kg·m².
 Eigen::Matrix3d inertia_of(const MovingShape& outline, double mass_kg) {
-  dMass mass;
-  if (outline.kind == motion::Shape::Kind::capsule) {
-    dMassSetCapsuleTotal(&mass, mass_kg, 3, outline.radius, 2 * outline.half_length);
-  } else {
-    const Eigen::Vector3d sides = 2 * outline.half_extents;
-    dMassSetBoxTotal(&mass, mass_kg, sides.x(), sides.y(), sides.z());
-  }
-  Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();
-  for (int i = 0; i < 3; ++i) inertia(i, i) = mass.I[4 * i + i];
+  const Eigen::Vector3d principal =
+      outline.kind == motion::Shape::Kind::capsule
+          ? capsule_inertia(outline.radius, 2 * outline.half_length, mass_kg)
+          : box_inertia(2 * outline.half_extents, mass_kg);
   const Eigen::Matrix3d turn = outline.orientation.toRotationMatrix();
-  return turn * inertia * turn.transpose();
+  return turn * principal.asDiagonal() * turn.transpose();
 }
 
 bool carries(Body carrier, Body body) {

@@ -45,7 +45,7 @@ MAP = {
                          ["Eigen/", "libsvm/", "flann/", "omp.h"]),
     "sim": Folder(RUN_TIME, ["motion", "features"], ["Eigen/"]),
     "sim/collision": Folder(RUN_TIME, SIM, ["Eigen/"]),
-    "sim/figure": Folder(RUN_TIME, [*SIM, "sim/collision"], ["Eigen/", "ode/"]),
+    "sim/figure": Folder(RUN_TIME, [*SIM, "sim/collision"], ["Eigen/"]),
     "sim/contact": Folder(RUN_TIME, [*SIM, "sim/collision", "sim/figure"], ["Eigen/"]),
     "sim/ode": Folder(RUN_TIME, [*SIM, "sim/collision", "sim/figure", "sim/contact"],
                       ["Eigen/", "ode/", "mutex"]),  # ODE is initialised once per process
