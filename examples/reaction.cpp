@@ -28,7 +28,7 @@ features::Threat thrown_ball() {
 }
 
 /// Prints who moves the character whenever that changes.
-void tell(float time_s, const sim::ReactingCharacter& hero, sim::Mover& last) {
+void tell(float time_s, const reaction::ReactingCharacter& hero, reaction::Mover& last) {
   if (hero.mover() == last) return;
   last = hero.mover();
   std::printf("%5.2f s  moved by %s\n", static_cast<double>(time_s), name_of(last));
@@ -36,10 +36,10 @@ void tell(float time_s, const sim::ReactingCharacter& hero, sim::Mover& last) {
 
 /// Throws one ball after a second and plays until the character idles again.
 bool play(const runtime::Library& library, runtime::Workspace& workspace) {
-  const auto kit = sim::make_reaction_kit(library);
-  sim::ReactingCharacter hero(library, kit);
+  const auto kit = reaction::make_reaction_kit(library);
+  reaction::ReactingCharacter hero(library, kit);
   const features::Threat threat = thrown_ball();
-  sim::Mover last = hero.mover();
+  reaction::Mover last = hero.mover();
   float flown_s = -1;  // of the ball; it is thrown at 0
   bool is_met = false;
   for (int frame = 0; frame < 600; ++frame) {
@@ -50,10 +50,10 @@ bool play(const runtime::Library& library, runtime::Workspace& workspace) {
       if (status != runtime::Status::ok) return false;
     }
     if (!is_met && flown_s >= kFlight_s - kAhead_s) {
-      is_met =
-          hero.meet(sim::ball_of(features::advanced(threat, flown_s))) == sim::ReactionStatus::ok;
+      is_met = hero.meet(reaction::ball_of(features::advanced(threat, flown_s))) ==
+               reaction::ReactionStatus::ok;
     }
-    if (hero.update(kFrame_s) != sim::ReactionStatus::ok) return false;
+    if (hero.update(kFrame_s) != reaction::ReactionStatus::ok) return false;
     flown_s += kFrame_s;
     tell(static_cast<float>(frame) * kFrame_s, hero, last);
     // A game draws hero.pose() here, and the ball: hero.reaction().ball() once it is met.
@@ -62,7 +62,7 @@ bool play(const runtime::Library& library, runtime::Workspace& workspace) {
   for (const double part : hero.reaction().impulse()) impulse_ns += part;
   std::printf("the body took %.1f N s; it ends %s\n", impulse_ns,
               runtime::name_of(hero.character().phase()));
-  return is_met && hero.mover() == sim::Mover::character &&
+  return is_met && hero.mover() == reaction::Mover::character &&
          hero.character().phase() == runtime::Phase::idle;
 }
 

@@ -113,7 +113,7 @@ class Sweep {
     double step_s = kInfinity;
     double sum = 0;
     for (Body body : motion::kBodies) {
-      const Clearance near = clearance(centre, ball_.radius, outlines_[body]);
+      const motion::Clearance near = clearance(centre, ball_.radius, outlines_[body]);
       sum += near.gap;
       if (near.gap < nearest_.gap) {
         nearest_ = near;
@@ -180,9 +180,9 @@ class Sweep {
   const PosesAhead& ahead_;
   Eigen::Vector3d middle_;
   motion::JointFrames frames_;
-  motion::PerBody<Outline> outlines_;
+  motion::PerBody<motion::Outline> outlines_;
   bool has_outlines_ = false;
-  Clearance nearest_;
+  motion::Clearance nearest_;
   Body nearest_body_{};
 };
 

@@ -28,7 +28,7 @@ Box box_of_pelvis(const motion::Motion& motion) {
 
 /// The farthest that a point of the surface moves from one to the other: with its centre, and with
 /// its turn about that.
-double way_between(const Outline& from, const Outline& to) {
+double way_between(const motion::Outline& from, const motion::Outline& to) {
   const Eigen::Quaterniond turn = to.orientation * from.orientation.conjugate();
   return (to.centre - from.centre).norm() + motion::rotation_vector(turn).norm() * to.reach();
 }
@@ -44,10 +44,10 @@ Sway sway_of(const motion::Skeleton& skeleton, const motion::BodyModel& model,
   const auto outlines_at = [&](const motion::Pose& pose) {
     return outlines_of(model, forward_kinematics(skeleton, pose));
   };
-  motion::PerBody<Outline> from = outlines_at(motion.poses.front());
+  motion::PerBody<motion::Outline> from = outlines_at(motion.poses.front());
   double way_m = 0;
   for (const motion::Pose& pose : motion.poses) {
-    const motion::PerBody<Outline> to = outlines_at(pose);
+    const motion::PerBody<motion::Outline> to = outlines_at(pose);
     for (motion::Body body : motion::kBodies) {
       way_m = std::max(way_m, way_between(from[body], to[body]));
     }

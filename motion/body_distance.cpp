@@ -5,11 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace flinch::database {
-
-using motion::Body;
-using motion::JointFrames;
-using motion::Shape;
+namespace flinch::motion {
 
 namespace {
 
@@ -29,7 +25,7 @@ struct Placed {
 
 Placed placed(const Figure& figure, const JointFrames& frames, Body body) {
   const Shape& shape = figure.bodies[body].shape;
-  const motion::Role role = motion::role_of(body);
+  const Role role = role_of(body);
   return {frames.position[role] + frames.orientation[role] * shape.centre,
           frames.orientation[role] * shape.orientation};
 }
@@ -86,7 +82,7 @@ float distance_between(const Figure& figure, const JointFrames& frames, Body bod
 float distance_to_body(const Figure& figure, const JointFrames& frames,
                        const Eigen::Vector3f& point) {
   float least = std::numeric_limits<float>::infinity();
-  for (Body body : motion::kBodies) {
+  for (Body body : kBodies) {
     least = std::min(least, distance_to(figure, frames, body, point));
   }
   return least;
@@ -121,4 +117,4 @@ float clearance_along(const Figure& figure, const JointFrames& frames, const Eig
   return farthest;
 }
 
-}  // namespace flinch::database
+}  // namespace flinch::motion

@@ -3,7 +3,7 @@
 
 #include "motion/figure.h"
 
-namespace flinch::database {
+namespace flinch::motion {
 
 /// A segment with a radius, world, m.
 struct Capsule {
@@ -14,29 +14,28 @@ struct Capsule {
 
 /// A body as a capsule along its longest axis: exact for capsules; of a box, the thickest that
 /// its thinnest side holds.
-Capsule capsule_of(const Figure& figure, const motion::JointFrames& frames, motion::Body body);
+Capsule capsule_of(const Figure& figure, const JointFrames& frames, Body body);
 
 /// Distance of a point from a body's outline, m; 0 inside.
-float distance_to(const Figure& figure, const motion::JointFrames& frames, motion::Body body,
+float distance_to(const Figure& figure, const JointFrames& frames, Body body,
                   const Eigen::Vector3f& point);
 
 /// Distance between a capsule and a body's outline, m, exact to 1e-5; negative, down to the
 /// capsule's radius, where they overlap.
-float distance_between(const Figure& figure, const motion::JointFrames& frames, motion::Body body,
+float distance_between(const Figure& figure, const JointFrames& frames, Body body,
                        const Capsule& capsule);
 
 /// Distance of a point from the nearest body, m.
-float distance_to_body(const Figure& figure, const motion::JointFrames& frames,
+float distance_to_body(const Figure& figure, const JointFrames& frames,
                        const Eigen::Vector3f& point);
 
 /// How far along `direction` (unit) the line from `point` leaves head, trunk and pelvis for good,
 /// m; 0 where it meets none of them ahead. A capsule counts as its bounding box.
-float clearance_along(const Figure& figure, const motion::JointFrames& frames,
-                      const Eigen::Vector3f& point, const Eigen::Vector3f& direction);
+float clearance_along(const Figure& figure, const JointFrames& frames, const Eigen::Vector3f& point,
+                      const Eigen::Vector3f& direction);
 
 /// Head, neck, chest, abdomen and pelvis: what hands protect and may not pass through.
-inline constexpr std::array<motion::Body, 5> kCoreBodies{motion::Body::head, motion::Body::neck,
-                                                         motion::Body::chest, motion::Body::abdomen,
-                                                         motion::Body::pelvis};
+inline constexpr std::array<Body, 5> kCoreBodies{Body::head, Body::neck, Body::chest, Body::abdomen,
+                                                 Body::pelvis};
 
-}  // namespace flinch::database
+}  // namespace flinch::motion

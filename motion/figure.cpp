@@ -7,31 +7,21 @@
 
 #include "motion/rotation.h"
 
-namespace flinch::database {
-
-using motion::JointFrames;
-using motion::LimbRoles;
-using motion::LimbSolution;
-using motion::Pose;
-using motion::radians;
-using motion::Role;
-using motion::Side;
-using motion::Skeleton;
-using motion::turn_about;
+namespace flinch::motion {
 
 namespace {
 
 void bend(const LimbRoles& roles, const LimbSolution& solution, const JointFrames& frames,
           Pose& pose) {
-  const Eigen::Quaternionf& parent = frames.orientation[*motion::parent_of(roles.upper)];
+  const Eigen::Quaternionf& parent = frames.orientation[*parent_of(roles.upper)];
   pose.rotation[roles.upper] = (parent.conjugate() * solution.upper).normalized();
   pose.rotation[roles.lower] = (solution.upper.conjugate() * solution.lower).normalized();
 }
 
 }  // namespace
 
-Figure make_figure(const motion::Character& character) {
-  return {character, motion::make_body_model(character)};
+Figure make_figure(const Character& character) {
+  return {character, make_body_model(character)};
 }
 
 bool put_feet(const Skeleton& skeleton, const JointFrames& trunk, const PerSide<FootPlace>& feet,
@@ -39,10 +29,10 @@ bool put_feet(const Skeleton& skeleton, const JointFrames& trunk, const PerSide<
   bool reached = true;
   for (Side side : kSides) {
     const FootPlace& place = feet[index_of(side)];
-    const LimbRoles roles = motion::roles_of(leg_of(side));
+    const LimbRoles roles = roles_of(leg_of(side));
     const Eigen::Vector3f knee_way = place.orientation * Eigen::Vector3f::UnitX();
-    const LimbSolution solution = motion::solve_limb(
-        skeleton, leg_of(side), trunk.position[roles.upper], place.ankle, knee_way, 0);
+    const LimbSolution solution =
+        solve_limb(skeleton, leg_of(side), trunk.position[roles.upper], place.ankle, knee_way, 0);
     bend(roles, solution, trunk, pose);
     pose.rotation[roles.end] = (solution.lower.conjugate() * place.orientation).normalized();
     reached = reached && solution.reached;
@@ -54,9 +44,9 @@ float highest_pelvis(const Skeleton& skeleton, const JointFrames& trunk,
                      const PerSide<FootPlace>& feet) {
   float highest = std::numeric_limits<float>::infinity();
   for (Side side : kSides) {
-    const float reach = 0.997F * motion::limb_length(skeleton, leg_of(side));
-    const Eigen::Vector3f& hip = trunk.position[motion::roles_of(leg_of(side)).upper];
-    const float hip_z = motion::highest_upper(hip, feet[index_of(side)].ankle, reach);
+    const float reach = 0.997F * limb_length(skeleton, leg_of(side));
+    const Eigen::Vector3f& hip = trunk.position[roles_of(leg_of(side)).upper];
+    const float hip_z = highest_upper(hip, feet[index_of(side)].ankle, reach);
     highest = std::min(highest, hip_z - hip.z());
   }
   return trunk.position[Role::pelvis].z() + highest;
@@ -64,26 +54,25 @@ float highest_pelvis(const Skeleton& skeleton, const JointFrames& trunk,
 
 Eigen::Quaternionf put_hand(const Skeleton& skeleton, const JointFrames& trunk, Side side,
                             const HandPlace& place, Pose& pose) {
-  const LimbRoles roles = motion::roles_of(arm_of(side));
-  const LimbSolution solution =
-      motion::solve_limb(skeleton, arm_of(side), trunk.position[roles.upper], place.wrist,
-                         place.pole, sign_of(side) * place.swivel);
+  const LimbRoles roles = roles_of(arm_of(side));
+  const LimbSolution solution = solve_limb(skeleton, arm_of(side), trunk.position[roles.upper],
+                                           place.wrist, place.pole, sign_of(side) * place.swivel);
   bend(roles, solution, trunk, pose);
   return solution.lower;
 }
 
 Pose with_feet(const Skeleton& skeleton, const Pose& pose, const PerSide<FootPlace>& feet) {
   Pose result = pose;
-  put_feet(skeleton, motion::forward_kinematics(skeleton, pose), feet, result);
+  put_feet(skeleton, forward_kinematics(skeleton, pose), feet, result);
   return result;
 }
 
 // The angle between the parts of pole and elbow across the line from shoulder to wrist.
 float swivel_of(const JointFrames& frames, Side side, const Eigen::Vector3f& pole) {
-  const LimbRoles roles = motion::roles_of(arm_of(side));
+  const LimbRoles roles = roles_of(arm_of(side));
   const Eigen::Vector3f line =
       (frames.position[roles.end] - frames.position[roles.upper]).normalized();
-  const Eigen::Vector3f elbow = motion::pole_vector(frames, arm_of(side));
+  const Eigen::Vector3f elbow = pole_vector(frames, arm_of(side));
   const Eigen::Vector3f zero = pole - pole.dot(line) * line;
   return sign_of(side) * std::atan2(line.dot(zero.cross(elbow)), zero.dot(elbow));
 }
@@ -96,10 +85,10 @@ void set_arm(Pose& pose, Side side, const ArmAngles& angles) {
       turn_about(Eigen::Vector3f::UnitX(), angles.abduction - radians(90)) *
       turn_about(Eigen::Vector3f::UnitY(), -angles.rotation);
   const Eigen::Quaternionf lower = turn_about(Eigen::Vector3f::UnitZ(), -angles.elbow);
-  const LimbRoles roles = motion::roles_of(arm_of(side));
+  const LimbRoles roles = roles_of(arm_of(side));
   const bool left = side == Side::left;
-  pose.rotation[roles.upper] = left ? upper : motion::mirrored(upper);
-  pose.rotation[roles.lower] = left ? lower : motion::mirrored(lower);
+  pose.rotation[roles.upper] = left ? upper : mirrored(upper);
+  pose.rotation[roles.lower] = left ? lower : mirrored(lower);
   pose.rotation[roles.end] = Eigen::Quaternionf::Identity();
 }
 
@@ -108,8 +97,8 @@ Eigen::Quaternionf relative_rotation(const JointFrames& frames, Role from, Role 
 }
 
 float stature(const Skeleton& skeleton) {
-  const JointFrames rest = motion::forward_kinematics(skeleton, motion::rest_pose(skeleton));
+  const JointFrames rest = forward_kinematics(skeleton, rest_pose(skeleton));
   return rest.position[Role::head].z() + skeleton.tip[Role::head].z();
 }
 
-}  // namespace flinch::database
+}  // namespace flinch::motion

@@ -7,27 +7,17 @@
 #include "motion/foot.h"
 #include "motion/limb_ik.h"
 
-namespace flinch::database {
+namespace flinch::motion {
 
 /// A character with its bodies: what authoring poses and measuring them needs.
 struct Figure {
-  motion::Character character;
-  motion::BodyModel bodies;
+  Character character;
+  BodyModel bodies;
 
-  const motion::Skeleton& skeleton() const { return character.skeleton; }
+  const Skeleton& skeleton() const { return character.skeleton; }
 };
 
-Figure make_figure(const motion::Character& character);
-
-using motion::foot_place;
-using motion::FootPlace;
-using motion::index_of;
-using motion::kSides;
-using motion::PerSide;
-using motion::sign_of;
-
-using motion::arm_of;
-using motion::leg_of;
+Figure make_figure(const Character& character);
 
 /// Where a wrist goes, world, and which way its elbow.
 struct HandPlace {
@@ -39,26 +29,25 @@ struct HandPlace {
 /// Bends the legs of a pose so that the feet are at these places, knees over the toes. `trunk` are
 /// its joints; only those of pelvis and trunk need be right. Legs too short stretch toward the
 /// place; then false is returned.
-bool put_feet(const motion::Skeleton& skeleton, const motion::JointFrames& trunk,
-              const PerSide<FootPlace>& feet, motion::Pose& pose);
+bool put_feet(const Skeleton& skeleton, const JointFrames& trunk, const PerSide<FootPlace>& feet,
+              Pose& pose);
 
 /// The highest that the pelvis may be, world z, m, for both legs to reach their feet with a little
 /// bend left. Where a foot is too far aside, as high as it is.
-float highest_pelvis(const motion::Skeleton& skeleton, const motion::JointFrames& trunk,
+float highest_pelvis(const Skeleton& skeleton, const JointFrames& trunk,
                      const PerSide<FootPlace>& feet);
 
 /// Bends the arm of one side so that its wrist is at this place, and returns the forearm's
 /// orientation, world. The hand keeps its rotation relative to the forearm.
-Eigen::Quaternionf put_hand(const motion::Skeleton& skeleton, const motion::JointFrames& trunk,
-                            motion::Side side, const HandPlace& place, motion::Pose& pose);
+Eigen::Quaternionf put_hand(const Skeleton& skeleton, const JointFrames& trunk, Side side,
+                            const HandPlace& place, Pose& pose);
 
 /// The pose with its feet put to these places.
-motion::Pose with_feet(const motion::Skeleton& skeleton, const motion::Pose& pose,
-                       const PerSide<FootPlace>& feet);
+Pose with_feet(const Skeleton& skeleton, const Pose& pose, const PerSide<FootPlace>& feet);
 
 /// The swivel of an arm from a pole, radians, positive away from the body: what with_hands needs
 /// to bring the elbow back to where it is.
-float swivel_of(const motion::JointFrames& frames, motion::Side side, const Eigen::Vector3f& pole);
+float swivel_of(const JointFrames& frames, Side side, const Eigen::Vector3f& pole);
 
 /// How an arm hangs or rises, radians: from straight down with the palm to the thigh.
 struct ArmAngles {
@@ -68,13 +57,12 @@ struct ArmAngles {
   float elbow = 0;
 };
 /// Sets an arm's rotations relative to its clavicle; the hand goes straight on.
-void set_arm(motion::Pose& pose, motion::Side side, const ArmAngles& angles);
+void set_arm(Pose& pose, Side side, const ArmAngles& angles);
 
 /// The rotation of a joint's group, such as neck and head together: of `to` in the frame of `from`.
-Eigen::Quaternionf relative_rotation(const motion::JointFrames& frames, motion::Role from,
-                                     motion::Role to);
+Eigen::Quaternionf relative_rotation(const JointFrames& frames, Role from, Role to);
 
 /// Height of the crown in the rest pose, m.
-float stature(const motion::Skeleton& skeleton);
+float stature(const Skeleton& skeleton);
 
-}  // namespace flinch::database
+}  // namespace flinch::motion

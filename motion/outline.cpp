@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace flinch::features {
+namespace flinch::motion {
 namespace {
 
 /// The Z axis turned, to the bits of Eigen's product without the terms that are nothing.
@@ -75,10 +75,10 @@ double box_gap(const Eigen::Vector3d& centre, double radius, const Outline& box)
 }  // namespace
 
 double Outline::reach() const {
-  return kind == motion::Shape::Kind::capsule ? half_length : half_extents.norm();
+  return kind == Shape::Kind::capsule ? half_length : half_extents.norm();
 }
 
-Outline outline_of(const motion::Shape& shape) {
+Outline outline_of(const Shape& shape) {
   return {.kind = shape.kind,
           .radius = static_cast<double>(shape.radius),
           .half_length = static_cast<double>(shape.half_length),
@@ -87,11 +87,10 @@ Outline outline_of(const motion::Shape& shape) {
           .orientation = shape.orientation.cast<double>().normalized()};
 }
 
-motion::PerBody<Outline> outlines_of(const motion::BodyModel& model,
-                                     const motion::JointFrames& frames) {
-  motion::PerBody<Outline> outlines;
-  for (motion::Body body : motion::kBodies) {
-    const motion::Role role = role_of(body);
+PerBody<Outline> outlines_of(const BodyModel& model, const JointFrames& frames) {
+  PerBody<Outline> outlines;
+  for (Body body : kBodies) {
+    const Role role = role_of(body);
     const Eigen::Quaterniond orientation = frames.orientation[role].cast<double>();
     Outline& outline = outlines[body];
     outline = outline_of(model[body].shape);
@@ -103,16 +102,15 @@ motion::PerBody<Outline> outlines_of(const motion::BodyModel& model,
 
 Clearance clearance(const Eigen::Vector3d& ball_centre, double ball_radius,
                     const Outline& outline) {
-  return outline.kind == motion::Shape::Kind::capsule
-             ? capsule_clearance(ball_centre, ball_radius, outline)
-             : box_clearance(ball_centre, ball_radius, outline);
+  return outline.kind == Shape::Kind::capsule ? capsule_clearance(ball_centre, ball_radius, outline)
+                                              : box_clearance(ball_centre, ball_radius, outline);
 }
 
 double gap(const Eigen::Vector3d& ball_centre, double ball_radius, const Outline& outline) {
-  return outline.kind == motion::Shape::Kind::capsule
+  return outline.kind == Shape::Kind::capsule
              ? (ball_centre - nearest_on_axis(ball_centre, outline)).norm() - ball_radius -
                    outline.radius
              : box_gap(ball_centre, ball_radius, outline);
 }
 
-}  // namespace flinch::features
+}  // namespace flinch::motion

@@ -3,11 +3,11 @@
 
 #include "motion/body.h"
 
-namespace flinch::features {
+namespace flinch::motion {
 
 /// A body's outline for contact, in double and wherever it is.
 struct Outline {
-  motion::Shape::Kind kind = motion::Shape::Kind::capsule;
+  Shape::Kind kind = Shape::Kind::capsule;
   double radius = 0;                                                ///< of a capsule, m
   double half_length = 0;                                           ///< of a capsule, m
   Eigen::Vector3d half_extents = Eigen::Vector3d::Zero();           ///< of a box, m
@@ -19,11 +19,10 @@ struct Outline {
 };
 
 /// In the frame of the shape: of its body's joint.
-Outline outline_of(const motion::Shape& shape);
+Outline outline_of(const Shape& shape);
 
 /// Those of a figure's bodies where its joints are, world.
-motion::PerBody<Outline> outlines_of(const motion::BodyModel& model,
-                                     const motion::JointFrames& frames);
+PerBody<Outline> outlines_of(const BodyModel& model, const JointFrames& frames);
 
 /// Where a ball and an outline are closest.
 struct Clearance {
@@ -37,4 +36,4 @@ Clearance clearance(const Eigen::Vector3d& ball_centre, double ball_radius, cons
 /// Its gap alone, the same bits in half the time.
 double gap(const Eigen::Vector3d& ball_centre, double ball_radius, const Outline& outline);
 
-}  // namespace flinch::features
+}  // namespace flinch::motion

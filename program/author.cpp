@@ -14,7 +14,7 @@
 #include "program/command.h"
 #include "train/store/file_opening.h"
 
-namespace flinch::train::program {
+namespace flinch::program {
 
 namespace {
 
@@ -28,7 +28,7 @@ struct Options {
 
 motion::Character character_of(const Options& options) {
   if (!options.character) return motion::default_character();
-  if (file_kind_at(*options.character) == database::FileKind::library)
+  if (train::file_kind_at(*options.character) == database::FileKind::library)
     return database::load_library(*options.character).character;
   return database::read_character(*options.character);
 }
@@ -38,7 +38,7 @@ void draw_gallery(const database::Library& library, const std::string& folder) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error) throw Error(folder, "cannot make this folder: " + error.message());
-  const database::Figure figure = database::make_figure(library.character);
+  const motion::Figure figure = motion::make_figure(library.character);
   std::string index = "# The authored library\n\nOne filmstrip a clip, of the " +
                       std::to_string(library.clips.size()) +
                       " that `flinch author` makes; mirror images are left out. Upper row from the"
@@ -91,4 +91,4 @@ void add_author(CLI::App& program) {
   command->callback([options] { run(*options); });
 }
 
-}  // namespace flinch::train::program
+}  // namespace flinch::program

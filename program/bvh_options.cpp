@@ -6,7 +6,7 @@
 #include "database/import/role_map.h"
 #include "program/table.h"
 
-namespace flinch::train::program {
+namespace flinch::program {
 
 void add_bvh_options(CLI::App& command, BvhOptions& options) {
   command.add_option("--unit", options.unit, "of length in BVH files (default: found out)")
@@ -64,4 +64,4 @@ std::string source_text(const database::SourceReport& source) {
   return text.str();
 }
 
-}  // namespace flinch::train::program
+}  // namespace flinch::program

@@ -7,7 +7,7 @@
 #include "database/import/source_motion.h"
 #include "program/command.h"
 
-namespace flinch::train::program {
+namespace flinch::program {
 
 /// How BVH files are to be understood where that is not left to be found out.
 struct BvhOptions {
@@ -26,4 +26,4 @@ database::SourceOptions source_options(const BvhOptions& options);
 Json source_document(const database::SourceReport& source);
 std::string source_text(const database::SourceReport& source);
 
-}  // namespace flinch::train::program
+}  // namespace flinch::program

@@ -3,7 +3,7 @@
 
 #include <ctime>
 
-namespace flinch::train::program {
+namespace flinch::program {
 
 double thread_cpu_s() {
   timespec time{};
@@ -11,4 +11,4 @@ double thread_cpu_s() {
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-}  // namespace flinch::train::program
+}  // namespace flinch::program

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-namespace flinch::train::program {
+namespace flinch::program {
 
 /// CPU time that the calling thread has had, s.
 double thread_cpu_s();
 
-}  // namespace flinch::train::program
+}  // namespace flinch::program

@@ -7,7 +7,7 @@
 #include "features/feature_layout.h"
 #include "train/fit/training.h"
 
-namespace flinch::train::program {
+namespace flinch::program {
 
 void add_json_option(CLI::App& command, bool& json) {
   command.add_flag("--json", json, "print one JSON document and nothing else");
@@ -41,7 +41,7 @@ void add_features_option(CLI::App& command, std::string& set) {
 
 std::vector<std::string> method_names() {
   std::vector<std::string> names;
-  for (const Method method : methods()) names.emplace_back(name_of(method));
+  for (const train::Method method : train::methods()) names.emplace_back(train::name_of(method));
   return names;
 }
 
@@ -50,7 +50,7 @@ void add_cost_options(CLI::App& command, CostOptions& options) {
       ->check(number_in(0, 1))
       ->capture_default_str();
   std::vector<std::string> names;
-  for (const VulnerabilityProfile& profile : vulnerability_profiles())
+  for (const train::VulnerabilityProfile& profile : train::vulnerability_profiles())
     names.emplace_back(profile.name);
   command
       .add_option("--vulnerability", options.vulnerability,
@@ -59,8 +59,8 @@ void add_cost_options(CLI::App& command, CostOptions& options) {
       ->capture_default_str();
 }
 
-const Vulnerability& vulnerability_of(const CostOptions& options) {
-  return vulnerability_profile_named(options.vulnerability)->vulnerability;
+const train::Vulnerability& vulnerability_of(const CostOptions& options) {
+  return train::vulnerability_profile_named(options.vulnerability)->vulnerability;
 }
 
-}  // namespace flinch::train::program
+}  // namespace flinch::program

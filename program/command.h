@@ -8,7 +8,7 @@
 #include "program/document.h"
 #include "train/objective/cost.h"
 
-namespace flinch::train::program {
+namespace flinch::program {
 
 /// Each adds one command with its options to the program; parsing a command line with it runs it.
 /// Commands throw Error for what a user can put right.
@@ -38,9 +38,9 @@ std::vector<std::string> method_names();
 /// How scenarios are labelled, as options say it.
 struct CostOptions {
   double brawn = 0.1;
-  std::string vulnerability{vulnerability_profiles()[0].name};
+  std::string vulnerability{train::vulnerability_profiles()[0].name};
 };
 void add_cost_options(CLI::App& command, CostOptions& options);
-const Vulnerability& vulnerability_of(const CostOptions& options);
+const train::Vulnerability& vulnerability_of(const CostOptions& options);
 
-}  // namespace flinch::train::program
+}  // namespace flinch::program

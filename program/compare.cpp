@@ -8,7 +8,7 @@
 #include "train/fit/feature_derivation.h"
 #include "train/report/report.h"
 
-namespace flinch::train::program {
+namespace flinch::program {
 
 namespace {
 
@@ -34,41 +34,42 @@ void tell(const std::string& what) {
   std::cerr << "fitting " << what << '\n';
 }
 
-Store read_with_features(const std::string& path, const std::string& set) {
-  Store store = read_store(path);
+train::Store read_with_features(const std::string& path, const std::string& set) {
+  train::Store store = train::read_store(path);
   derive_features(features::feature_set_named(set)->layout, store);
   return store;
 }
 
-Split read_split(const Options& options, Store store) {
+train::Split read_split(const Options& options, train::Store store) {
   if (options.test.empty()) return split_of(std::move(store));
-  Store test = read_with_features(options.test, options.features);
+  train::Store test = read_with_features(options.test, options.features);
   require_independent(store, test, options.test);
   return split_of(std::move(store), std::move(test));
 }
 
-std::vector<Method> methods_of(const Options& options) {
-  std::vector<Method> chosen;
-  for (const Method method : methods()) {
-    const bool wanted = options.models.empty() ||
-                        std::ranges::find(options.models, name_of(method)) != options.models.end();
+std::vector<train::Method> methods_of(const Options& options) {
+  std::vector<train::Method> chosen;
+  for (const train::Method method : train::methods()) {
+    const bool wanted =
+        options.models.empty() ||
+        std::ranges::find(options.models, train::name_of(method)) != options.models.end();
     if (wanted) chosen.push_back(method);
   }
   return chosen;
 }
 
 void run(const Options& options) {
-  Store store = read_with_features(options.store, options.features);
+  train::Store store = read_with_features(options.store, options.features);
   const std::uint64_t seed = store.header.seed;
-  const CostModel cost_model =
+  const train::CostModel cost_model =
       make_cost_model(store.header, vulnerability_of(options.cost), options.cost.brawn);
-  Report report;
-  report.prevention = prevention_rows(store, label(store.observations, cost_model));
-  const Split split = read_split(options, std::move(store));
-  const std::vector<Method> chosen = methods_of(options);
-  const StudyPlan plan{split, cost_model, chosen, seed};
+  train::Report report;
+  report.prevention = train::prevention_rows(store, train::label(store.observations, cost_model));
+  const train::Split split = read_split(options, std::move(store));
+  const std::vector<train::Method> chosen = methods_of(options);
+  const train::StudyPlan plan{split, cost_model, chosen, seed};
 
-  const std::vector<FittedMethod> fitted =
+  const std::vector<train::FittedMethod> fitted =
       fit_methods(split.header, split.fitted, cost_model, chosen, seed, now_s);
   report.library = split.header.library_name;
   report.library_hash = split.header.library_hash;
@@ -77,19 +78,19 @@ void run(const Options& options) {
   report.tested_count = split.tested.size();
   report.has_test_store = split.has_test_store;
   report.features = split.header.layout.names();
-  report.evaluation = evaluate(split, cost_model, fitted, seed, now_s);
-  report.methods = summaries_of(fitted);
-  report.groups = group_rows(split, report.evaluation, seed);
-  report.reliability = reliability(report.evaluation);
-  report.noise = noise_rows(plan, fitted);
-  if (options.curves) report.curves = curve_rows(plan, tell);
-  if (options.transfer) report.transfer = transfer_rows(plan, tell);
-  if (options.ablation) report.ablation = ablation_rows(plan, tell);
+  report.evaluation = train::evaluate(split, cost_model, fitted, seed, now_s);
+  report.methods = train::summaries_of(fitted);
+  report.groups = train::group_rows(split, report.evaluation, seed);
+  report.reliability = train::reliability(report.evaluation);
+  report.noise = train::noise_rows(plan, fitted);
+  if (options.curves) report.curves = train::curve_rows(plan, tell);
+  if (options.transfer) report.transfer = train::transfer_rows(plan, tell);
+  if (options.ablation) report.ablation = train::ablation_rows(plan, tell);
 
-  if (!options.report.empty()) write_report(report, split, options.report);
+  if (!options.report.empty()) train::write_report(report, split, options.report);
   if (options.json) {
-    Json document = report_document(report);
-    document["timing"] = timing_document(report.evaluation);
+    Json document = train::report_document(report);
+    document["timing"] = train::timing_document(report.evaluation);
     print(document);
   } else {
     std::cout << comparison_text(report);
@@ -123,4 +124,4 @@ void add_compare(CLI::App& program) {
   command->callback([options] { run(*options); });
 }
 
-}  // namespace flinch::train::program
+}  // namespace flinch::program

@@ -5,24 +5,24 @@
 
 #include "program/table.h"
 
-namespace flinch::train::program {
+namespace flinch::program {
 
 namespace {
 
 using enum Table::Align;
 
-std::string text(const Interval& interval, int decimals) {
+std::string text(const train::Interval& interval, int decimals) {
   return fixed(interval.low, decimals) + " to " + fixed(interval.high, decimals);
 }
 
-std::string difference(const EvaluationRow& row, const std::string& from) {
-  for (const Difference& difference : row.differences)
+std::string difference(const train::EvaluationRow& row, const std::string& from) {
+  for (const train::Difference& difference : row.differences)
     if (difference.from == from)
       return fixed(difference.cost_ns.value, 4) + " (" + text(difference.cost_ns.interval, 4) + ")";
   return "-";
 }
 
-std::string rows_text(const std::vector<EvaluationRow>& rows) {
+std::string rows_text(const std::vector<train::EvaluationRow>& rows) {
   Table table({{"selector"},
                {"accuracy", right},
                {"top 3", right},
@@ -32,7 +32,7 @@ std::string rows_text(const std::vector<EvaluationRow>& rows) {
                {"95 %", right},
                {"protection", right},
                {"95 %", right}});
-  for (const EvaluationRow& row : rows) {
+  for (const train::EvaluationRow& row : rows) {
     table.add({row.name, fixed(row.accuracy.value, 3), fixed(row.top_three.value, 3),
                fixed(row.mean_cost_ns.value, 4), fixed(row.mean_damage_ns.value, 4),
                fixed(row.regret_ns.value, 4), text(row.regret_ns.interval, 4),
@@ -41,16 +41,16 @@ std::string rows_text(const std::vector<EvaluationRow>& rows) {
   return table.text();
 }
 
-std::string paired_text(const std::vector<EvaluationRow>& rows) {
+std::string paired_text(const std::vector<train::EvaluationRow>& rows) {
   Table table({{"mean cost, N s"},
                {"minus that of svm (95 %)", right},
                {"minus that of knn (95 %)", right}});
-  for (const EvaluationRow& row : rows)
+  for (const train::EvaluationRow& row : rows)
     table.add({row.name, difference(row, "svm"), difference(row, "knn")});
   return table.text();
 }
 
-std::string timing_text(const Report& report) {
+std::string timing_text(const train::Report& report) {
   Table table({{"selector"},
                {"median, us", right},
                {"p99, us", right},
@@ -58,7 +58,7 @@ std::string timing_text(const Report& report) {
                {"file, KiB", right},
                {"parameters"}});
   for (std::size_t i = 0; i < report.methods.size(); ++i) {
-    const RowTiming& timing = report.evaluation.timing[i];
+    const train::RowTiming& timing = report.evaluation.timing[i];
     table.add({timing.name, fixed(timing.median_us, 1), fixed(timing.p99_us, 1),
                fixed(timing.fit_s, 1), fixed(static_cast<double>(timing.file_bytes) / 1024, 0),
                report.methods[i].parameters});
@@ -67,14 +67,14 @@ std::string timing_text(const Report& report) {
 }
 
 /// One line a group, the regret of each row.
-std::string groups_text(const Report& report) {
+std::string groups_text(const train::Report& report) {
   std::vector<Table::Column> columns{{"regret, N s"}, {""}, {"scenarios", right}};
   const std::size_t rows = report.evaluation.rows.size();
   for (std::size_t i = 0; i + 1 < rows; ++i)
     columns.push_back({report.evaluation.rows[i].name, right});
   Table table(columns);
   for (std::size_t first = 0; first < report.groups.size(); first += rows) {
-    const GroupRow& group = report.groups[first];
+    const train::GroupRow& group = report.groups[first];
     std::vector<std::string> cells{group.group, group.value, std::to_string(group.scenarios)};
     for (std::size_t i = 0; i + 1 < rows; ++i)
       cells.push_back(fixed(report.groups[first + i].regret_ns.value, 3));
@@ -100,27 +100,27 @@ std::string sweep_text(const std::string& title, const std::vector<Row>& rows,
   return table.text();
 }
 
-std::string transfer_text(const std::vector<TransferRow>& rows) {
+std::string transfer_text(const std::vector<train::TransferRow>& rows) {
   Table table({{"transfer"},
                {"fitted brawn", right},
                {"judged brawn", right},
                {"regret, N s", right},
                {"protection", right}});
-  for (const TransferRow& row : rows) {
+  for (const train::TransferRow& row : rows) {
     table.add({row.name, fixed(row.fitted_brawn, 1), fixed(row.judged_brawn, 1),
                fixed(row.regret_ns, 4), fixed(row.protection, 3)});
   }
   return table.text();
 }
 
-std::string ablation_text(const std::vector<AblationRow>& rows) {
+std::string ablation_text(const std::vector<train::AblationRow>& rows) {
   Table table({{"features"},
                {"count", right},
                {"selector"},
                {"cross-validated, N s", right},
                {"regret, N s", right},
                {"protection", right}});
-  for (const AblationRow& row : rows) {
+  for (const train::AblationRow& row : rows) {
     table.add({row.features, std::to_string(row.feature_count), row.name,
                fixed(row.cross_validated_regret_ns, 4), fixed(row.regret_ns, 4),
                fixed(row.protection, 3)});
@@ -128,25 +128,25 @@ std::string ablation_text(const std::vector<AblationRow>& rows) {
   return table.text();
 }
 
-std::string prevention_text(const std::vector<PreventionRow>& rows) {
+std::string prevention_text(const std::vector<train::PreventionRow>& rows) {
   Table table({{"exhaustive choice"},
                {""},
                {"scenarios", right},
                {"idle, N s", right},
                {"choice, N s", right},
                {"prevented", right}});
-  for (const PreventionRow& row : rows) {
+  for (const train::PreventionRow& row : rows) {
     table.add({row.group, row.value, std::to_string(row.scenarios), fixed(row.idle_cost_ns, 3),
                fixed(row.oracle_cost_ns, 3), fixed(row.prevented(), 3)});
   }
   return "\nWhat the library can prevent of the cost of staying idle, over all scenarios of the "
          "store; by target and\ndirection (degrees) of those with " +
-         fixed(double{kTimeToAnswer}, 1) + " s or more to impact:\n\n" + table.text();
+         fixed(double{train::kTimeToAnswer}, 1) + " s or more to impact:\n\n" + table.text();
 }
 
 }  // namespace
 
-std::string comparison_text(const Report& report) {
+std::string comparison_text(const train::Report& report) {
   std::string text = std::string(report.has_test_store ? "tested on " : "held out: ") +
                      std::to_string(report.tested_count) +
                      " scenarios; fitted to: " + std::to_string(report.fitted_count) + "; brawn " +
@@ -156,13 +156,14 @@ std::string comparison_text(const Report& report) {
           timing_text(report) + '\n' + groups_text(report) + '\n';
   if (!report.noise.empty())
     text += sweep_text("protection with noise on the features", report.noise,
-                       [](const NoiseRow& row) { return fixed(row.noise, 2); });
+                       [](const train::NoiseRow& row) { return fixed(row.noise, 2); });
   if (!report.curves.empty())
-    text += '\n' + sweep_text("protection, fitted to", report.curves,
-                              [](const CurveRow& row) { return std::to_string(row.fitted_count); });
+    text += '\n' +
+            sweep_text("protection, fitted to", report.curves,
+                       [](const train::CurveRow& row) { return std::to_string(row.fitted_count); });
   if (!report.transfer.empty()) text += '\n' + transfer_text(report.transfer);
   if (!report.ablation.empty()) text += '\n' + ablation_text(report.ablation);
   return text + prevention_text(report.prevention);
 }
 
-}  // namespace flinch::train::program
+}  // namespace flinch::program

@@ -5,9 +5,9 @@
 
 #include "train/report/report.h"
 
-namespace flinch::train::program {
+namespace flinch::program {
 
 /// What `flinch compare` prints for people.
-std::string comparison_text(const Report& report);
+std::string comparison_text(const train::Report& report);
 
-}  // namespace flinch::train::program
+}  // namespace flinch::program

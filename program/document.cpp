@@ -7,7 +7,7 @@
 #include <iostream>
 #include <numbers>
 
-namespace flinch::train::program {
+namespace flinch::program {
 
 void print(const Json& document) {
   std::cout << document.dump(2) << '\n';
@@ -40,4 +40,4 @@ Json to_json(const models::ClipSummary& clip) {
           {"end_s", shortest(annotation.end_s)}};
 }
 
-}  // namespace flinch::train::program
+}  // namespace flinch::program

@@ -5,7 +5,7 @@
 
 #include "models/selector.h"
 
-namespace flinch::train::program {
+namespace flinch::program {
 
 /// JSON with its keys in the order that they were written in.
 using Json = nlohmann::ordered_json;
@@ -25,4 +25,4 @@ double shortest(float value);
 /// A clip's annotation with its keys as in the design; empty without an annotation.
 Json to_json(const models::ClipSummary& clip);
 
-}  // namespace flinch::train::program
+}  // namespace flinch::program

@@ -11,7 +11,7 @@
 #include "train/fit/labels.h"
 #include "train/store/store.h"
 
-namespace flinch::train::program {
+namespace flinch::program {
 
 namespace {
 
@@ -25,9 +25,9 @@ struct Options {
 };
 
 /// That of the store itself, or of another that is fitted to.
-features::Scaling scaling_for(const Options& options, const Store& store) {
+features::Scaling scaling_for(const Options& options, const train::Store& store) {
   if (options.scaling.empty()) return scaling_of(store.header, store.observations);
-  Store fitted = read_store(options.scaling);
+  train::Store fitted = train::read_store(options.scaling);
   derive_features(store.header.layout, fitted);
   return scaling_of(fitted.header, fitted.observations);
 }
@@ -37,14 +37,14 @@ void run(const Options& options) {
   if (!libsvm && !options.file.ends_with(".csv"))
     throw Error(options.file, "unknown kind of file; let it end in .libsvm or .csv");
   const features::Layout& layout = features::feature_set_named(options.features)->layout;
-  Store store = read_store(options.store);
+  train::Store store = train::read_store(options.store);
   derive_features(layout, store);
-  const CostModel cost_model =
+  const train::CostModel cost_model =
       make_cost_model(store.header, vulnerability_of(options.cost), options.cost.brawn);
-  const Labels labels = label(store.observations, cost_model);
+  const train::Labels labels = train::label(store.observations, cost_model);
   database::write_file_atomically(
-      options.file,
-      libsvm ? libsvm_text(store, labels, scaling_for(options, store)) : csv_text(store, labels));
+      options.file, libsvm ? train::libsvm_text(store, labels, scaling_for(options, store))
+                           : train::csv_text(store, labels));
   if (options.json) {
     print({{"kind", libsvm ? "libsvm" : "csv"},
            {"file", options.file},
@@ -74,4 +74,4 @@ void add_export(CLI::App& program) {
   command->callback([options] { run(*options); });
 }
 
-}  // namespace flinch::train::program
+}  // namespace flinch::program

@@ -9,7 +9,7 @@
 #include "reaction/reacting_character.h"
 #include "runtime/workspace.h"
 
-namespace flinch::train {
+namespace flinch::program {
 namespace {
 
 // The reaction takes over this long before the impact, so that a ball that comes early is met.
@@ -22,25 +22,25 @@ void check(runtime::Status status) {
   if (status != runtime::Status::ok) throw Error("", runtime::message_of(status));
 }
 
-void check(sim::ReactionStatus status) {
-  if (status != sim::ReactionStatus::ok) throw Error("", sim::message_of(status));
+void check(reaction::ReactionStatus status) {
+  if (status != reaction::ReactionStatus::ok) throw Error("", reaction::message_of(status));
 }
 
 // What is seen at one moment.
-void shoot(const sim::ReactingCharacter& character, const features::Threat& threat, float time_s,
-           Film& film) {
+void shoot(const reaction::ReactingCharacter& character, const features::Threat& threat,
+           float time_s, Film& film) {
   film.motion.poses.push_back(character.pose());
   std::optional<Eigen::Vector3f> ball;
-  if (character.mover() == sim::Mover::physics) {
+  if (character.mover() == reaction::Mover::physics) {
     ball = character.reaction().ball().position.cast<float>();
-  } else if (character.reaction().phase() == sim::ReactionPhase::none) {
+  } else if (character.reaction().phase() == reaction::ReactionPhase::none) {
     ball = features::position_at(threat, time_s);
   }
   film.ball.positions.push_back(ball);
 }
 
-bool idles(const sim::ReactingCharacter& character) {
-  return character.mover() == sim::Mover::character &&
+bool idles(const reaction::ReactingCharacter& character) {
+  return character.mover() == reaction::Mover::character &&
          character.character().phase() == runtime::Phase::idle;
 }
 
@@ -51,7 +51,7 @@ Film film_response(const runtime::Library& library, const features::Threat& thre
   runtime::Workspace workspace;
   if (workspace.make_room(library.selection_bytes()) != database::LoadStatus::ok)
     throw Error("", "there is not enough memory");
-  sim::ReactingCharacter character(library, sim::make_reaction_kit(library));
+  reaction::ReactingCharacter character(library, reaction::make_reaction_kit(library));
   check(character.character().perceive(threat, target, time_to_impact_s, workspace));
 
   Film film;
@@ -69,10 +69,11 @@ Film film_response(const runtime::Library& library, const features::Threat& thre
     check(character.update(dt_s));
     if (std::isinf(met_s) && time_s + dt_s >= time_to_impact_s - kAhead) {
       met_s = time_s + dt_s;
-      check(character.meet(sim::ball_of(features::advanced(threat, met_s))));
+      check(character.meet(reaction::ball_of(features::advanced(threat, met_s))));
     }
     if (character.reaction_clip()) film.reaction_clip = character.reaction_clip();
-    if (character.reaction().phase() == sim::ReactionPhase::knocked_over && !film.knocked_over) {
+    if (character.reaction().phase() == reaction::ReactionPhase::knocked_over &&
+        !film.knocked_over) {
       film.knocked_over = true;
       ends_s = time_s + kFall;
     }
@@ -85,4 +86,4 @@ Film film_response(const runtime::Library& library, const features::Threat& thre
   return film;
 }
 
-}  // namespace flinch::train
+}  // namespace flinch::program

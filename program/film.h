@@ -8,7 +8,7 @@
 #include "motion/clip.h"
 #include "runtime/library.h"
 
-namespace flinch::train {
+namespace flinch::program {
 
 /// A response from perception until the character idles again, with all that happens on the way.
 struct Film {
@@ -28,4 +28,4 @@ struct Film {
 Film film_response(const runtime::Library& library, const features::Threat& threat,
                    motion::Target target, float time_to_impact_s, float rate_hz = 60);
 
-}  // namespace flinch::train
+}  // namespace flinch::program

@@ -10,7 +10,7 @@
 #include "program/command.h"
 #include "program/table.h"
 
-namespace flinch::train::program {
+namespace flinch::program {
 
 namespace {
 
@@ -139,4 +139,4 @@ void add_import(CLI::App& program) {
   command->callback([options] { run(*options); });
 }
 
-}  // namespace flinch::train::program
+}  // namespace flinch::program

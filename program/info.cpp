@@ -14,7 +14,7 @@
 #include "train/store/file_opening.h"
 #include "train/store/store.h"
 
-namespace flinch::train::program {
+namespace flinch::program {
 
 namespace {
 
@@ -92,7 +92,7 @@ void print_library(const database::Library& library) {
 /// A store's numbers, of which JSON and text say the same.
 struct StoreView {
   explicit StoreView(const std::string& path)
-      : summary(summarise_store(path)), contents(count_contents(path)) {}
+      : summary(train::summarise_store(path)), contents(train::count_contents(path)) {}
 
   /// Without the library.
   double bytes_per_scenario() const {
@@ -104,13 +104,13 @@ struct StoreView {
            static_cast<double>(motion::kBodyCount * std::max<std::uint64_t>(contents.trials, 1));
   }
 
-  StoreSummary summary;
-  StoreContents contents;
+  train::StoreSummary summary;
+  train::StoreContents contents;
 };
 
 Json store_document(const StoreView& view) {
-  const StoreSummary& store = view.summary;
-  const StoreHeader& header = store.header;
+  const train::StoreSummary& store = view.summary;
+  const train::StoreHeader& header = store.header;
   Json clips = Json::array();
   for (std::size_t i = 0; i < header.clips.size(); ++i) {
     clips.push_back({{"name", header.clips[i].name},
@@ -136,8 +136,8 @@ Json store_document(const StoreView& view) {
 }
 
 void print_store(const StoreView& view) {
-  const StoreSummary& store = view.summary;
-  const StoreHeader& header = store.header;
+  const train::StoreSummary& store = view.summary;
+  const train::StoreHeader& header = store.header;
   Table table({{"clip"}, {"work, J", right}, {"target"}, {"direction", right}, {"degree"}});
   for (std::size_t i = 0; i < header.clips.size(); ++i) {
     const std::vector<std::string> annotation = annotation_cells(header.clips[i].annotation);
@@ -248,13 +248,13 @@ Json document_with_quality(const database::Library& library) {
 
 void run(const Options& options) {
   using database::FileKind;
-  const FileKind kind = file_kind_at(options.file);
+  const FileKind kind = train::file_kind_at(options.file);
   if (options.bvh.given() && kind != FileKind::bvh)
     throw Error(options.file,
-                "is " + std::string(name_of(kind)) +
+                "is " + std::string(database::name_of(kind)) +
                     ", and --unit, --up and --roles are for BVH files; leave them out");
   if (options.quality && kind != FileKind::library)
-    throw Error(options.file, "is " + std::string(name_of(kind)) +
+    throw Error(options.file, "is " + std::string(database::name_of(kind)) +
                                   ", and --quality is for libraries; leave it out");
   switch (kind) {
     case FileKind::library:
@@ -270,7 +270,7 @@ void run(const Options& options) {
       return show(options, database::inspect_bvh(options.file, source_options(options.bvh)),
                   source_document, print_source);
     default:
-      throw Error(options.file, "is " + std::string(name_of(kind)) +
+      throw Error(options.file, "is " + std::string(database::name_of(kind)) +
                                     "; info reads libraries, stores, selectors and BVH files");
   }
 }
@@ -291,4 +291,4 @@ void add_info(CLI::App& program) {
   command->callback([options] { run(*options); });
 }
 
-}  // namespace flinch::train::program
+}  // namespace flinch::program

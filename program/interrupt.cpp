@@ -3,7 +3,7 @@
 
 #include <signal.h>
 
-namespace flinch::train::program {
+namespace flinch::program {
 
 namespace {
 
@@ -27,4 +27,4 @@ const std::atomic<bool>& catch_interrupts() {
   return interrupted;
 }
 
-}  // namespace flinch::train::program
+}  // namespace flinch::program

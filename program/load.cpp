@@ -7,7 +7,7 @@
 #include "database/import/file_kind.h"
 #include "motion/error.h"
 
-namespace flinch::train::program {
+namespace flinch::program {
 
 runtime::SelectorFile load_selector_file(const std::string& path) {
   const std::string bytes = database::read_file(path);
@@ -16,7 +16,7 @@ runtime::SelectorFile load_selector_file(const std::string& path) {
       runtime::read_selector_file(std::as_bytes(std::span(bytes.data(), bytes.size())), file);
   if (status == database::LoadStatus::ok) return file;
   if (database::file_kind_of(bytes) != database::FileKind::selector)
-    throw Error(path, "is " + std::string(name_of(database::file_kind_of(bytes))) +
+    throw Error(path, "is " + std::string(database::name_of(database::file_kind_of(bytes))) +
                           ", not a selector; `flinch train` makes one");
   throw Error(path, std::string("the selector ") + database::message_of(status) +
                         "; run `flinch train` again");
@@ -31,4 +31,4 @@ runtime::Library load_runtime_library(const std::string& path) {
                         "; run `flinch train` again");
 }
 
-}  // namespace flinch::train::program
+}  // namespace flinch::program

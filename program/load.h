@@ -6,7 +6,7 @@
 #include "runtime/library.h"
 #include "runtime/selector_file.h"
 
-namespace flinch::train::program {
+namespace flinch::program {
 
 /// Reads a selector file, with its clips where it has any. Throws Error that says what is wrong,
 /// and what the file is instead where that can be told.
@@ -16,4 +16,4 @@ runtime::SelectorFile load_selector_file(const std::string& path);
 /// for a selector without clips.
 runtime::Library load_runtime_library(const std::string& path);
 
-}  // namespace flinch::train::program
+}  // namespace flinch::program

@@ -43,7 +43,7 @@ int run(CLI::App& program, int argument_count, char** arguments) {
 }  // namespace
 
 int main(int argument_count, char** arguments) {
-  using namespace flinch::train::program;
+  using namespace flinch::program;
   CLI::App program("Flinch teaches a game character to anticipate impacts.", "flinch");
   program.set_version_flag("--version", "flinch " FLINCH_VERSION);
   program.require_subcommand(1);

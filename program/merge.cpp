@@ -8,7 +8,7 @@
 #include "program/command.h"
 #include "train/store/store.h"
 
-namespace flinch::train::program {
+namespace flinch::program {
 
 namespace {
 
@@ -19,8 +19,8 @@ struct Options {
 };
 
 void run(const Options& options) {
-  merge_stores(options.stores, options.out);
-  const StoreSummary store = summarise_store(options.out);
+  train::merge_stores(options.stores, options.out);
+  const train::StoreSummary store = train::summarise_store(options.out);
   if (options.json) {
     print({{"kind", "store"},
            {"file", options.out},
@@ -30,8 +30,8 @@ void run(const Options& options) {
            {"library_hash", database::hash_text(store.header.library_hash)}});
     return;
   }
-  std::cout << options.out << ": " << text_of(store.range) << " of " << store.header.library_name
-            << ", seed " << store.header.seed << '\n';
+  std::cout << options.out << ": " << train::text_of(store.range) << " of "
+            << store.header.library_name << ", seed " << store.header.seed << '\n';
 }
 
 }  // namespace
@@ -51,4 +51,4 @@ void add_merge(CLI::App& program) {
   command->callback([options] { run(*options); });
 }
 
-}  // namespace flinch::train::program
+}  // namespace flinch::program

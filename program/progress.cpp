@@ -11,7 +11,7 @@
 #include "program/document.h"
 #include "program/table.h"
 
-namespace flinch::train::program {
+namespace flinch::program {
 
 namespace {
 
@@ -30,7 +30,7 @@ std::string bar(double share) {
   return text;
 }
 
-double hit_rate(const SimulationProgress& progress) {
+double hit_rate(const train::SimulationProgress& progress) {
   const auto simulations = static_cast<double>(progress.counts.simulations);
   return simulations > 0 ? static_cast<double>(progress.counts.hits) / simulations : 0;
 }
@@ -49,7 +49,7 @@ ProgressDisplay::~ProgressDisplay() {
   if (bar_shown_) std::cerr << std::endl;
 }
 
-void ProgressDisplay::show(const SimulationProgress& progress) {
+void ProgressDisplay::show(const train::SimulationProgress& progress) {
   if (!started_) {
     begin(progress);
   } else if (is_due(progress)) {
@@ -57,7 +57,7 @@ void ProgressDisplay::show(const SimulationProgress& progress) {
   }
 }
 
-void ProgressDisplay::begin(const SimulationProgress& progress) {
+void ProgressDisplay::begin(const train::SimulationProgress& progress) {
   started_ = true;
   start_ = shown_ = std::chrono::steady_clock::now();
   scenarios_at_start_ = progress.scenarios;
@@ -67,7 +67,7 @@ void ProgressDisplay::begin(const SimulationProgress& progress) {
 }
 
 /// A bar always; lines at every tenth of the way, and of longer ways every ten seconds.
-bool ProgressDisplay::is_due(const SimulationProgress& progress) {
+bool ProgressDisplay::is_due(const train::SimulationProgress& progress) {
   const auto now = std::chrono::steady_clock::now();
   const std::uint64_t tenth = 10 * progress.scenarios / progress.of;
   if (!terminal_ && tenth <= tenth_shown_ && now - shown_ < std::chrono::seconds(10)) return false;
@@ -76,7 +76,7 @@ bool ProgressDisplay::is_due(const SimulationProgress& progress) {
   return true;
 }
 
-ProgressDisplay::Rates ProgressDisplay::rates(const SimulationProgress& progress) const {
+ProgressDisplay::Rates ProgressDisplay::rates(const train::SimulationProgress& progress) const {
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start_;
   const double seconds = std::max(elapsed.count(), 1e-3);
   Rates rates;
@@ -87,7 +87,7 @@ ProgressDisplay::Rates ProgressDisplay::rates(const SimulationProgress& progress
   return rates;
 }
 
-void ProgressDisplay::show_json(const SimulationProgress& progress) const {
+void ProgressDisplay::show_json(const train::SimulationProgress& progress) const {
   const Rates now = rates(progress);
   print_line({{"kind", "progress"},
               {"scenarios", progress.scenarios},
@@ -99,7 +99,7 @@ void ProgressDisplay::show_json(const SimulationProgress& progress) const {
               {"left_s", rounded(now.left_s)}});
 }
 
-void ProgressDisplay::show_text(const SimulationProgress& progress) {
+void ProgressDisplay::show_text(const train::SimulationProgress& progress) {
   const Rates now = rates(progress);
   const std::string text = std::to_string(progress.scenarios) + "/" + std::to_string(progress.of) +
                            " scenarios, " + fixed(now.scenarios_per_s, 1) + " a second (" +
@@ -115,4 +115,4 @@ void ProgressDisplay::show_text(const SimulationProgress& progress) {
   bar_shown_ = true;
 }
 
-}  // namespace flinch::train::program
+}  // namespace flinch::program

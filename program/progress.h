@@ -6,7 +6,7 @@
 
 #include "train/simulate/simulate.h"
 
-namespace flinch::train::program {
+namespace flinch::program {
 
 /// Shows how a simulation goes on: a bar with rate, time left and rate of hits on a terminal, a
 /// line now and then otherwise, both on stderr; or lines of JSON on stdout.
@@ -17,7 +17,7 @@ class ProgressDisplay {
   ProgressDisplay(const ProgressDisplay&) = delete;
   ProgressDisplay& operator=(const ProgressDisplay&) = delete;
 
-  void show(const SimulationProgress& progress);
+  void show(const train::SimulationProgress& progress);
 
  private:
   /// What is told beside the progress itself.
@@ -27,11 +27,11 @@ class ProgressDisplay {
     double left_s = 0;
   };
 
-  void begin(const SimulationProgress& progress);
-  bool is_due(const SimulationProgress& progress);
-  Rates rates(const SimulationProgress& progress) const;
-  void show_json(const SimulationProgress& progress) const;
-  void show_text(const SimulationProgress& progress);
+  void begin(const train::SimulationProgress& progress);
+  bool is_due(const train::SimulationProgress& progress);
+  Rates rates(const train::SimulationProgress& progress) const;
+  void show_json(const train::SimulationProgress& progress) const;
+  void show_text(const train::SimulationProgress& progress);
 
   bool json_;
   bool terminal_;
@@ -43,4 +43,4 @@ class ProgressDisplay {
   std::chrono::steady_clock::time_point shown_;
 };
 
-}  // namespace flinch::train::program
+}  // namespace flinch::program

@@ -4,7 +4,7 @@
 #include "database/quality/quality.h"
 #include "program/table.h"
 
-namespace flinch::train::program {
+namespace flinch::program {
 
 namespace {
 
@@ -77,4 +77,4 @@ Json quality_document(const database::Library& library) {
           {"clips", clips}};
 }
 
-}  // namespace flinch::train::program
+}  // namespace flinch::program

@@ -6,7 +6,7 @@
 #include "database/library/library.h"
 #include "program/document.h"
 
-namespace flinch::train::program {
+namespace flinch::program {
 
 /// How human a library's clips are: a table of database::measure_quality for people.
 std::string quality_text(const database::Library& library);
@@ -14,4 +14,4 @@ std::string quality_text(const database::Library& library);
 /// The same for machines: `bounds` and, for every clip, its measures and the bounds it breaks.
 Json quality_document(const database::Library& library);
 
-}  // namespace flinch::train::program
+}  // namespace flinch::program

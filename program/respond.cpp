@@ -15,7 +15,7 @@
 #include "program/table.h"
 #include "program/threat_options.h"
 
-namespace flinch::train::program {
+namespace flinch::program {
 
 namespace {
 
@@ -48,7 +48,7 @@ void write_filmstrip(const runtime::Library& library, const Film& film, const Op
         static_cast<float>(options.threat.azimuth * std::numbers::pi / 180);
   }
   database::write_file_atomically(
-      options.out, database::filmstrip_svg(database::make_figure(library.clips().character), clip));
+      options.out, database::filmstrip_svg(motion::make_figure(library.clips().character), clip));
 }
 
 void write(const runtime::Library& library, const Film& film, const Options& options) {
@@ -73,8 +73,8 @@ const std::string& clip_name(const runtime::Library& library, int clip) {
 void run(const Options& options) {
   kind_of(options.out);  // before any work
   const runtime::Library library = load_runtime_library(options.selector);
-  const TargetCentres& centres = library.selector().target_centres;
-  const DescribedThreat threat = described(options.threat, centres);
+  const features::TargetCentres& centres = library.selector().target_centres;
+  const train::DescribedThreat threat = described(options.threat, centres);
   const Film film =
       film_response(library,
                     features::threat_from_approach(
@@ -133,4 +133,4 @@ void add_respond(CLI::App& program) {
   command->callback([options] { run(*options); });
 }
 
-}  // namespace flinch::train::program
+}  // namespace flinch::program

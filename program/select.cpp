@@ -12,7 +12,7 @@
 #include "program/threat_options.h"
 #include "train/scenario/scenario_sampling.h"
 
-namespace flinch::train::program {
+namespace flinch::program {
 
 namespace {
 
@@ -77,7 +77,7 @@ void print_text(const models::Selector& selector, const ThreatOptions& threat,
 
 void run(const Options& options) {
   const models::Selector selector = load_selector_file(options.selector).selector;
-  const DescribedThreat threat = described(options.threat, selector.target_centres);
+  const train::DescribedThreat threat = described(options.threat, selector.target_centres);
   const std::pmr::vector<models::Candidate> candidates = models::candidates(
       selector, described_features(selector.layout, threat, selector.target_centres),
       threat.target);
@@ -104,4 +104,4 @@ void add_select(CLI::App& program) {
   command->callback([options] { run(*options); });
 }
 
-}  // namespace flinch::train::program
+}  // namespace flinch::program

@@ -18,7 +18,7 @@
 #include "train/simulate/crew.h"
 #include "train/simulate/mpi_messenger.h"
 
-namespace flinch::train::program {
+namespace flinch::program {
 
 namespace {
 
@@ -35,7 +35,7 @@ struct Options {
 };
 
 /// The processors that this process may use, shared with the run's others on this machine.
-int thread_count(const Options& options, const Messenger& messenger) {
+int thread_count(const Options& options, const train::Messenger& messenger) {
   if (options.threads > 0) return options.threads;
   const auto share = static_cast<int>(std::thread::hardware_concurrency()) / messenger.local_size();
   return std::clamp(share, 1, std::max(1, omp_get_num_procs()));
@@ -46,8 +46,8 @@ std::string mebibytes(std::uint64_t bytes) {
 }
 
 /// What the run will use, before it begins.
-void print_plan(const SimulationRun& run) {
-  const MemoryPlan& memory = run.memory;
+void print_plan(const train::SimulationRun& run) {
+  const train::MemoryPlan& memory = run.memory;
   std::cerr << "memory: at most " << mebibytes(memory.most)
             << (run.messenger->size() > 1 ? " a process" : "") << "; " << memory.response_count
             << " different responses take about " << mebibytes(memory.all_responses)
@@ -55,9 +55,9 @@ void print_plan(const SimulationRun& run) {
             << " are kept" << std::endl;
 }
 
-Json summary_document(const Options& options, const StoreSummary& store,
-                      const SimulationProgress& done) {
-  const SimulationCounts& counts = done.counts;
+Json summary_document(const Options& options, const train::StoreSummary& store,
+                      const train::SimulationProgress& done) {
+  const train::SimulationCounts& counts = done.counts;
   return {{"kind", "store"},
           {"file", options.store},
           {"first", store.range.first},
@@ -80,9 +80,9 @@ double ratio(double part, double whole) {
   return whole > 0 ? part / whole : 0;
 }
 
-void print_summary(const SimulationProgress& done) {
-  const SimulationCounts& counts = done.counts;
-  const PhaseTimes& cpu = done.cpu;
+void print_summary(const train::SimulationProgress& done) {
+  const train::SimulationCounts& counts = done.counts;
+  const train::PhaseTimes& cpu = done.cpu;
   const auto simulations = static_cast<double>(counts.simulations);
   std::cout << "simulations: " << counts.simulations << ", "
             << fixed(100 * ratio(static_cast<double>(counts.hits), simulations), 1)
@@ -100,8 +100,8 @@ void print_summary(const SimulationProgress& done) {
             << fixed(ratio(simulations, cpu.total_s()), 0) << " simulations a second of it\n";
 }
 
-void print_result(const Options& options, const SimulationProgress& done) {
-  const StoreSummary store = summarise_store(options.store);
+void print_result(const Options& options, const train::SimulationProgress& done) {
+  const train::StoreSummary store = train::summarise_store(options.store);
   if (options.json) {
     print_line(summary_document(options, store, done));
     return;
@@ -113,17 +113,18 @@ void print_result(const Options& options, const SimulationProgress& done) {
   if (done.counts.simulations > 0) print_summary(done);
 }
 
-void write_store(const Options& options, const SimulationSubject& subject, SimulationRun& run) {
-  SimulationProgress last;
+void write_store(const Options& options, const train::SimulationSubject& subject,
+                 train::SimulationRun& run) {
+  train::SimulationProgress last;
   {
     ProgressDisplay display(options.json);
-    run.report = [&](const SimulationProgress& progress) {
+    run.report = [&](const train::SimulationProgress& progress) {
       const bool begins = last.of == 0;
       if (begins && !options.json) print_plan(run);
       last = progress;
       display.show(progress);
     };
-    if (simulate_store(subject, options.store, run)) {
+    if (train::simulate_store(subject, options.store, run)) {
       print_result(options, last);
       return;
     }
@@ -133,18 +134,18 @@ void write_store(const Options& options, const SimulationSubject& subject, Simul
                                  " scenarios are kept, run the same command again to go on");
 }
 
-void simulate(const Options& options, Messenger& messenger) {
+void simulate(const Options& options, train::Messenger& messenger) {
   const database::Library library = database::load_library(options.library);
-  SimulationPlan plan;
+  train::SimulationPlan plan;
   plan.seed = options.seed;
   plan.unabridged = options.unabridged;
-  const SimulationSubject subject(library, plan);
-  SimulationRun run;
+  const train::SimulationSubject subject(library, plan);
+  train::SimulationRun run;
   run.wanted = {options.first, options.scenarios};
   run.batch.threads = thread_count(options, messenger);
   run.batch.cpu_s = thread_cpu_s;
   run.batch.stop = &catch_interrupts();
-  run.memory = plan_memory(subject, options.memory, run.batch.threads);
+  run.memory = train::plan_memory(subject, options.memory, run.batch.threads);
   run.messenger = &messenger;
   if (messenger.rank() == 0) {
     write_store(options, subject, run);
@@ -154,7 +155,7 @@ void simulate(const Options& options, Messenger& messenger) {
 }
 
 void run(const Options& options) {
-  const std::unique_ptr<Messenger> messenger = join_processes();
+  const std::unique_ptr<train::Messenger> messenger = train::join_processes();
   if (messenger->rank() == 0) {
     simulate(options, *messenger);
     return;
@@ -206,4 +207,4 @@ void add_simulate(CLI::App& program) {
   command->callback([options] { run(*options); });
 }
 
-}  // namespace flinch::train::program
+}  // namespace flinch::program

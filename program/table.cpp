@@ -6,7 +6,7 @@
 #include <iomanip>
 #include <sstream>
 
-namespace flinch::train::program {
+namespace flinch::program {
 
 Table::Table(std::vector<Column> columns) : columns_(std::move(columns)) {}
 
@@ -45,4 +45,4 @@ std::string fixed(double value, int decimals) {
   return out.str();
 }
 
-}  // namespace flinch::train::program
+}  // namespace flinch::program

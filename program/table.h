@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace flinch::train::program {
+namespace flinch::program {
 
 /// Text in columns for people: words to the left, numbers to the right.
 class Table {
@@ -28,4 +28,4 @@ class Table {
 /// A number with so many decimals; "-" for what is not a number.
 std::string fixed(double value, int decimals);
 
-}  // namespace flinch::train::program
+}  // namespace flinch::program

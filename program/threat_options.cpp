@@ -7,7 +7,7 @@
 #include "motion/error.h"
 #include "program/table.h"
 
-namespace flinch::train::program {
+namespace flinch::program {
 namespace {
 
 std::vector<std::string> target_names() {
@@ -47,12 +47,13 @@ void add_threat_options(CLI::App& command, ThreatOptions& threat) {
       ->capture_default_str();
 }
 
-DescribedThreat described(const ThreatOptions& options, const TargetCentres& centres) {
-  DescribedThreat threat;
+train::DescribedThreat described(const ThreatOptions& options,
+                                 const features::TargetCentres& centres) {
+  train::DescribedThreat threat;
   threat.target = *motion::target_named(options.target);
-  const double least = degrees(
-      least_feasible_elevation(options.speed_mps, options.time_to_impact_s, options.radius_m,
-                               double{centres[static_cast<std::size_t>(threat.target)].z()}));
+  const double least = degrees(train::least_feasible_elevation(
+      options.speed_mps, options.time_to_impact_s, options.radius_m,
+      double{centres[static_cast<std::size_t>(threat.target)].z()}));
   const double elevation = options.elevation.value_or(std::max(0.0, least));
   if (least >= 90)
     throw Error("", "a ball this slow would come from below the ground " +
@@ -70,4 +71,4 @@ DescribedThreat described(const ThreatOptions& options, const TargetCentres& cen
   return threat;
 }
 
-}  // namespace flinch::train::program
+}  // namespace flinch::program

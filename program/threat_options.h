@@ -7,7 +7,7 @@
 #include "program/command.h"
 #include "train/scenario/scenario_sampling.h"
 
-namespace flinch::train::program {
+namespace flinch::program {
 
 /// A threat as options say it. Angles in degrees.
 struct ThreatOptions {
@@ -24,6 +24,7 @@ void add_threat_options(CLI::App& command, ThreatOptions& threat);
 
 /// The threat that the options describe, of a character whose targets are at `centres`. Throws
 /// Error when it would have come out of the ground.
-DescribedThreat described(const ThreatOptions& options, const TargetCentres& centres);
+train::DescribedThreat described(const ThreatOptions& options,
+                                 const features::TargetCentres& centres);
 
-}  // namespace flinch::train::program
+}  // namespace flinch::program

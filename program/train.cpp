@@ -10,27 +10,28 @@
 #include "train/fit/training.h"
 #include "train/store/store.h"
 
-namespace flinch::train::program {
+namespace flinch::program {
 
 namespace {
 
 struct Options {
   std::string store;
   std::string selector;
-  std::string model{name_of(kDefaultMethod)};
+  std::string model{train::name_of(train::kDefaultMethod)};
   std::string features;
   CostOptions cost;
   bool json = false;
 };
 
-Json parameters_of(const Training& training) {
+Json parameters_of(const train::Training& training) {
   Json parameters;
-  for (const NamedValue& parameter : training.parameter_values)
+  for (const train::NamedValue& parameter : training.parameter_values)
     std::visit([&](const auto& value) { parameters[parameter.name] = value; }, parameter.value);
   return parameters;
 }
 
-Json summary_of(const Options& options, const Store& store, const Training& training) {
+Json summary_of(const Options& options, const train::Store& store,
+                const train::Training& training) {
   Json summary{{"kind", "selector"},
                {"file", options.selector},
                {"model", options.model},
@@ -49,13 +50,14 @@ Json summary_of(const Options& options, const Store& store, const Training& trai
 }
 
 void run(const Options& options) {
-  Store store = read_store(options.store);
+  train::Store store = train::read_store(options.store);
   derive_features(features::feature_set_named(options.features)->layout, store);
-  const CostModel cost_model =
+  const train::CostModel cost_model =
       make_cost_model(store.header, vulnerability_of(options.cost), options.cost.brawn);
-  const Training training = train_selector(store.header, store.observations, cost_model,
-                                           *method_named(options.model), store.header.seed);
-  write_selector(training.selector, store.header.library_file, options.selector);
+  const train::Training training =
+      train::train_selector(store.header, store.observations, cost_model,
+                            *train::method_named(options.model), store.header.seed);
+  train::write_selector(training.selector, store.header.library_file, options.selector);
   const Json summary = summary_of(options, store, training);
   if (options.json) {
     print(summary);
@@ -86,4 +88,4 @@ void add_train(CLI::App& program) {
   command->callback([options] { run(*options); });
 }
 
-}  // namespace flinch::train::program
+}  // namespace flinch::program

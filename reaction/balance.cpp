@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace flinch::sim {
+namespace flinch::reaction {
 namespace {
 
 using motion::Body;
@@ -39,10 +39,10 @@ class Corners {
 };
 
 template <class Visit>
-void for_each_sole_corner(const FigurePlan& plan, const motion::PerBody<BodyState>& bodies,
-                          Visit visit) {
+void for_each_sole_corner(const sim::FigurePlan& plan,
+                          const motion::PerBody<sim::BodyState>& bodies, Visit visit) {
   for (Body foot : {Body::left_foot, Body::right_foot}) {
-    const MovingShape& sole = plan.outline[foot];
+    const sim::MovingShape& sole = plan.outline[foot];
     for (int corner = 0; corner < 4; ++corner) {
       const Eigen::Vector3d side(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, -1);
       visit(bodies[foot].position +
@@ -72,7 +72,8 @@ double distance_outside(std::span<const Eigen::Vector2d> hull_of, const Eigen::V
   return nearest;
 }
 
-double out_of_balance_m(const FigurePlan& plan, const motion::PerBody<BodyState>& bodies) {
+double out_of_balance_m(const sim::FigurePlan& plan,
+                        const motion::PerBody<sim::BodyState>& bodies) {
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();
   Eigen::Vector3d velocity = Eigen::Vector3d::Zero();
   for (Body body : motion::kBodies) {
@@ -93,7 +94,7 @@ double out_of_balance_m(const FigurePlan& plan, const motion::PerBody<BodyState>
   return distance_outside(points, extrapolated.head<2>());
 }
 
-bool is_beyond_a_step(const FigurePlan& plan, double out_m) {
+bool is_beyond_a_step(const sim::FigurePlan& plan, double out_m) {
   const auto length = [&](motion::Role role) {
     return static_cast<double>(plan.skeleton.offset[role].norm());
   };
@@ -101,4 +102,4 @@ bool is_beyond_a_step(const FigurePlan& plan, double out_m) {
   return out_m * std::exp(std::sqrt(kGravity_mps2 / leg) * kStepTime_s) > leg;
 }
 
-}  // namespace flinch::sim
+}  // namespace flinch::reaction

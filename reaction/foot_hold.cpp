@@ -5,7 +5,7 @@
 
 #include "motion/rotation.h"
 
-namespace flinch::sim {
+namespace flinch::reaction {
 namespace {
 
 using motion::Body;
@@ -16,7 +16,7 @@ constexpr double kGravity_mps2 = 9.81;
 constexpr double kStandingHeight_m = 0.02;
 constexpr double kStandingSpeed_mps = 0.15;
 
-bool stands(const BodyState& foot, const MovingShape& outline) {
+bool stands(const sim::BodyState& foot, const sim::MovingShape& outline) {
   if (foot.velocity.norm() > kStandingSpeed_mps) return false;
   const Eigen::Quaterniond turn = foot.orientation * outline.orientation;
   const Eigen::Vector3d centre = foot.position + foot.orientation * outline.centre;
@@ -27,19 +27,19 @@ bool stands(const BodyState& foot, const MovingShape& outline) {
 
 }  // namespace
 
-FootHold::FootHold(const FigurePlan& plan, dWorldID world, Figure& figure)
+FootHold::FootHold(const sim::FigurePlan& plan, dWorldID world, sim::Figure& figure)
     : plan_(plan), figure_(figure) {
   constexpr std::array kFeet{Body::left_foot, Body::right_foot};
   for (std::size_t i = 0; i < kFeet.size(); ++i) {
     const dBodyID part = figure.body(kFeet[i]);
-    feet_[i] = {kFeet[i], part, make_linear_motor(world, part),
-                make_motor(world, part, nullptr, Eigen::Matrix3d::Identity())};
+    feet_[i] = {kFeet[i], part, sim::make_linear_motor(world, part),
+                sim::make_motor(world, part, nullptr, Eigen::Matrix3d::Identity())};
   }
   let_go();
 }
 
 // A pull beyond the grip is one of softer gains, as for the pelvis: the foot slides.
-void FootHold::hold(const ReferenceState& target, double step_s, double share) {
+void FootHold::hold(const sim::ReferenceState& target, double step_s, double share) {
   std::array<bool, 2> standing{};
   for (std::size_t i = 0; i < feet_.size(); ++i) {
     standing[i] = stands(target.body[feet_[i].body], plan_.outline[feet_[i].body]);
@@ -51,13 +51,14 @@ void FootHold::hold(const ReferenceState& target, double step_s, double share) {
     const Foot& foot = feet_[i];
     set_held(foot, standing[i]);
     if (!standing[i]) continue;
-    const BodyState now = state_of(foot.part);
-    const BodyState& wanted = target.body[foot.body];
+    const sim::BodyState now = sim::state_of(foot.part);
+    const sim::BodyState& wanted = target.body[foot.body];
     const Eigen::Vector3d shift = wanted.position - now.position;
     const Eigen::Vector3d turn =
         motion::rotation_vector(wanted.orientation * now.orientation.conjugate());
-    const Gains turning = weakened(plan_.gains[foot.body], share);
-    Gains gains = weakened(critically_damped(plan_.mass_kg / count, kFrequency), share);
+    const sim::Gains turning = sim::weakened(plan_.gains[foot.body], share);
+    sim::Gains gains =
+        sim::weakened(sim::critically_damped(plan_.mass_kg / count, kFrequency), share);
     const double force_n =
         (gains.stiffness * shift + gains.damping * (wanted.velocity - now.velocity)).norm();
     if (force_n > grip_n) {
@@ -83,4 +84,4 @@ void FootHold::set_held(const Foot& foot, bool held) {
   figure_.set_held(foot.body, held);
 }
 
-}  // namespace flinch::sim
+}  // namespace flinch::reaction

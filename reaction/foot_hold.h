@@ -5,7 +5,7 @@
 
 #include "sim/ode/figure.h"
 
-namespace flinch::sim {
+namespace flinch::reaction {
 
 /// The grip of the ground on the feet that stand, for a figure whose own springs are too weak to
 /// keep them in place: in place of the ground's support (see Figure::stand). A foot stands while
@@ -14,10 +14,10 @@ class FootHold {
  public:
   /// `plan` must outlive this; `figure` is of that plan and in that world, and must
   /// outlive this too.
-  FootHold(const FigurePlan& plan, dWorldID world, Figure& figure);
+  FootHold(const sim::FigurePlan& plan, dWorldID world, sim::Figure& figure);
 
   /// Sets the grip for the next step, at whose end `target` is wanted; `share` of it, see weakened.
-  void hold(const ReferenceState& target, double step_s, double share);
+  void hold(const sim::ReferenceState& target, double step_s, double share);
   void let_go();
 
  private:
@@ -29,9 +29,9 @@ class FootHold {
   };
   void set_held(const Foot& foot, bool held);
 
-  const FigurePlan& plan_;
-  Figure& figure_;
+  const sim::FigurePlan& plan_;
+  sim::Figure& figure_;
   std::array<Foot, 2> feet_;
 };
 
-}  // namespace flinch::sim
+}  // namespace flinch::reaction

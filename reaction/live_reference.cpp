@@ -5,7 +5,7 @@
 
 #include "motion/rotation.h"
 
-namespace flinch::sim {
+namespace flinch::reaction {
 namespace {
 
 using motion::Body;
@@ -14,20 +14,20 @@ constexpr double kDifferenceTime_s = 1.0 / 120;
 
 }  // namespace
 
-LiveReference::LiveReference(const FigurePlan& plan, const motion::Pose& before,
+LiveReference::LiveReference(const sim::FigurePlan& plan, const motion::Pose& before,
                              const motion::Pose& now, double dt_s)
-    : plan_(plan), last_(state_at_rest(plan.skeleton, plan.model, before)) {
-  move_to(state_at_rest(plan.skeleton, plan.model, now), dt_s);
+    : plan_(plan), last_(sim::state_at_rest(plan.skeleton, plan.model, before)) {
+  move_to(sim::state_at_rest(plan.skeleton, plan.model, now), dt_s);
 }
 
 void LiveReference::add(const motion::Pose& pose, double dt_s, double reached_s) {
-  const ReferenceState expected = at(reached_s);
-  move_to(state_at_rest(plan_.skeleton, plan_.model, pose), dt_s);
+  const sim::ReferenceState expected = at(reached_s);
+  move_to(sim::state_at_rest(plan_.skeleton, plan_.model, pose), dt_s);
   time_s_ += dt_s;
-  const ReferenceState found = on_line(reached_s);
+  const sim::ReferenceState found = on_line(reached_s);
   for (Body body : motion::kBodies) {
-    const BodyState& from = expected.body[body];
-    const BodyState& to = found.body[body];
+    const sim::BodyState& from = expected.body[body];
+    const sim::BodyState& to = found.body[body];
     difference_[body] = {from.position - to.position,
                          motion::rotation_vector(from.orientation * to.orientation.conjugate()),
                          expected.socket[body] - found.socket[body]};
@@ -35,10 +35,10 @@ void LiveReference::add(const motion::Pose& pose, double dt_s, double reached_s)
   difference_begin_s_ = reached_s;
 }
 
-void LiveReference::move_to(const ReferenceState& next, double dt_s) {
+void LiveReference::move_to(const sim::ReferenceState& next, double dt_s) {
   for (Body body : motion::kBodies) {
-    BodyState& state = last_.body[body];
-    const BodyState& to = next.body[body];
+    sim::BodyState& state = last_.body[body];
+    const sim::BodyState& to = next.body[body];
     state.velocity = (to.position - state.position) / dt_s;
     state.angular_velocity =
         motion::rotation_vector(to.orientation * state.orientation.conjugate()) / dt_s;
@@ -49,11 +49,11 @@ void LiveReference::move_to(const ReferenceState& next, double dt_s) {
   last_.socket = next.socket;
 }
 
-ReferenceState LiveReference::on_line(double time_s) const {
+sim::ReferenceState LiveReference::on_line(double time_s) const {
   const double ahead_s = time_s - time_s_;
-  ReferenceState state = last_;
+  sim::ReferenceState state = last_;
   for (Body body : motion::kBodies) {
-    BodyState& part = state.body[body];
+    sim::BodyState& part = state.body[body];
     part.position += ahead_s * part.velocity;
     part.orientation =
         motion::rotation_by<double>(ahead_s * part.angular_velocity) * part.orientation;
@@ -62,14 +62,14 @@ ReferenceState LiveReference::on_line(double time_s) const {
   return state;
 }
 
-ReferenceState LiveReference::at(double time_s) const {
-  ReferenceState state = on_line(time_s);
+sim::ReferenceState LiveReference::at(double time_s) const {
+  sim::ReferenceState state = on_line(time_s);
   const double over = (time_s - difference_begin_s_) / kDifferenceTime_s;
   if (over > 1 + 1e-9) return state;
   const double share = std::max(1 - over, 0.0);
   for (Body body : motion::kBodies) {
     const Difference& difference = difference_[body];
-    BodyState& part = state.body[body];
+    sim::BodyState& part = state.body[body];
     part.position += share * difference.position;
     part.velocity -= difference.position / kDifferenceTime_s;
     part.orientation = motion::rotation_by<double>(share * difference.rotation) * part.orientation;
@@ -79,4 +79,4 @@ ReferenceState LiveReference::at(double time_s) const {
   return state;
 }
 
-}  // namespace flinch::sim
+}  // namespace flinch::reaction

@@ -3,7 +3,7 @@
 
 #include "sim/ode/figure.h"
 
-namespace flinch::sim {
+namespace flinch::reaction {
 
 /// A motion that becomes known pose by pose, at any times, for a simulation that runs ahead of it.
 /// Between two poses every body moves with the velocity that takes it from one to the other; beyond
@@ -13,14 +13,14 @@ class LiveReference {
  public:
   /// At time 0 the motion is at `now`, where it came to from `before` in `dt_s`. `plan` must
   /// outlive this.
-  LiveReference(const FigurePlan& plan, const motion::Pose& before, const motion::Pose& now,
+  LiveReference(const sim::FigurePlan& plan, const motion::Pose& before, const motion::Pose& now,
                 double dt_s);
 
   /// The pose `dt_s` after the last. The simulation has come to `reached_s`.
   void add(const motion::Pose& pose, double dt_s, double reached_s);
 
   /// At a time that the simulation has not gone beyond.
-  ReferenceState at(double time_s) const;
+  sim::ReferenceState at(double time_s) const;
 
  private:
   /// What a pose turned out to be short of, in the order of ReferenceState.
@@ -29,15 +29,15 @@ class LiveReference {
     Eigen::Vector3d rotation = Eigen::Vector3d::Zero();
     Eigen::Vector3d socket = Eigen::Vector3d::Zero();
   };
-  void move_to(const ReferenceState& next, double dt_s);
-  ReferenceState on_line(double time_s) const;
+  void move_to(const sim::ReferenceState& next, double dt_s);
+  sim::ReferenceState on_line(double time_s) const;
 
-  const FigurePlan& plan_;
-  ReferenceState last_;
+  const sim::FigurePlan& plan_;
+  sim::ReferenceState last_;
   motion::PerBody<Eigen::Vector3d> socket_velocity_;
   double time_s_ = 0;
   motion::PerBody<Difference> difference_;  // at the time that the simulation had reached
   double difference_begin_s_ = 0;
 };
 
-}  // namespace flinch::sim
+}  // namespace flinch::reaction

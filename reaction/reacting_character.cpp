@@ -3,9 +3,9 @@
 
 #include <cmath>
 
-namespace flinch::sim {
+namespace flinch::reaction {
 
-Ball ball_of(const features::Threat& threat) noexcept {
+sim::Ball ball_of(const features::Threat& threat) noexcept {
   return {threat.position.cast<double>(), threat.velocity.cast<double>(), double{threat.radius},
           double{threat.mass_kg}};
 }
@@ -43,7 +43,7 @@ ReactingCharacter::ReactingCharacter(const runtime::Library& library,
       pose_(character_.pose()),
       before_(pose_) {}
 
-ReactionStatus ReactingCharacter::meet(const Ball& ball) noexcept {
+ReactionStatus ReactingCharacter::meet(const sim::Ball& ball) noexcept {
   const ReactionStatus status = reaction_.begin(before_, pose_, double{step_s_}, &ball);
   if (status != ReactionStatus::ok) return status;
   // What is tracked is the character's motion, which the clip has left behind.
@@ -121,4 +121,4 @@ std::optional<int> ReactingCharacter::reaction_clip() const noexcept {
   return match_->clip;
 }
 
-}  // namespace flinch::sim
+}  // namespace flinch::reaction

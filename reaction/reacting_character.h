@@ -9,12 +9,12 @@
 #include "reaction/reaction_clips.h"
 #include "runtime/character.h"
 
-namespace flinch::sim {
+namespace flinch::reaction {
 
 /// What a library's characters react with: their physical figure, and their clips of purpose `push`
 /// to go on with after a blow. Made once after loading, shared on any threads, never changes.
 struct ReactionKit {
-  std::shared_ptr<const FigurePlan> figure;
+  std::shared_ptr<const sim::FigurePlan> figure;
   ReactionClips clips;
 };
 
@@ -23,7 +23,7 @@ struct ReactionKit {
 std::shared_ptr<const ReactionKit> make_reaction_kit(const runtime::Library& library) noexcept;
 
 /// The ball that a threat is, as it flies when `threat` holds: features::advanced tells of later.
-Ball ball_of(const features::Threat& threat) noexcept;
+sim::Ball ball_of(const features::Threat& threat) noexcept;
 
 /// Who moves a character's body.
 enum class Mover : std::uint8_t {
@@ -53,7 +53,7 @@ class ReactingCharacter {
   /// A ball is about to hit: physics takes the body over, with the pose and the velocities that
   /// are shown. At the contact, or up to 0.3 s before it, which lets a ball hit early; then update
   /// moves the ball too. Also while physics or a clip moves the body. Failure changes nothing.
-  ReactionStatus meet(const Ball& ball) noexcept;
+  ReactionStatus meet(const sim::Ball& ball) noexcept;
 
   /// Lets `dt_s` pass: above 0, and at most kMostReactionFrame_s while physics moves the body.
   /// Failure changes nothing, but for `failed`: then the character goes on without physics.
@@ -90,4 +90,4 @@ class ReactingCharacter {
   float step_s_ = 1.0F / 60;
 };
 
-}  // namespace flinch::sim
+}  // namespace flinch::reaction

@@ -7,7 +7,7 @@
 #include "motion/interpolation.h"
 #include "reaction/reaction_run.h"
 
-namespace flinch::sim {
+namespace flinch::reaction {
 namespace {
 
 // A ball that has not hit by then is not waited for.
@@ -23,7 +23,7 @@ bool is_good_time(double dt_s) {
 }
 
 // Masses too far apart are more than the solver bears; the rest keeps numbers sane.
-bool is_good(const Ball& ball) {
+bool is_good(const sim::Ball& ball) {
   return ball.position.allFinite() && ball.velocity.norm() <= 1000 && ball.radius >= 1e-3 &&
          ball.radius <= 10 && ball.mass_kg >= 1e-3 && ball.mass_kg <= 1000;
 }
@@ -32,19 +32,20 @@ bool is_good(const Ball& ball) {
 
 /// A reaction under way.
 struct Reaction::State {
-  std::shared_ptr<const FigurePlan> plan;
+  std::shared_ptr<const sim::FigurePlan> plan;
   ReactionOptions options;
   std::optional<ReactionRun> run;
   ReactionPhase phase = ReactionPhase::none;
   motion::Pose shown;
-  Ball given;
+  sim::Ball given;
   double time_s = 0;  ///< since begin
   bool fails = false;
   bool returns = false;
   motion::Pose wanted_at_return;  ///< where both motions were when the way back began
   motion::Pose returning_at_return;
 
-  void begin(const motion::Pose& before, const motion::Pose& now, double dt_s, const Ball* ball);
+  void begin(const motion::Pose& before, const motion::Pose& now, double dt_s,
+             const sim::Ball* ball);
   void advance(double dt_s, const motion::Pose& wanted, const motion::Pose& returning);
   void simulate(double dt_s, const motion::Pose& destination, double weight);
   double since_contact_s() const;
@@ -52,9 +53,10 @@ struct Reaction::State {
                            double weight);
 };
 
-std::shared_ptr<const FigurePlan> make_figure_plan(const motion::Character& character) noexcept {
+std::shared_ptr<const sim::FigurePlan> make_figure_plan(
+    const motion::Character& character) noexcept {
   try {
-    return std::make_shared<const FigurePlan>(character);
+    return std::make_shared<const sim::FigurePlan>(character);
   } catch (...) {
     return nullptr;
   }
@@ -79,11 +81,11 @@ motion::Pose Reaction::State::destination(const motion::Pose& wanted, const moti
 }
 
 void Reaction::State::begin(const motion::Pose& before, const motion::Pose& now, double dt_s,
-                            const Ball* ball) {
+                            const sim::Ball* ball) {
   run.emplace(*plan, options, before, now, dt_s, ball);
   phase = ReactionPhase::waiting;
   shown = now;
-  given = ball ? *ball : Ball{};
+  given = ball ? *ball : sim::Ball{};
   time_s = 0;
   fails = false;
   returns = false;
@@ -144,7 +146,7 @@ const char* message_of(ReactionStatus status) noexcept {
   return "the physics engine failed; the motion goes on without it";
 }
 
-Reaction::Reaction(std::shared_ptr<const FigurePlan> figure,
+Reaction::Reaction(std::shared_ptr<const sim::FigurePlan> figure,
                    const ReactionOptions& options) noexcept {
   try {
     state_ = std::make_unique<State>();
@@ -159,7 +161,7 @@ Reaction::Reaction(Reaction&&) noexcept = default;
 Reaction& Reaction::operator=(Reaction&&) noexcept = default;
 
 ReactionStatus Reaction::begin(const motion::Pose& before, const motion::Pose& now, double dt_s,
-                               const Ball* ball) noexcept {
+                               const sim::Ball* ball) noexcept {
   if (!state_ || !state_->plan || !is_good(state_->options)) return ReactionStatus::bad_options;
   if (!is_good_time(dt_s)) return ReactionStatus::bad_time;
   if (!is_sound(before) || !is_sound(now)) return ReactionStatus::bad_pose;
@@ -181,7 +183,7 @@ ReactionStatus Reaction::advance(double dt_s, const motion::Pose& wanted,
   if (!is_sound(wanted) || !is_sound(returning)) return ReactionStatus::bad_pose;
   try {
     if (!state_->fails) {
-      prepare_this_thread();
+      sim::prepare_this_thread();
       state_->advance(dt_s, wanted, returning);
       return ReactionStatus::ok;
     }
@@ -202,8 +204,8 @@ ReactionPhase Reaction::phase() const noexcept {
   return state_ ? state_->phase : ReactionPhase::none;
 }
 
-Ball Reaction::ball() const noexcept {
-  if (!state_ || !state_->run) return state_ ? state_->given : Ball{};
+sim::Ball Reaction::ball() const noexcept {
+  if (!state_ || !state_->run) return state_ ? state_->given : sim::Ball{};
   return state_->run->ball(state_->given);
 }
 
@@ -216,4 +218,4 @@ motion::PerBody<double> Reaction::impulse() const noexcept {
   return state_ && state_->run ? state_->run->encounter().impulse() : motion::PerBody<double>{};
 }
 
-}  // namespace flinch::sim
+}  // namespace flinch::reaction

@@ -8,12 +8,15 @@
 #include "sim/rehearsal/simulator.h"
 
 namespace flinch::sim {
-
 struct FigurePlan;
+}
+
+namespace flinch::reaction {
 
 /// The physical figure of a character, made once at loading and shared by all who look like it, on
 /// any threads. Never changes. Nothing if memory ran out.
-std::shared_ptr<const FigurePlan> make_figure_plan(const motion::Character& character) noexcept;
+std::shared_ptr<const sim::FigurePlan> make_figure_plan(
+    const motion::Character& character) noexcept;
 
 /// The longest frame of a reaction, s.
 inline constexpr double kMostReactionFrame_s = 0.1;
@@ -55,7 +58,7 @@ enum class ReactionPhase : std::uint8_t {
 /// nothing of ours allocates; the physics engine may.
 class Reaction {
  public:
-  explicit Reaction(std::shared_ptr<const FigurePlan> figure,
+  explicit Reaction(std::shared_ptr<const sim::FigurePlan> figure,
                     const ReactionOptions& options = {}) noexcept;
   ~Reaction();
   Reaction(Reaction&&) noexcept;
@@ -66,7 +69,7 @@ class Reaction {
   /// given back as after a contact. May be called at any time, also during a reaction. Bad input
   /// leaves things as they were.
   ReactionStatus begin(const motion::Pose& before, const motion::Pose& now, double dt_s,
-                       const Ball* ball) noexcept;
+                       const sim::Ball* ball) noexcept;
 
   /// Goes on by `dt_s` (above 0, at most kMostReactionFrame_s, uneven as it may be). `wanted` is
   /// where the motion that the character protects itself with is by then, `returning` where the one
@@ -79,7 +82,7 @@ class Reaction {
   ReactionPhase phase() const noexcept;
   /// Where the ball is by now and how it moves; as it was given to begin where there is none. It
   /// flies and bounces on until the phase is over.
-  Ball ball() const noexcept;
+  sim::Ball ball() const noexcept;
   /// When the ball first touched the figure, s from begin; infinite if it has not.
   double contact_s() const noexcept;
   /// Impulse that each body took, N·s; see SimulationResult.
@@ -90,4 +93,4 @@ class Reaction {
   std::unique_ptr<State> state_;
 };
 
-}  // namespace flinch::sim
+}  // namespace flinch::reaction

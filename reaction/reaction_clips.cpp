@@ -6,7 +6,7 @@
 
 #include "motion/rotation.h"
 
-namespace flinch::sim {
+namespace flinch::reaction {
 namespace {
 
 using motion::Body;
@@ -98,4 +98,4 @@ std::optional<ReactionMatch> ReactionClips::find(const motion::Pose& before,
   return match;
 }
 
-}  // namespace flinch::sim
+}  // namespace flinch::reaction

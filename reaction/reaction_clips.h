@@ -8,7 +8,7 @@
 #include "motion/body.h"
 #include "motion/clip.h"
 
-namespace flinch::sim {
+namespace flinch::reaction {
 
 /// Where a clip takes a character up, and how the clip is laid there: see motion::placed.
 struct ReactionMatch {
@@ -69,4 +69,4 @@ class ReactionClips {
   std::vector<Frame> frames_;
 };
 
-}  // namespace flinch::sim
+}  // namespace flinch::reaction

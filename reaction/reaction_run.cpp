@@ -7,7 +7,7 @@
 #include "motion/error.h"
 #include "reaction/balance.h"
 
-namespace flinch::sim {
+namespace flinch::reaction {
 namespace {
 
 using motion::Body;
@@ -23,14 +23,14 @@ constexpr double kSliver_s = 1e-6;  // not worth a step
 constexpr double kDuringBlow = 1e-4;
 constexpr double kPelvisGrip = 0.7;  // share of the figure's weight that pulls it back
 
-SimulationOptions simulation_options() {
-  SimulationOptions options;
+sim::SimulationOptions simulation_options() {
+  sim::SimulationOptions options;
   options.free_step_s = kFreeStep_s;
   options.contact_step_s = kContactStep_s;
   return options;
 }
 
-BodyState between(const BodyState& from, const BodyState& to, double share) {
+sim::BodyState between(const sim::BodyState& from, const sim::BodyState& to, double share) {
   return {(1 - share) * from.position + share * to.position,
           from.orientation.slerp(share, to.orientation),
           (1 - share) * from.velocity + share * to.velocity,
@@ -39,9 +39,9 @@ BodyState between(const BodyState& from, const BodyState& to, double share) {
 
 }  // namespace
 
-ReactionRun::ReactionRun(const FigurePlan& plan, const ReactionOptions& options,
+ReactionRun::ReactionRun(const sim::FigurePlan& plan, const ReactionOptions& options,
                          const motion::Pose& before, const motion::Pose& now, double dt_s,
-                         const Ball* ball)
+                         const sim::Ball* ball)
     : plan_(plan),
       struck_{options.stiffness, options.stiffness,
               kPelvisGrip * simulation_options().gravity_mps2 * plan.mass_kg},
@@ -62,15 +62,15 @@ void ReactionRun::advance(double dt_s, const motion::Pose& wanted) {
 // Steps cost, so there is a budget of them: a rate, and some saved up for the first touches. Beyond
 // it steps are as long as the rate allows, whatever is touched.
 void ReactionRun::step() {
-  const ReferenceState now = wanted_.at(encounter_.time_s());
+  const sim::ReferenceState now = wanted_.at(encounter_.time_s());
   const double step_s = encounter_.begin_step(now, kFreeStep_s, (1 - steps_left_) / kMostSteps_hz);
   steps_left_ = std::min(steps_left_ + kMostSteps_hz * step_s - 1, kMostStepsSaved);
-  const ReferenceState target = wanted_.at(encounter_.time_s() + step_s);
+  const sim::ReferenceState target = wanted_.at(encounter_.time_s() + step_s);
   drive(target, step_s);
   encounter_.end_step(now, target, step_s);
   before_ = after_;
   after_ = moment();
-  for (const BodyState& body : after_.body) {
+  for (const sim::BodyState& body : after_.body) {
     if (!body.position.allFinite() || !body.orientation.coeffs().allFinite()) {
       throw Error("reaction", "the simulated figure is nowhere");
     }
@@ -79,11 +79,11 @@ void ReactionRun::step() {
 
 // A blow lasts no time: what holds the figure to the ground has none to answer it, while gains set
 // for the velocity before it would.
-void ReactionRun::drive(const ReferenceState& target, double step_s) {
+void ReactionRun::drive(const sim::ReferenceState& target, double step_s) {
   const double to_ground = encounter_.is_blow() ? kDuringBlow : 1;
-  Drive drive = std::isfinite(encounter_.first_contact_s()) ? struck_ : Drive{};
+  sim::Drive drive = std::isfinite(encounter_.first_contact_s()) ? struck_ : sim::Drive{};
   drive.pelvis *= to_ground;
-  Figure& figure = encounter_.figure();
+  sim::Figure& figure = encounter_.figure();
   if (!figure.is_fallen()) {
     figure.carry(carried_, target, step_s);
     feet_.hold(target, step_s, to_ground);
@@ -107,9 +107,9 @@ ReactionRun::Moment ReactionRun::moment() const {
   Moment moment;
   moment.time_s = encounter_.time_s();
   for (Body body : motion::kBodies) {
-    moment.body[body] = state_of(encounter_.figure().body(body));
+    moment.body[body] = sim::state_of(encounter_.figure().body(body));
   }
-  if (encounter_.ball()) moment.ball = state_of(encounter_.ball()->body());
+  if (encounter_.ball()) moment.ball = sim::state_of(encounter_.ball()->body());
   return moment;
 }
 
@@ -132,7 +132,8 @@ motion::Pose ReactionRun::pose(const motion::Pose& motion) const {
       frames.orientation[role] = frames.orientation[*parent_of(role)] * motion.rotation[role];
     }
   }
-  const BodyState pelvis = between(before_.body[Body::pelvis], after_.body[Body::pelvis], share);
+  const sim::BodyState pelvis =
+      between(before_.body[Body::pelvis], after_.body[Body::pelvis], share);
   const Eigen::Vector3d joint =
       pelvis.position -
       pelvis.orientation * plan_.model[Body::pelvis].centre_of_mass.cast<double>();
@@ -140,18 +141,18 @@ motion::Pose ReactionRun::pose(const motion::Pose& motion) const {
   return pose_from_frames(frames);
 }
 
-Ball ReactionRun::ball(const Ball& given) const {
-  Ball ball = given;
+sim::Ball ReactionRun::ball(const sim::Ball& given) const {
+  sim::Ball ball = given;
   if (!encounter_.ball()) return ball;
   const double share = share_of_last_step();
-  const BodyState state = between(before_.ball, after_.ball, share);
+  const sim::BodyState state = between(before_.ball, after_.ball, share);
   ball.position = state.position;
   ball.velocity = after_.ball.velocity;
   return ball;
 }
 
 bool ReactionRun::is_beyond_recovery() const {
-  const ReferenceState wanted = wanted_.at(after_.time_s);
+  const sim::ReferenceState wanted = wanted_.at(after_.time_s);
   const double out_m = out_of_balance_m(plan_, after_.body);
   return is_beyond_a_step(plan_, out_m - out_of_balance_m(plan_, wanted.body));
 }
@@ -161,4 +162,4 @@ void ReactionRun::let_fall() {
   feet_.let_go();
 }
 
-}  // namespace flinch::sim
+}  // namespace flinch::reaction

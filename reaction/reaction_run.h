@@ -6,7 +6,7 @@
 #include "reaction/reaction.h"
 #include "sim/encounter/encounter.h"
 
-namespace flinch::sim {
+namespace flinch::reaction {
 
 /// The simulated part of one reaction.
 ///
@@ -16,8 +16,9 @@ namespace flinch::sim {
 class ReactionRun {
  public:
   /// `plan` must outlive this. Throws Error if the physics engine fails.
-  ReactionRun(const FigurePlan& plan, const ReactionOptions& options, const motion::Pose& before,
-              const motion::Pose& now, double dt_s, const Ball* ball);
+  ReactionRun(const sim::FigurePlan& plan, const ReactionOptions& options,
+              const motion::Pose& before, const motion::Pose& now, double dt_s,
+              const sim::Ball* ball);
 
   /// Simulates for `dt_s` more, by which time the motion is at `wanted`. Throws Error as above, and
   /// if the figure's state is no longer finite.
@@ -27,8 +28,8 @@ class ReactionRun {
 
   /// The simulated figure at the time shown; `motion` gives clavicles and toes.
   motion::Pose pose(const motion::Pose& motion) const;
-  Ball ball(const Ball& given) const;
-  const Encounter& encounter() const { return encounter_; }
+  sim::Ball ball(const sim::Ball& given) const;
+  const sim::Encounter& encounter() const { return encounter_; }
 
   /// Whether the blow has put the figure out of balance beyond a step, more than the motion itself.
   bool is_beyond_recovery() const;
@@ -37,25 +38,26 @@ class ReactionRun {
  private:
   struct Moment {
     double time_s = 0;
-    motion::PerBody<BodyState> body;
-    BodyState ball;
+    motion::PerBody<sim::BodyState> body;
+    sim::BodyState ball;
   };
   void step();
-  void drive(const ReferenceState& target, double step_s);
+  void drive(const sim::ReferenceState& target, double step_s);
   void step_ball();
   Moment moment() const;
   double share_of_last_step() const;
 
-  const FigurePlan& plan_;
-  Drive struck_;  // from the first contact on; until then the figure is as stiff as the trainer's
-  Encounter encounter_;
+  const sim::FigurePlan& plan_;
+  sim::Drive
+      struck_;  // from the first contact on; until then the figure is as stiff as the trainer's
+  sim::Encounter encounter_;
   FootHold feet_;
   LiveReference wanted_;
-  ReferenceState carried_;  // where the forces of Figure::carry have brought the reference
-  Moment before_;           // the last step's beginning and end
+  sim::ReferenceState carried_;  // where the forces of Figure::carry have brought the reference
+  Moment before_;                // the last step's beginning and end
   Moment after_;
   double shown_s_ = 0;
   double steps_left_ = 0;  // see step
 };
 
-}  // namespace flinch::sim
+}  // namespace flinch::reaction

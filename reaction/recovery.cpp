@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace flinch::sim {
+namespace flinch::reaction {
 namespace {
 
 constexpr double kPartOne_s = 0.26;
@@ -32,4 +32,4 @@ double duration_s(const RecoverySchedule& schedule) noexcept {
   return simulation_end_s(schedule) + kPartTwo_s;
 }
 
-}  // namespace flinch::sim
+}  // namespace flinch::reaction

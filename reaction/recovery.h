@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-namespace flinch::sim {
+namespace flinch::reaction {
 
 /// The way from a blow back to a motion: the double blend of "Anticipating impacts", sections 4.1.3
 /// and 4.2. With A the time that the simulation has alone and E(s) = 3 s^2 - 2 s^3 of s clamped to
@@ -36,4 +36,4 @@ double simulation_end_s(const RecoverySchedule& schedule) noexcept;
 /// From when on only the motion returned to is shown, s after the contact.
 double duration_s(const RecoverySchedule& schedule) noexcept;
 
-}  // namespace flinch::sim
+}  // namespace flinch::reaction

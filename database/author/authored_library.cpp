@@ -34,7 +34,7 @@ constexpr float kUrgency = 0.9F;
 constexpr float kDistance = 5;  // m, at which the authored threats begin
 
 struct Author {
-  Figure figure;
+  motion::Figure figure;
   Pose start;
   JointFrames frames;
   motion::Motion idle;
@@ -150,7 +150,7 @@ std::vector<Clip> clips_from(const Author& author, std::size_t direction) {
 }  // namespace
 
 Library authored_library(const motion::Character& character, bool with_startle, float rate_hz) {
-  Author author{make_figure(character), {}, {}, {}, with_startle, rate_hz};
+  Author author{motion::make_figure(character), {}, {}, {}, with_startle, rate_hz};
   author.start = standing_pose(author.figure);
   author.idle = idle_motion(author.figure, rate_hz);
   author.frames = motion::forward_kinematics(character.skeleton, author.start);

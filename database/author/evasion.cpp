@@ -37,10 +37,10 @@ Eigen::Vector3f tilt(float azimuth, float angle) {
   return {-std::sin(azimuth) * angle, std::cos(azimuth) * angle, 0};
 }
 
-Pose with_arms(const Figure& figure, const Pose& pose, ArmManner manner) {
+Pose with_arms(const motion::Figure& figure, const Pose& pose, ArmManner manner) {
   if (manner == ArmManner::cover) return cover_head(figure, pose);
   Pose result = pose;
-  for (Side side : kSides) {
+  for (Side side : motion::kSides) {
     switch (manner) {
       case ArmManner::guard:
         set_arm(result, side, {radians(38), radians(16), radians(-6), radians(112)});
@@ -57,7 +57,8 @@ Pose with_arms(const Figure& figure, const Pose& pose, ArmManner manner) {
 }
 
 // Moves the pelvis by what the centre of mass lacks to be above the soles, until it is.
-Pose balanced(const Figure& figure, const PerSide<FootPlace>& feet, Pose pose, ArmManner arms) {
+Pose balanced(const motion::Figure& figure, const motion::PerSide<motion::FootPlace>& feet,
+              Pose pose, ArmManner arms) {
   constexpr float kMargin = 0.03F;
   constexpr int kRounds = 12;
   for (int round = 0;; ++round) {
@@ -84,13 +85,13 @@ Pose balanced(const Figure& figure, const PerSide<FootPlace>& feet, Pose pose, A
 
 }  // namespace
 
-Pose evasive_pose(const Figure& figure, const Pose& start, const Evasion& evasion) {
+Pose evasive_pose(const motion::Figure& figure, const Pose& start, const Evasion& evasion) {
   const motion::Skeleton& skeleton = figure.skeleton();
   const float leg = motion::limb_length(skeleton, motion::Limb::left_leg);
   const JointFrames frames = motion::forward_kinematics(skeleton, start);
   const Eigen::Quaternionf facing = turn_about(Eigen::Vector3f::UnitZ(), motion::facing(start));
-  PerSide<FootPlace> feet;
-  for (Side side : kSides) {
+  motion::PerSide<motion::FootPlace> feet;
+  for (Side side : motion::kSides) {
     const std::size_t i = index_of(side);
     feet[i] = foot_place(frames, side);
     feet[i].ankle += facing * (leg * evasion.foot_shift[i]);

@@ -24,14 +24,15 @@ struct Evasion {
   Eigen::Vector3f back_turn = Eigen::Vector3f::Zero();
   Eigen::Vector3f neck_turn = Eigen::Vector3f::Zero();
   float shrug = 0;  ///< amount of recoil, in [0, 1]
-  PerSide<Eigen::Vector3f> foot_shift{Eigen::Vector3f::Zero(), Eigen::Vector3f::Zero()};
-  PerSide<float> foot_pitch{};  ///< toes down, of a raised foot
+  motion::PerSide<Eigen::Vector3f> foot_shift{Eigen::Vector3f::Zero(), Eigen::Vector3f::Zero()};
+  motion::PerSide<float> foot_pitch{};  ///< toes down, of a raised foot
   ArmManner arms = ArmManner::hang;
 };
 
 /// The pose of an evasion. The pelvis comes down until both legs reach their feet, and moves until
 /// the centre of mass is above the soles by at least 3 cm within, where that can be.
-motion::Pose evasive_pose(const Figure& figure, const motion::Pose& start, const Evasion& evasion);
+motion::Pose evasive_pose(const motion::Figure& figure, const motion::Pose& start,
+                          const Evasion& evasion);
 
 /// The rules. `azimuth` says where the threat comes from, radians counter-clockwise from the
 /// facing; `amount` in (0, 1] how far to go. Sideways means square to the threat's line: `sense`

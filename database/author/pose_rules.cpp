@@ -68,11 +68,11 @@ void limit_neck(Pose& pose) {
 
 // What the hands do in `block`: where the palms go and how they look.
 struct Guard {
-  PerSide<Eigen::Vector3f> palm;    // world, m
-  PerSide<Eigen::Vector3f> pole;    // of the elbow
-  PerSide<float> swivel{};          // radians
-  PerSide<Eigen::Vector3f> facing;  // the palm's normal
-  Eigen::Vector3f fingers;          // where fingers tend to point
+  motion::PerSide<Eigen::Vector3f> palm;    // world, m
+  motion::PerSide<Eigen::Vector3f> pole;    // of the elbow
+  motion::PerSide<float> swivel{};          // radians
+  motion::PerSide<Eigen::Vector3f> facing;  // the palm's normal
+  Eigen::Vector3f fingers;                  // where fingers tend to point
 };
 
 // The point of the line p + s u, s >= least, at a distance from a shoulder; the nearest if none is.
@@ -85,16 +85,16 @@ Eigen::Vector3f point_at_reach(const Eigen::Vector3f& on_line, const Eigen::Vect
   return on_line + std::max(s, least) * direction;
 }
 
-float hand_length(const Figure& figure) {
+float hand_length(const motion::Figure& figure) {
   return figure.skeleton().tip[Role::left_hand].norm();
 }
 
-float scale_of(const Figure& figure) {
+float scale_of(const motion::Figure& figure) {
   return stature(figure.skeleton()) / kReferenceStature;
 }
 
 // Beyond a straight arm the control would change nothing.
-float farthest_reach(const Figure& figure, const TargetWeights& weights) {
+float farthest_reach(const motion::Figure& figure, const TargetWeights& weights) {
   const float straight = 0.98F * motion::limb_length(figure.skeleton(), motion::Limb::left_arm) +
                          0.25F * hand_length(figure);
   const float scale = scale_of(figure);
@@ -102,7 +102,7 @@ float farthest_reach(const Figure& figure, const TargetWeights& weights) {
          weights.pelvis * std::min(scale * kPelvisReach.farthest, straight);
 }
 
-Guard guard_in_front(const Figure& figure, const JointFrames& frames, const Aim& aim,
+Guard guard_in_front(const motion::Figure& figure, const JointFrames& frames, const Aim& aim,
                      const RuleControls& controls) {
   const Eigen::Vector3f& to_threat = aim.to_threat;
   const Eigen::Vector3f chest_up = frames.orientation[Role::chest] * Eigen::Vector3f::UnitZ();
@@ -114,7 +114,7 @@ Guard guard_in_front(const Figure& figure, const JointFrames& frames, const Aim&
 
   Guard guard;
   guard.fingers = chest_up;
-  for (Side side : kSides) {
+  for (Side side : motion::kSides) {
     const std::size_t i = index_of(side);
     const float control = std::clamp(controls.reach[i], 0.0F, 1.0F);
     const float reach =
@@ -135,14 +135,14 @@ Guard guard_in_front(const Figure& figure, const JointFrames& frames, const Aim&
 }
 
 // Palms on the back of the head, elbows forward beside the face.
-Guard guard_behind_head(const Figure& figure, const JointFrames& frames) {
+Guard guard_behind_head(const motion::Figure& figure, const JointFrames& frames) {
   const motion::Shape& skull = figure.bodies[motion::Body::head].shape;
   const Eigen::Quaternionf& head = frames.orientation[Role::head];
   const Eigen::Quaternionf& chest = frames.orientation[Role::chest];
   const float palm_width = 0.25F * hand_length(figure);
   Guard guard;
   guard.fingers = head * Eigen::Vector3f::UnitZ();
-  for (Side side : kSides) {
+  for (Side side : motion::kSides) {
     const std::size_t i = index_of(side);
     const Eigen::Vector3f outward = sign_of(side) * Eigen::Vector3f::UnitY();
     guard.palm[i] = frames.position[Role::head] +
@@ -167,9 +167,10 @@ Eigen::Quaternionf hand_facing(Side side, const Eigen::Vector3f& palm_normal,
 
 // Brings the palms to their places: the wrist depends on how the hand is held, which the wrist's
 // limits and so the forearm decide, so a few rounds settle both.
-void put_palms(const Figure& figure, const JointFrames& trunk, const Guard& guard, Pose& pose) {
+void put_palms(const motion::Figure& figure, const JointFrames& trunk, const Guard& guard,
+               Pose& pose) {
   constexpr int kRounds = 3;
-  for (Side side : kSides) {
+  for (Side side : motion::kSides) {
     const std::size_t i = index_of(side);
     const motion::LimbRoles roles = motion::roles_of(arm_of(side));
     const JointLimits& wrist =
@@ -212,7 +213,7 @@ TargetWeights target_weights(float distance_to_head_m, float distance_to_pelvis_
   return {distance_to_pelvis_m / total, distance_to_head_m / total};
 }
 
-void check_danger(const Figure& figure, const Pose& pose, const Danger& danger) {
+void check_danger(const motion::Figure& figure, const Pose& pose, const Danger& danger) {
   if (!(danger.speed_mps > 0) || !std::isfinite(danger.speed_mps)) {
     throw Error("", "the threat's speed must be a positive number of metres a second");
   }
@@ -282,7 +283,7 @@ Pose recoil(const Pose& pose, float amount) {
   return result;
 }
 
-Aim aim_of(const Figure& figure, const Pose& pose, const Danger& danger) {
+Aim aim_of(const motion::Figure& figure, const Pose& pose, const Danger& danger) {
   const JointFrames frames = motion::forward_kinematics(figure.skeleton(), pose);
   const auto distance = [&](Role role) {
     return (danger.target_point - frames.position[role]).norm();
@@ -302,13 +303,13 @@ bool guards_head_from_behind(const JointFrames& trunk, const Aim& aim) {
   return aim.to_threat.dot(forward) < 0;
 }
 
-float reach_range(const Figure& figure, const TargetWeights& weights) {
+float reach_range(const motion::Figure& figure, const TargetWeights& weights) {
   return farthest_reach(figure, weights) -
          scale_of(figure) *
              (weights.head * kHeadReach.nearest + weights.pelvis * kPelvisReach.nearest);
 }
 
-void block(const Figure& figure, const JointFrames& trunk, const Aim& aim,
+void block(const motion::Figure& figure, const JointFrames& trunk, const Aim& aim,
            const RuleControls& controls, Pose& pose) {
   put_palms(figure, trunk,
             guards_head_from_behind(trunk, aim) ? guard_behind_head(figure, trunk)
@@ -316,15 +317,16 @@ void block(const Figure& figure, const JointFrames& trunk, const Aim& aim,
             pose);
 }
 
-Pose cover_head(const Figure& figure, const Pose& pose) {
+Pose cover_head(const motion::Figure& figure, const Pose& pose) {
   const JointFrames frames = motion::forward_kinematics(figure.skeleton(), pose);
   Pose result = pose;
   put_palms(figure, frames, guard_behind_head(figure, frames), result);
   return result;
 }
 
-Pose apply_rules(const Figure& figure, const Pose& pose, const Aim& aim,
-                 const RuleControls& controls, const PerSide<FootPlace>& feet, bool* feet_reach) {
+Pose apply_rules(const motion::Figure& figure, const Pose& pose, const Aim& aim,
+                 const RuleControls& controls, const motion::PerSide<motion::FootPlace>& feet,
+                 bool* feet_reach) {
   Pose result = lean_away(pose, aim.travel, controls.lean, aim.weights);
   result = turn_away(result, aim.azimuth, controls.turn);
   result = recoil(result, controls.recoil);
@@ -340,9 +342,9 @@ Pose apply_rules(const Figure& figure, const Pose& pose, const Aim& aim,
   return result;
 }
 
-Pose startle(const Figure& figure, const Pose& pose, const Danger& danger) {
+Pose startle(const motion::Figure& figure, const Pose& pose, const Danger& danger) {
   Pose drawn_up = recoil(pose, 1);
-  for (Side side : kSides) {
+  for (Side side : motion::kSides) {
     set_arm(drawn_up, side, {0, radians(kShoulderX), 0, radians(kElbowY)});
   }
   Pose result = motion::blend(pose, drawn_up, 0.2F);

@@ -27,8 +27,8 @@ struct RuleControls {
   float lean = 0;  ///< from the threat's speed; all others from its size
   float turn = 0;
   float recoil = 0;
-  PerSide<float> reach{};   ///< 0 reaches farthest out
-  PerSide<float> swivel{};  ///< 0 lifts the elbow farthest out
+  motion::PerSide<float> reach{};   ///< 0 reaches farthest out
+  motion::PerSide<float> swivel{};  ///< 0 lifts the elbow farthest out
 };
 
 /// The value's place between `least` and `most`, clamped to [0, 1].
@@ -47,7 +47,7 @@ TargetWeights target_weights(float distance_to_head_m, float distance_to_pelvis_
 
 /// Throws Error for a speed that is not positive and finite, or a position that is not finite, or
 /// inside the body in this pose, or at the target point.
-void check_danger(const Figure& figure, const motion::Pose& pose, const Danger& danger);
+void check_danger(const motion::Figure& figure, const motion::Pose& pose, const Danger& danger);
 
 /// The rules, to be used in this order. `travel` is the unit direction in which the threat travels,
 /// in the frame of the character's facing. Angles are in degrees in table 3.2, radians here.
@@ -74,33 +74,34 @@ struct Aim {
   float azimuth = 0;                                       ///< as turn_away wants it
   TargetWeights weights;
 };
-Aim aim_of(const Figure& figure, const motion::Pose& pose, const Danger& danger);
+Aim aim_of(const motion::Figure& figure, const motion::Pose& pose, const Danger& danger);
 
 /// Whether the threat comes from behind the shoulders, so that hands go to the back of the head.
 bool guards_head_from_behind(const motion::JointFrames& trunk, const Aim& aim);
 
 /// By how much a reach control of 1 brings a hand nearer to its shoulder than one of 0, m.
-float reach_range(const Figure& figure, const TargetWeights& weights);
+float reach_range(const motion::Figure& figure, const TargetWeights& weights);
 
 /// Puts both hands on the threat's line, at 0.9 to 0.3 m (head) or 0.5 to 0.4 m (pelvis) from their
 /// shoulders (lengths of a figure of 1.75 m, scaled to this one), between threat and body, elbows
 /// at 70 to 10 degrees from down; side by side, so that palms do not coincide. A threat behind the
 /// shoulders is met by both hands on the back of the head. Out of reach, hands stop short. `trunk`
 /// are the pose's joints.
-void block(const Figure& figure, const motion::JointFrames& trunk, const Aim& aim,
+void block(const motion::Figure& figure, const motion::JointFrames& trunk, const Aim& aim,
            const RuleControls& controls, motion::Pose& pose);
 
 /// Both palms on the back of the head, elbows forward beside the face.
-motion::Pose cover_head(const Figure& figure, const motion::Pose& pose);
+motion::Pose cover_head(const motion::Figure& figure, const motion::Pose& pose);
 
 /// All four rules, with the feet put to `feet` and the pelvis as low as they need: the sustained
 /// pose before balance. `feet_reach` tells whether they came there.
-motion::Pose apply_rules(const Figure& figure, const motion::Pose& pose, const Aim& aim,
-                         const RuleControls& controls, const PerSide<FootPlace>& feet,
+motion::Pose apply_rules(const motion::Figure& figure, const motion::Pose& pose, const Aim& aim,
+                         const RuleControls& controls,
+                         const motion::PerSide<motion::FootPlace>& feet,
                          bool* feet_reach = nullptr);
 
 /// The first flinch (section 3.2.6): 0.2 of the way from `pose` to fully drawn up shoulders and
 /// arms, the head turned 40 % of the way toward the threat.
-motion::Pose startle(const Figure& figure, const motion::Pose& pose, const Danger& danger);
+motion::Pose startle(const motion::Figure& figure, const motion::Pose& pose, const Danger& danger);
 
 }  // namespace flinch::database

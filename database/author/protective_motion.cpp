@@ -14,8 +14,8 @@ float time_to_contact_s(float normalised_speed, float cos_angle) {
   return (0.25F + 0.75F * (1 - speed)) * (1 + 0.2F * (1 - cosine));
 }
 
-ProtectivePoses protective_poses(const Figure& figure, const motion::Motion& motion, float time_s,
-                                 const Danger& danger, const RuleControls& controls,
+ProtectivePoses protective_poses(const motion::Figure& figure, const motion::Motion& motion,
+                                 float time_s, const Danger& danger, const RuleControls& controls,
                                  bool with_startle) {
   ProtectivePoses poses;
   poses.start = sample(motion, time_s);
@@ -27,7 +27,7 @@ ProtectivePoses protective_poses(const Figure& figure, const motion::Motion& mot
   return poses;
 }
 
-motion::Motion protective_motion(const Figure& figure, const Pose& start,
+motion::Motion protective_motion(const motion::Figure& figure, const Pose& start,
                                  const std::optional<Pose>& startled, const Pose& sustained,
                                  const ProtectiveTiming& timing, float rate_hz) {
   const Transition flinch = make_transition(figure, start, startled.value_or(start));

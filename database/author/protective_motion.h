@@ -31,8 +31,8 @@ inline constexpr float kSustainedLookAhead = 1.0F / 6;
 
 /// The poses that answer a threat perceived `time_s` into a motion (section 4.2); beyond its end
 /// the motion stands still. Throws Error for a danger that check_danger refuses.
-ProtectivePoses protective_poses(const Figure& figure, const motion::Motion& motion, float time_s,
-                                 const Danger& danger, const RuleControls& controls,
+ProtectivePoses protective_poses(const motion::Figure& figure, const motion::Motion& motion,
+                                 float time_s, const Danger& danger, const RuleControls& controls,
                                  bool with_startle);
 
 /// How long each part lasts, s (section 4.2).
@@ -46,7 +46,7 @@ inline constexpr float kStartle = 15.0F / 120;  // s, length of the startle wher
 
 /// The protective motion from `start` to `sustained`, held, and back, without contact. With a
 /// startle pose it goes there first.
-motion::Motion protective_motion(const Figure& figure, const motion::Pose& start,
+motion::Motion protective_motion(const motion::Figure& figure, const motion::Pose& start,
                                  const std::optional<motion::Pose>& startled,
                                  const motion::Pose& sustained, const ProtectiveTiming& timing,
                                  float rate_hz);

@@ -18,10 +18,11 @@ using motion::turn_about;
 constexpr float kTurnOut = radians(8);
 constexpr float kIdle = 8;  // s, a whole number of breaths
 
-PerSide<FootPlace> feet_at(const Figure& figure, float forward_m, float half_between_m) {
+motion::PerSide<motion::FootPlace> feet_at(const motion::Figure& figure, float forward_m,
+                                           float half_between_m) {
   const float ankle_height = motion::measure_foot(figure.skeleton(), Side::left).ankle_height;
-  PerSide<FootPlace> feet;
-  for (Side side : kSides) {
+  motion::PerSide<motion::FootPlace> feet;
+  for (Side side : motion::kSides) {
     feet[index_of(side)] = {{forward_m, sign_of(side) * half_between_m, ankle_height},
                             turn_about(Eigen::Vector3f::UnitZ(), sign_of(side) * kTurnOut)};
   }
@@ -44,7 +45,7 @@ Sway sway_at(float time_s) {
 
 }  // namespace
 
-Pose standing_pose(const Figure& figure) {
+Pose standing_pose(const motion::Figure& figure) {
   const motion::Skeleton& skeleton = figure.skeleton();
   const float height = stature(skeleton);
   Pose pose = motion::rest_pose(skeleton);
@@ -52,7 +53,7 @@ Pose standing_pose(const Figure& figure) {
   pose.rotation[Role::abdomen] = turn_about(Eigen::Vector3f::UnitY(), radians(2));
   pose.rotation[Role::neck] = turn_about(Eigen::Vector3f::UnitY(), radians(4));
   pose.rotation[Role::head] = turn_about(Eigen::Vector3f::UnitY(), radians(-5));
-  for (Side side : kSides) {
+  for (Side side : motion::kSides) {
     set_arm(pose, side, {radians(2), radians(9), radians(-10), radians(18)});
   }
   // The sole's middle is a fifth of the foot's length before the ankle.
@@ -64,12 +65,13 @@ Pose standing_pose(const Figure& figure) {
   return with_feet(skeleton, pose, feet_at(figure, forward + centre.x(), half_between));
 }
 
-motion::Motion idle_motion(const Figure& figure, float rate_hz) {
+motion::Motion idle_motion(const motion::Figure& figure, float rate_hz) {
   const motion::Skeleton& skeleton = figure.skeleton();
   const float height = stature(skeleton);
   const Pose standing = standing_pose(figure);
   const JointFrames frames = motion::forward_kinematics(skeleton, standing);
-  const PerSide<FootPlace> feet{foot_place(frames, Side::left), foot_place(frames, Side::right)};
+  const motion::PerSide<motion::FootPlace> feet{foot_place(frames, Side::left),
+                                                foot_place(frames, Side::right)};
 
   motion::Motion idle;
   idle.rate_hz = rate_hz;
@@ -86,7 +88,7 @@ motion::Motion idle_motion(const Figure& figure, float rate_hz) {
         pose.rotation[Role::neck] * turn_about(Eigen::Vector3f::UnitY(), 0.8F * lift);
     pose.rotation[Role::abdomen] = pose.rotation[Role::abdomen] *
                                    turn_about(Eigen::Vector3f::UnitX(), radians(1) * sway.sideways);
-    for (Side side : kSides) {
+    for (Side side : motion::kSides) {
       const Role clavicle = side == Side::left ? Role::left_clavicle : Role::right_clavicle;
       pose.rotation[clavicle] = turn_about(Eigen::Vector3f::UnitX(), sign_of(side) * 1.5F * lift);
     }

@@ -31,10 +31,11 @@ float angle_between(const Eigen::Quaternionf& a, const Eigen::Quaternionf& b) {
 }
 
 // Both feet flat on the ground below where they are.
-PerSide<FootPlace> planted_feet(const Figure& figure, const JointFrames& frames) {
-  PerSide<FootPlace> feet;
-  for (Side side : kSides) {
-    FootPlace& place = feet[index_of(side)];
+motion::PerSide<motion::FootPlace> planted_feet(const motion::Figure& figure,
+                                                const JointFrames& frames) {
+  motion::PerSide<motion::FootPlace> feet;
+  for (Side side : motion::kSides) {
+    motion::FootPlace& place = feet[index_of(side)];
     place = foot_place(frames, side);
     place.ankle.z() = motion::measure_foot(figure.skeleton(), side).ankle_height;
     place.orientation = turn_about(Eigen::Vector3f::UnitZ(), motion::yaw_of(place.orientation));
@@ -43,12 +44,12 @@ PerSide<FootPlace> planted_feet(const Figure& figure, const JointFrames& frames)
 }
 
 // The hip too high for the leg to reach the ground: the foot is left in the air (section 3.3).
-Pose planted(const Figure& figure, const Pose& pose) {
+Pose planted(const motion::Figure& figure, const Pose& pose) {
   const JointFrames frames = motion::forward_kinematics(figure.skeleton(), pose);
-  PerSide<FootPlace> feet = planted_feet(figure, frames);
-  for (Side side : kSides) {
+  motion::PerSide<motion::FootPlace> feet = planted_feet(figure, frames);
+  for (Side side : motion::kSides) {
     const motion::LimbRoles roles = motion::roles_of(leg_of(side));
-    const FootPlace& place = feet[index_of(side)];
+    const motion::FootPlace& place = feet[index_of(side)];
     const float needed = (place.ankle - frames.position[roles.upper]).norm();
     const float length = motion::limb_length(figure.skeleton(), leg_of(side));
     if (needed > length) feet[index_of(side)] = foot_place(frames, side);
@@ -96,7 +97,7 @@ BalanceVariables from_array(const std::array<float, 10>& values) {
   return variables;
 }
 
-BalanceProblem::BalanceProblem(const Figure& figure, const Pose& pose, const Danger& danger,
+BalanceProblem::BalanceProblem(const motion::Figure& figure, const Pose& pose, const Danger& danger,
                                const RuleControls& controls, float brace_m)
     : figure_(figure), start_(planted(figure, pose)), aim_(aim_of(figure, start_, danger)) {
   const motion::Skeleton& skeleton = figure.skeleton();
@@ -187,7 +188,7 @@ BalanceCase BalanceProblem::balance_of(const Pose& pose) const {
 
 // liblbfgs (Okazaki's C port of Nocedal's L-BFGS): small, quasi-Newton as in the thesis, and the
 // same steps every time.
-BalancedPose balanced_pose(const Figure& figure, const Pose& pose, const Danger& danger,
+BalancedPose balanced_pose(const motion::Figure& figure, const Pose& pose, const Danger& danger,
                            const RuleControls& controls, float brace_m) {
   check_danger(figure, pose, danger);
   const BalanceProblem problem(figure, pose, danger, controls, brace_m);

@@ -47,8 +47,9 @@ inline constexpr float kBraceDistance = 0.10F;  // m, toward the threat
 /// degrees of freedom by L-BFGS with midpoint differences of 0.01, starting over from `pose` at
 /// every evaluation. A raised foot is first put down where it is, if the leg reaches the ground.
 /// Throws Error for a danger that check_danger refuses. About a millisecond.
-BalancedPose balanced_pose(const Figure& figure, const motion::Pose& pose, const Danger& danger,
-                           const RuleControls& controls, float brace_m = kBraceDistance);
+BalancedPose balanced_pose(const motion::Figure& figure, const motion::Pose& pose,
+                           const Danger& danger, const RuleControls& controls,
+                           float brace_m = kBraceDistance);
 
 inline constexpr float kRounding = 0.02F;  // m and radians, where distances turn round
 
@@ -56,7 +57,7 @@ inline constexpr float kRounding = 0.02F;  // m and radians, where distances tur
 /// tests. Of the gradient, 0 to 2 belong to the pelvis and 3 to 9 to the controls in their order.
 class BalanceProblem {
  public:
-  BalanceProblem(const Figure& figure, const motion::Pose& pose, const Danger& danger,
+  BalanceProblem(const motion::Figure& figure, const motion::Pose& pose, const Danger& danger,
                  const RuleControls& controls, float brace_m);
 
   motion::Pose pose_of(const BalanceVariables& variables, bool* feet_reach = nullptr) const;
@@ -70,10 +71,10 @@ class BalanceProblem {
   BalanceCase balance_of(const motion::Pose& pose) const;
 
  private:
-  const Figure& figure_;
+  const motion::Figure& figure_;
   motion::Pose start_;
   Aim aim_;
-  PerSide<FootPlace> feet_;
+  motion::PerSide<motion::FootPlace> feet_;
   motion::JointFrames reference_;
   Eigen::Vector2f wanted_;
   bool balanced_before_ = true;

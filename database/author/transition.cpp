@@ -39,7 +39,7 @@ Eigen::Vector3f arm_pole(const JointFrames& frames) {
   return frames.orientation[Role::chest] * Eigen::Vector3f(-1, 0, -1).normalized();
 }
 
-bool differ(const FootPlace& a, const FootPlace& b) {
+bool differ(const motion::FootPlace& a, const motion::FootPlace& b) {
   constexpr float kNear = 0.005F;  // m
   return (a.ankle - b.ankle).norm() > kNear ||
          a.orientation.angularDistance(b.orientation) > radians(1);
@@ -51,10 +51,10 @@ float lift_of(const Step& step) {
   return lands ? std::clamp(0.25F * length, 0.03F, 0.09F) : 0;
 }
 
-PerSide<Step> steps_of(const JointFrames& from, const JointFrames& to,
-                       const Eigen::Vector3f& travel) {
-  PerSide<Step> steps;
-  for (Side side : kSides) {
+motion::PerSide<Step> steps_of(const JointFrames& from, const JointFrames& to,
+                               const Eigen::Vector3f& travel) {
+  motion::PerSide<Step> steps;
+  for (Side side : motion::kSides) {
     Step& step = steps[index_of(side)];
     step.from = foot_place(from, side);
     step.to = foot_place(to, side);
@@ -76,10 +76,10 @@ PerSide<Step> steps_of(const JointFrames& from, const JointFrames& to,
   return steps;
 }
 
-std::optional<Side> support_of(const PerSide<Step>& steps, const Eigen::Vector3f& centre) {
+std::optional<Side> support_of(const motion::PerSide<Step>& steps, const Eigen::Vector3f& centre) {
   std::optional<Side> support;
   float nearest = 0;
-  for (Side side : kSides) {
+  for (Side side : motion::kSides) {
     const Step& step = steps[index_of(side)];
     if (step.moves) continue;
     const float distance = (step.from.ankle - centre).head<2>().norm();
@@ -91,20 +91,21 @@ std::optional<Side> support_of(const PerSide<Step>& steps, const Eigen::Vector3f
   return support;
 }
 
-FootPlace place_in_step(const Step& step, float s) {
+motion::FootPlace place_in_step(const Step& step, float s) {
   if (!step.moves) return step.from;
   const float u = std::clamp((s - step.begin) / (step.end - step.begin), 0.0F, 1.0F);
   // It is lifted before it travels, and has arrived before it is put down.
   constexpr float kOnlyLift = 0.1F;
   const float weight = eased_between(u, kOnlyLift, 1 - kOnlyLift);
-  FootPlace place = blend(step.from, step.to, weight);
+  motion::FootPlace place = blend(step.from, step.to, weight);
   // 16 u^2 (1-u)^2 leaves and meets the ground without a jolt.
   place.ankle.z() += step.lift_m * 16 * u * u * (1 - u) * (1 - u);
   return place;
 }
 
 // Where the pelvis is, hung from a foot by the rotations of its leg.
-void hang_from_foot(const Skeleton& skeleton, Side side, const FootPlace& place, Pose& pose) {
+void hang_from_foot(const Skeleton& skeleton, Side side, const motion::FootPlace& place,
+                    Pose& pose) {
   const LimbRoles leg = motion::roles_of(leg_of(side));
   const Eigen::Quaternionf shin = place.orientation * pose.rotation[leg.end].conjugate();
   const Eigen::Quaternionf thigh = shin * pose.rotation[leg.lower].conjugate();
@@ -120,14 +121,14 @@ void slerp_joint(const Transition& transition, Role role, float weight, Pose& po
 }
 
 // First pass: every joint by itself, hung from the support foot.
-Pose first_pass(const Figure& figure, const Transition& transition, float s) {
+Pose first_pass(const motion::Figure& figure, const Transition& transition, float s) {
   const float weight = motion::ease_in_ease_out(s);
   Pose pose = motion::blend(transition.from, transition.to, weight);
   const float head_weight = eased_between(s, 0, 1 - kHeadLead);
   slerp_joint(transition, Role::neck, head_weight, pose);
   slerp_joint(transition, Role::head, head_weight, pose);
   const float hand_weight = eased_between(s, kHandLag, 1);
-  for (Side side : kSides) {
+  for (Side side : motion::kSides) {
     const LimbRoles arm = motion::roles_of(arm_of(side));
     for (Role role : {arm.upper, arm.lower, arm.end}) {
       slerp_joint(transition, role, hand_weight, pose);
@@ -140,10 +141,11 @@ Pose first_pass(const Figure& figure, const Transition& transition, float s) {
   return pose;
 }
 
-PerSide<HandPlace> hands_at(const Transition& transition, const JointFrames& frames, float s) {
+motion::PerSide<motion::HandPlace> hands_at(const Transition& transition, const JointFrames& frames,
+                                            float s) {
   const float weight = eased_between(s, kHandLag, 1);
-  PerSide<HandPlace> hands;
-  for (Side side : kSides) {
+  motion::PerSide<motion::HandPlace> hands;
+  for (Side side : motion::kSides) {
     const std::size_t i = index_of(side);
     const Role hand = motion::roles_of(arm_of(side)).end;
     const float turn = motion::wrapped(transition.to_swivel[i] - transition.from_swivel[i]);
@@ -156,23 +158,23 @@ PerSide<HandPlace> hands_at(const Transition& transition, const JointFrames& fra
 
 // Whether hands on their straight ways would come too near to head or trunk, or so near to the
 // shoulder that the arm would have to fold up. The ends are where they should be.
-PerSide<bool> blocked_hands(const Figure& figure, const Transition& transition) {
+motion::PerSide<bool> blocked_hands(const motion::Figure& figure, const Transition& transition) {
   constexpr float kNearBody = 0.015F;
   constexpr float kNearShoulder = 0.4F;  // of the arm's length
   constexpr int kSamples = 12;
-  PerSide<bool> blocked{};
+  motion::PerSide<bool> blocked{};
   for (int k = 2; k < kSamples - 1; ++k) {
     const JointFrames frames = motion::forward_kinematics(
         figure.skeleton(),
         pose_at(figure, transition, static_cast<float>(k) / static_cast<float>(kSamples)));
-    for (Side side : kSides) {
+    for (Side side : motion::kSides) {
       bool& is_blocked = blocked[index_of(side)];
       const LimbRoles arm = motion::roles_of(arm_of(side));
       const float reach = (frames.position[arm.end] - frames.position[arm.upper]).norm();
       is_blocked = is_blocked ||
                    reach < kNearShoulder * motion::limb_length(figure.skeleton(), arm_of(side));
-      const Capsule hand = capsule_of(figure, frames, motion::body_of(arm.end));
-      for (motion::Body body : kCoreBodies) {
+      const motion::Capsule hand = capsule_of(figure, frames, motion::body_of(arm.end));
+      for (motion::Body body : motion::kCoreBodies) {
         is_blocked = is_blocked || distance_between(figure, frames, body, hand) < kNearBody;
       }
     }
@@ -182,7 +184,7 @@ PerSide<bool> blocked_hands(const Figure& figure, const Transition& transition) 
 
 }  // namespace
 
-Transition make_transition(const Figure& figure, const Pose& from, const Pose& to) {
+Transition make_transition(const motion::Figure& figure, const Pose& from, const Pose& to) {
   const Skeleton& skeleton = figure.skeleton();
   Transition transition;
   transition.from = from;
@@ -194,7 +196,7 @@ Transition make_transition(const Figure& figure, const Pose& from, const Pose& t
   transition.steps = steps_of(transition.from_frames, transition.to_frames,
                               transition.to_centre - transition.from_centre);
   transition.support = support_of(transition.steps, transition.from_centre);
-  for (Side side : kSides) {
+  for (Side side : motion::kSides) {
     const std::size_t i = index_of(side);
     transition.from_swivel[i] =
         swivel_of(transition.from_frames, side, arm_pole(transition.from_frames));
@@ -207,13 +209,13 @@ Transition make_transition(const Figure& figure, const Pose& from, const Pose& t
 // Second pass. Pelvis and waist are corrected in turns: moving the pelvis by the error of the
 // centre of mass brings it over its line, raising it by the neck's error and swinging the waist
 // brings the neck to its own; a handful of rounds settle all three to well below a millimetre.
-Pose pose_at(const Figure& figure, const Transition& transition, float s) {
+Pose pose_at(const motion::Figure& figure, const Transition& transition, float s) {
   constexpr int kRounds = 6;
   const Skeleton& skeleton = figure.skeleton();
   const float part = std::clamp(s, 0.0F, 1.0F);
   const float weight = motion::ease_in_ease_out(part);
-  const PerSide<FootPlace> feet{place_in_step(transition.steps[0], part),
-                                place_in_step(transition.steps[1], part)};
+  const motion::PerSide<motion::FootPlace> feet{place_in_step(transition.steps[0], part),
+                                                place_in_step(transition.steps[1], part)};
   const Eigen::Vector3f centre = mix(transition.from_centre, transition.to_centre, weight);
   const Eigen::Vector3f neck = mix(transition.from_frames.position[Role::neck],
                                    transition.to_frames.position[Role::neck], weight);
@@ -225,8 +227,8 @@ Pose pose_at(const Figure& figure, const Transition& transition, float s) {
     pose.root_position.z() += lower;
     for (Eigen::Vector3f& position : trunk.position) position.z() += lower;
     put_feet(skeleton, trunk, feet, pose);
-    const PerSide<HandPlace> hands = hands_at(transition, trunk, part);
-    for (Side side : kSides) {
+    const motion::PerSide<motion::HandPlace> hands = hands_at(transition, trunk, part);
+    for (Side side : motion::kSides) {
       const std::size_t i = index_of(side);
       if (!transition.hand_swings[i]) put_hand(skeleton, trunk, side, hands[i], pose);
       limit_arm(pose, side);

@@ -7,8 +7,8 @@ namespace flinch::database {
 
 /// A foot's way through a transition: still, or in a step between two parts of it.
 struct Step {
-  FootPlace from;
-  FootPlace to;
+  motion::FootPlace from;
+  motion::FootPlace to;
   bool moves = false;
   float begin = 0;  ///< in [0, 1], parts of the transition
   float end = 1;
@@ -20,7 +20,7 @@ struct Step {
 struct Transition {
   motion::Pose from;
   motion::Pose to;
-  PerSide<Step> steps;
+  motion::PerSide<Step> steps;
   /// The foot that the figure hangs from in the first pass: the one nearer to the centre of mass
   /// that stays. None where both step: then the pelvis goes straight.
   std::optional<motion::Side> support;
@@ -30,19 +30,20 @@ struct Transition {
   Eigen::Vector3f to_centre;
   /// Whether a hand that on its straight way would come too near to its shoulder, the trunk or the
   /// head swings by the arm's joints instead.
-  PerSide<bool> hand_swings{};
-  PerSide<float> from_swivel{};  ///< of the arms, radians
-  PerSide<float> to_swivel{};
+  motion::PerSide<bool> hand_swings{};
+  motion::PerSide<float> from_swivel{};  ///< of the arms, radians
+  motion::PerSide<float> to_swivel{};
 };
 
 /// Feet that differ by more than 5 mm or 1 degree step; where both do, the one ahead goes first,
 /// and one foot is always down.
-Transition make_transition(const Figure& figure, const motion::Pose& from, const motion::Pose& to);
+Transition make_transition(const motion::Figure& figure, const motion::Pose& from,
+                           const motion::Pose& to);
 
 /// The pose at part `s` of a transition, 0 to 1, clamped: eased in and out; hands on straight lines
 /// (or swings, where those are blocked) with swivel angles between; then, in a second pass, the
 /// pelvis placed so that the centre of mass is above its straight line and the base of the neck on
 /// its own, legs by IK.
-motion::Pose pose_at(const Figure& figure, const Transition& transition, float s);
+motion::Pose pose_at(const motion::Figure& figure, const Transition& transition, float s);
 
 }  // namespace flinch::database

@@ -51,7 +51,7 @@ const char* colour_of(Body body, const View& view) {
   return left ? "#3c8d5a88" : "#b5533c";
 }
 
-std::string capsule_line(const View& view, const Capsule& capsule, const char* colour) {
+std::string capsule_line(const View& view, const motion::Capsule& capsule, const char* colour) {
   const Eigen::Vector2f a = on_paper(view, capsule.from);
   const Eigen::Vector2f b = on_paper(view, capsule.to);
   return printed("<path d='M%.0f %.0fL%.0f %.0f' stroke='%s' stroke-width='%.0f'/>", a.x(), a.y(),
@@ -84,7 +84,7 @@ std::string box_outline(const View& view, const std::array<Eigen::Vector3f, 8>& 
   return path + "z'/>";
 }
 
-std::array<Eigen::Vector3f, 8> corners_of(const Figure& figure, const JointFrames& frames,
+std::array<Eigen::Vector3f, 8> corners_of(const motion::Figure& figure, const JointFrames& frames,
                                           Body body) {
   const Shape& shape = figure.bodies[body].shape;
   const motion::Role role = motion::role_of(body);
@@ -100,7 +100,8 @@ std::array<Eigen::Vector3f, 8> corners_of(const Figure& figure, const JointFrame
 }
 
 // Bodies from far to near.
-std::string figure_drawing(const Figure& figure, const JointFrames& frames, const View& view) {
+std::string figure_drawing(const motion::Figure& figure, const JointFrames& frames,
+                           const View& view) {
   std::array<Body, motion::kBodyCount> order = motion::kBodies;
   const auto nearness = [&](Body body) {
     return view.toward_eye.dot(motion::centre_of_mass(figure.bodies, frames, body));
@@ -144,7 +145,7 @@ std::array<float, kInstants> instants_of(const motion::Clip& clip) {
 
 }  // namespace
 
-std::string filmstrip_svg(const Figure& figure, const motion::Clip& clip) {
+std::string filmstrip_svg(const motion::Figure& figure, const motion::Clip& clip) {
   std::string svg = printed(
       "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 %.0f %.0f' font-family='sans-serif' "
       "font-size='11'><defs><marker id='a' orient='auto' viewBox='0 0 6 6' refX='5' refY='3' "

@@ -69,12 +69,12 @@ void measure_joints(const FramesOfClip& frames, float rate_hz, ClipQuality& qual
   }
 }
 
-void measure_hands(const Figure& figure, const FramesOfClip& frames, ClipQuality& quality) {
+void measure_hands(const motion::Figure& figure, const FramesOfClip& frames, ClipQuality& quality) {
   quality.hand_clearance_m = std::numeric_limits<float>::infinity();
   for (const JointFrames& pose : frames) {
     for (Body hand : {Body::left_hand, Body::right_hand}) {
-      const Capsule capsule = capsule_of(figure, pose, hand);
-      for (Body core : kCoreBodies) {
+      const motion::Capsule capsule = capsule_of(figure, pose, hand);
+      for (Body core : motion::kCoreBodies) {
         quality.hand_clearance_m =
             std::min(quality.hand_clearance_m, distance_between(figure, pose, core, capsule));
       }
@@ -103,12 +103,12 @@ float lowest(const std::vector<Eigen::Vector3f>& points) {
 }
 
 // The foot on the ground that is nearer to the centre of mass; none in a jump.
-std::optional<Side> support_foot(const Figure& figure, const JointFrames& frames,
-                                 const PerSide<std::vector<Eigen::Vector3f>>& soles) {
+std::optional<Side> support_foot(const motion::Figure& figure, const JointFrames& frames,
+                                 const motion::PerSide<std::vector<Eigen::Vector3f>>& soles) {
   const Eigen::Vector3f centre = motion::centre_of_mass(figure.bodies, frames);
   std::optional<Side> support;
   float nearest = std::numeric_limits<float>::infinity();
-  for (Side side : kSides) {
+  for (Side side : motion::kSides) {
     if (lowest(soles[index_of(side)]) > kContactHeight) continue;
     const float distance = (frames.position[motion::roles_of(side).foot] - centre).head<2>().norm();
     if (distance < nearest) {
@@ -120,19 +120,20 @@ std::optional<Side> support_foot(const Figure& figure, const JointFrames& frames
 }
 
 // Every point of a sole remembers where it came to the ground and slips from there until it leaves.
-void measure_feet(const Figure& figure, const FramesOfClip& frames, ClipQuality& quality) {
-  const PerSide<motion::SoleOutline> outlines{motion::sole_outline(figure.skeleton(), Side::left),
-                                              motion::sole_outline(figure.skeleton(), Side::right)};
-  PerSide<std::vector<std::optional<Eigen::Vector3f>>> landed;
+void measure_feet(const motion::Figure& figure, const FramesOfClip& frames, ClipQuality& quality) {
+  const motion::PerSide<motion::SoleOutline> outlines{
+      motion::sole_outline(figure.skeleton(), Side::left),
+      motion::sole_outline(figure.skeleton(), Side::right)};
+  motion::PerSide<std::vector<std::optional<Eigen::Vector3f>>> landed;
   for (const JointFrames& pose : frames) {
-    PerSide<std::vector<Eigen::Vector3f>> soles;
-    for (Side side : kSides) {
+    motion::PerSide<std::vector<Eigen::Vector3f>> soles;
+    for (Side side : motion::kSides) {
       const std::size_t i = index_of(side);
       soles[i] = sole_points(outlines[i], pose, side);
       quality.foot_below_ground_m = std::max(quality.foot_below_ground_m, -lowest(soles[i]));
     }
     const std::optional<Side> support = support_foot(figure, pose, soles);
-    for (Side side : kSides) {
+    for (Side side : motion::kSides) {
       const std::size_t i = index_of(side);
       landed[i].resize(soles[i].size());
       for (std::size_t k = 0; k < soles[i].size(); ++k) {
@@ -150,13 +151,13 @@ void measure_feet(const Figure& figure, const FramesOfClip& frames, ClipQuality&
   }
 }
 
-float balance_margin(const Figure& figure, const JointFrames& frames) {
+float balance_margin(const motion::Figure& figure, const JointFrames& frames) {
   return motion::signed_distance_inside(
       motion::support_polygon(figure.skeleton(), frames, kContactHeight),
       motion::centre_of_mass(figure.bodies, frames).head<2>());
 }
 
-void measure_balance(const Figure& figure, const Clip& clip, const FramesOfClip& frames,
+void measure_balance(const motion::Figure& figure, const Clip& clip, const FramesOfClip& frames,
                      ClipQuality& quality) {
   quality.balance_margin_m =
       std::min(balance_margin(figure, frames.front()), balance_margin(figure, frames.back()));
@@ -168,7 +169,7 @@ void measure_balance(const Figure& figure, const Clip& clip, const FramesOfClip&
 }
 
 // a_k = (p_{k+1} - 2 p_k + p_{k-1}) rate^2
-void measure_accelerations(const Figure& figure, const FramesOfClip& frames, float rate_hz,
+void measure_accelerations(const motion::Figure& figure, const FramesOfClip& frames, float rate_hz,
                            ClipQuality& quality) {
   for (std::size_t k = 1; k + 1 < frames.size(); ++k) {
     for (Body body : motion::kBodies) {
@@ -183,7 +184,7 @@ void measure_accelerations(const Figure& figure, const FramesOfClip& frames, flo
 
 }  // namespace
 
-ClipQuality measure_quality(const Figure& figure, const Clip& clip) {
+ClipQuality measure_quality(const motion::Figure& figure, const Clip& clip) {
   FramesOfClip frames;
   for (const motion::Pose& pose : clip.motion.poses) {
     frames.push_back(motion::forward_kinematics(figure.skeleton(), pose));
@@ -199,7 +200,7 @@ ClipQuality measure_quality(const Figure& figure, const Clip& clip) {
 }
 
 std::vector<ClipQuality> measure_quality(const Library& library) {
-  const Figure figure = make_figure(library.character);
+  const motion::Figure figure = motion::make_figure(library.character);
   std::vector<ClipQuality> table;
   for (const Clip& clip : library.clips) table.push_back(measure_quality(figure, clip));
   return table;

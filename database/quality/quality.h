@@ -44,7 +44,7 @@ struct QualityBounds {
 inline constexpr float kContactHeight = 0.005F;
 
 /// Measures one clip. Works for any clip of the figure, authored or recorded.
-ClipQuality measure_quality(const Figure& figure, const motion::Clip& clip);
+ClipQuality measure_quality(const motion::Figure& figure, const motion::Clip& clip);
 
 /// All clips of a library, in its order.
 std::vector<ClipQuality> measure_quality(const Library& library);

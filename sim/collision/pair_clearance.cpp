@@ -47,7 +47,7 @@ class Filling {
 struct Nearest {
   Nearest(const Filling& spheres, const MovingShape& shape) : sphere(spheres.begin()) {
     for (const Sphere& candidate : spheres) {
-      const double candidate_gap = features::gap(candidate.centre, candidate.radius, shape);
+      const double candidate_gap = motion::gap(candidate.centre, candidate.radius, shape);
       if (candidate_gap >= gap) continue;
       gap = candidate_gap;
       sphere = &candidate;
@@ -60,7 +60,7 @@ struct Nearest {
 
 }  // namespace
 
-features::Clearance clearance(const MovingShape& first, const MovingShape& second) {
+motion::Clearance clearance(const MovingShape& first, const MovingShape& second) {
   const Filling in_first(first);
   const Filling in_second(second);
   const Nearest on_second(in_first, second);
@@ -68,7 +68,7 @@ features::Clearance clearance(const MovingShape& first, const MovingShape& secon
   if (on_second.gap <= on_first.gap) {
     return clearance(on_second.sphere->centre, on_second.sphere->radius, second);
   }
-  features::Clearance near = clearance(on_first.sphere->centre, on_first.sphere->radius, first);
+  motion::Clearance near = clearance(on_first.sphere->centre, on_first.sphere->radius, first);
   near.normal = -near.normal;
   return near;
 }

@@ -7,6 +7,6 @@ namespace flinch::sim {
 
 /// How near two parts are: spheres that fill either against the exact other; where each is nearest.
 /// The normal points from `second` to `first`.
-features::Clearance clearance(const MovingShape& first, const MovingShape& second);
+motion::Clearance clearance(const MovingShape& first, const MovingShape& second);
 
 }  // namespace flinch::sim

@@ -34,7 +34,7 @@ std::optional<double> time_of_touch(const features::FreeFlight& ball, const Movi
   if (!may_be_near(ball, shape, most_m)) return std::nullopt;
   double time_s = 0;
   while (time_s <= horizon_s) {
-    const double gap = features::gap(ball.position_at(time_s), ball.radius, shape.at(time_s)) -
+    const double gap = motion::gap(ball.position_at(time_s), ball.radius, shape.at(time_s)) -
                        0.5 * slack_mps2 * time_s * time_s;
     if (gap <= touch_m) return time_s;
     if (rate <= 0) return std::nullopt;

@@ -9,7 +9,7 @@
 namespace flinch::sim {
 
 /// An outline that moves as a rigid body does, without acceleration. World frame, at its centre.
-struct MovingShape : features::Outline {
+struct MovingShape : motion::Outline {
   Eigen::Vector3d velocity = Eigen::Vector3d::Zero();          ///< of the centre, m/s
   Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero();  ///< rad/s
 

@@ -18,7 +18,7 @@ constexpr double kStrike_m = 0.01;
 constexpr double kTouch_m = 1e-3;
 
 double closing_speed(const MovingShape& first, const MovingShape& second,
-                     const features::Clearance& near) {
+                     const motion::Clearance& near) {
   return -near.normal.dot(first.velocity_at(near.point) - second.velocity_at(near.point));
 }
 
@@ -47,8 +47,8 @@ bool may_meet(const MovingShape& first, double first_m, const MovingShape& secon
   const double most = most_gap(first, first_m, second, second_m, distance_m, horizon_s);
   const double apart = first_m + second_m + most;
   return (first.centre - second.centre).squaredNorm() <= apart * apart &&
-         features::gap(first.centre, first_m, second) <= most &&
-         features::gap(second.centre, second_m, first) <= most;
+         motion::gap(first.centre, first_m, second) <= most &&
+         motion::gap(second.centre, second_m, first) <= most;
 }
 
 /// How fast the reference moves the material of `shape` that is at `point`, m/s.
@@ -58,7 +58,7 @@ Eigen::Vector3d reference_velocity(const BodyState& reference, const Eigen::Vect
 
 /// How fast the reference lets the two close where they are nearest, m/s; 0 where it parts them.
 double reference_closing_speed(const BodyState& first, const BodyState& second,
-                               const features::Clearance& near) {
+                               const motion::Clearance& near) {
   const Eigen::Vector3d relative =
       reference_velocity(first, near.point) - reference_velocity(second, near.point);
   return std::max(0.0, -near.normal.dot(relative));
@@ -114,7 +114,7 @@ std::span<const Push> Pushes::find(const motion::PerBody<MovingShape>& shapes,
   found_.clear();
   motion::PerBody<double> driven_until_s = driven_until_s_;
   for_each_pair(shapes, kTouch_m, 0, [&](Body first, Body second) {
-    const features::Clearance near = clearance(shapes[first], shapes[second]);
+    const motion::Clearance near = clearance(shapes[first], shapes[second]);
     if (near.gap > kTouch_m) return;
     const double free_closing =
         reference_closing_speed(reference.body[first], reference.body[second], near);
@@ -135,7 +135,7 @@ bool Pushes::ahead(const motion::PerBody<MovingShape>& shapes, const ReferenceSt
                    double horizon_s) const {
   bool found = false;
   for_each_pair(shapes, 0, horizon_s, [&](Body first, Body second) {
-    const features::Clearance near = clearance(shapes[first], shapes[second]);
+    const motion::Clearance near = clearance(shapes[first], shapes[second]);
     const double closing = closing_speed(shapes[first], shapes[second], near);
     const double free_closing =
         reference_closing_speed(reference.body[first], reference.body[second], near);
@@ -148,7 +148,7 @@ bool Pushes::ahead(const motion::PerBody<MovingShape>& shapes, const ReferenceSt
 bool Pushes::may_strike(const motion::PerBody<MovingShape>& shapes) const {
   bool found = false;
   for_each_pair(shapes, kStrike_m, kSwing_s, [&](Body first, Body second) {
-    const features::Clearance near = clearance(shapes[first], shapes[second]);
+    const motion::Clearance near = clearance(shapes[first], shapes[second]);
     const double closing = closing_speed(shapes[first], shapes[second], near);
     found |= near.gap < kStrike_m + std::max(0.0, closing) * kSwing_s;
   });

@@ -15,7 +15,7 @@ namespace flinch::sim {
 struct Push {
   motion::Body first{};
   motion::Body second{};
-  features::Clearance near;  ///< its normal points from `second` to `first`
+  motion::Clearance near;  ///< its normal points from `second` to `first`
   double free_closing_mps = 0;
   bool is_blow = false;
 };

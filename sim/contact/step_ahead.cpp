@@ -17,7 +17,7 @@ std::optional<double> first_touch(const features::FreeFlight& ball,
   std::optional<double> first;
   for (const MovingShape& shape : shapes) {
     if (may_be_near(ball, shape, kTouch_m)) {
-      const features::Clearance near = clearance(ball.position, ball.radius, shape);
+      const motion::Clearance near = clearance(ball.position, ball.radius, shape);
       if (near.gap <= kTouch_m && !hits(ball, shape, near)) continue;
     }
     const auto time_s = time_of_touch(ball, shape, first.value_or(horizon_s), touch_m, slack_mps2);
@@ -65,7 +65,7 @@ StepAhead step_ahead(const features::FreeFlight& ball, std::span<const MovingSha
 }
 
 bool hits(const features::FreeFlight& ball, const MovingShape& shape,
-          const features::Clearance& near) {
+          const motion::Clearance& near) {
   return near.gap <= kTouch_m && near.normal.dot(ball.velocity - shape.velocity_at(near.point)) < 0;
 }
 

@@ -30,6 +30,6 @@ StepAhead step_ahead(const features::FreeFlight& ball, std::span<const MovingSha
 
 /// Whether a ball at `near` of a shape touches it and does not part from it.
 bool hits(const features::FreeFlight& ball, const MovingShape& shape,
-          const features::Clearance& near);
+          const motion::Clearance& near);
 
 }  // namespace flinch::sim

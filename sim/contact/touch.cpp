@@ -20,7 +20,7 @@ Touch hit_at(const Eigen::Vector3d& point, const Eigen::Vector3d& normal, double
   return touch;
 }
 
-Touch push_at(const features::Clearance& at, double free_closing_mps) {
+Touch push_at(const motion::Clearance& at, double free_closing_mps) {
   Touch touch;
   touch.point = at.point;
   touch.normal = at.normal;

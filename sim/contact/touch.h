@@ -32,7 +32,7 @@ struct Touch {
 Touch hit_at(const Eigen::Vector3d& point, const Eigen::Vector3d& normal, double restitution);
 /// A part pushes another: no bounce, no friction, no correction of overlap; the two may close at
 /// `free_closing_mps` unhindered.
-Touch push_at(const features::Clearance& at, double free_closing_mps);
+Touch push_at(const motion::Clearance& at, double free_closing_mps);
 /// The ground carries `mass_kg` of a part at `point`, `depth_m` below it, as a critically damped
 /// spring without friction.
 Touch support_at(const Eigen::Vector3d& point, double depth_m, double mass_kg, double step_s);

@@ -28,7 +28,7 @@ double EncounterIn<Scene>::meet(const features::FreeFlight& flight) {
   const StepAhead ahead = step_ahead(flight, {&*shapes_.begin(), motion::kBodyCount}, options_);
   for (Body body : motion::kBodies) {
     if (!may_be_near(flight, shapes_[body], kTouch_m)) continue;
-    const features::Clearance near = clearance(flight.position, flight.radius, shapes_[body]);
+    const motion::Clearance near = clearance(flight.position, flight.radius, shapes_[body]);
     if (!hits(flight, shapes_[body], near)) continue;
     scene_.add_hit(body, near, options_.restitution);
     pushes_.hit(body);

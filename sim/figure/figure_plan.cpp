@@ -16,7 +16,7 @@ constexpr double kJointFrequency = 60;
 constexpr double kPelvisFrequency = 60;
 
 MovingShape outline_of(const motion::BodyProperties& properties) {
-  MovingShape outline{features::outline_of(properties.shape)};
+  MovingShape outline{motion::outline_of(properties.shape)};
   outline.centre = (properties.shape.centre - properties.centre_of_mass).cast<double>();
   return outline;
 }

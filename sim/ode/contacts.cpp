@@ -55,7 +55,7 @@ void Contacts::measure(dJointID joint, motion::Body first, std::optional<motion:
   dJointSetFeedback(joint, &measured_.back().feedback);
 }
 
-void Contacts::add_hit(dBodyID ball, dBodyID part, motion::Body body, const features::Clearance& at,
+void Contacts::add_hit(dBodyID ball, dBodyID part, motion::Body body, const motion::Clearance& at,
                        double restitution) {
   measure(attach(hit_at(at.point, at.normal, restitution), ball, part), body, std::nullopt);
 }
@@ -65,7 +65,7 @@ void Contacts::add_bounce(dBodyID ball, const Eigen::Vector3d& point, double res
 }
 
 void Contacts::add_push(dBodyID first_part, motion::Body first, dBodyID second_part,
-                        motion::Body second, const features::Clearance& at, double free_closing_mps,
+                        motion::Body second, const motion::Clearance& at, double free_closing_mps,
                         bool measured) {
   const dJointID joint = attach(push_at(at, free_closing_mps), first_part, second_part);
   if (measured) measure(joint, first, second);

@@ -19,13 +19,13 @@ class Contacts {
   Contacts& operator=(const Contacts&) = delete;
 
   /// The ball hits a part, at `at` as `clearance` gives it: hit_at. Measured.
-  void add_hit(dBodyID ball, dBodyID part, motion::Body body, const features::Clearance& at,
+  void add_hit(dBodyID ball, dBodyID part, motion::Body body, const motion::Clearance& at,
                double restitution);
   /// The ball meets the ground: hit_at. Not measured.
   void add_bounce(dBodyID ball, const Eigen::Vector3d& point, double restitution);
   /// A part pushes another: push_at. The normal of `at` points from `second` to `first`.
   void add_push(dBodyID first_part, motion::Body first, dBodyID second_part, motion::Body second,
-                const features::Clearance& at, double free_closing_mps, bool measured);
+                const motion::Clearance& at, double free_closing_mps, bool measured);
   /// The ground carries a part: support_at. Not measured.
   void add_support(dBodyID part, const Eigen::Vector3d& point, double depth_m, double mass_kg,
                    double step_s);

@@ -14,11 +14,11 @@ std::optional<features::FreeFlight> OdeScene::flight() const {
   return ball_ ? std::optional(ball_->flight()) : std::nullopt;
 }
 
-void OdeScene::add_hit(motion::Body body, const features::Clearance& at, double restitution) {
+void OdeScene::add_hit(motion::Body body, const motion::Clearance& at, double restitution) {
   contacts_.add_hit(ball_->body(), figure_.body(body), body, at, restitution);
 }
 
-void OdeScene::add_push(motion::Body first, motion::Body second, const features::Clearance& at,
+void OdeScene::add_push(motion::Body first, motion::Body second, const motion::Clearance& at,
                         double free_closing_mps, bool measured) {
   contacts_.add_push(figure_.body(first), first, figure_.body(second), second, at, free_closing_mps,
                      measured);

@@ -21,9 +21,9 @@ class OdeScene {
 
   // Contacts of the next step, as Contacts adds them.
   void clear_contacts() { contacts_.clear(); }
-  void add_hit(motion::Body body, const features::Clearance& at, double restitution);
+  void add_hit(motion::Body body, const motion::Clearance& at, double restitution);
   void add_bounce(double restitution) { ball_->meet_ground(contacts_, restitution); }
-  void add_push(motion::Body first, motion::Body second, const features::Clearance& at,
+  void add_push(motion::Body first, motion::Body second, const motion::Clearance& at,
                 double free_closing_mps, bool measured);
   void add_supports(const ReferenceState& target, double step_s);
 

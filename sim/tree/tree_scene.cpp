@@ -60,7 +60,7 @@ void TreeScene::clear_contacts() {
   contacts_.clear();
 }
 
-void TreeScene::add_hit(Body body, const features::Clearance& at, double restitution) {
+void TreeScene::add_hit(Body body, const motion::Clearance& at, double restitution) {
   contacts_.push_back({hit_at(at.point, at.normal, restitution),
                        {Party::Kind::ball, {}},
                        {Party::Kind::body, body},
@@ -75,7 +75,7 @@ void TreeScene::add_bounce(double restitution) {
                        false});
 }
 
-void TreeScene::add_push(Body first, Body second, const features::Clearance& at,
+void TreeScene::add_push(Body first, Body second, const motion::Clearance& at,
                          double free_closing_mps, bool measured) {
   contacts_.push_back({push_at(at, free_closing_mps),
                        {Party::Kind::body, first},

@@ -25,7 +25,7 @@ BENCHMARK(author_library)->Unit(benchmark::kMillisecond);
 
 // The mean over three targets and eight directions.
 void balance_pose(benchmark::State& state) {
-  const Figure figure = make_figure(motion::default_character());
+  const motion::Figure figure = motion::make_figure(motion::default_character());
   const motion::Pose start = standing_pose(figure);
   const motion::JointFrames frames = motion::forward_kinematics(figure.skeleton(), start);
   std::vector<Danger> dangers;

@@ -11,7 +11,7 @@
 namespace flinch {
 namespace {
 
-using sim::ReactionPhase;
+using reaction::ReactionPhase;
 
 /// Of this thread, so that other programs do not count.
 double cpu_us() {
@@ -35,7 +35,7 @@ void frames(benchmark::State& state, const std::vector<ReactionPhase>& phases, d
   const motion::Character man = motion::default_character();
   const auto motions = scenes::motions_by_rule(man.skeleton);
   const auto blows = scenes::random_blows(man, motions, 96, 1, mass_kg);
-  sim::Reaction reaction(sim::make_figure_plan(man));
+  reaction::Reaction reaction(reaction::make_figure_plan(man));
   std::vector<double> frames_us;
   std::size_t next = 0;
   for (auto _ : state) {
@@ -72,7 +72,7 @@ void begin(benchmark::State& state) {
   const motion::Character man = motion::default_character();
   const auto motions = scenes::motions_by_rule(man.skeleton);
   const auto blows = scenes::random_blows(man, motions, 12, 1);
-  sim::Reaction reaction(sim::make_figure_plan(man));
+  reaction::Reaction reaction(reaction::make_figure_plan(man));
   std::size_t next = 0;
   for (auto _ : state) scenes::begin(reaction, blows[next++ % blows.size()]);
 }
@@ -87,7 +87,7 @@ void find_clip(benchmark::State& state) {
     clips[i].purpose = motion::Purpose::push;
     clips[i].motion.poses.assign(120, stand);
   }
-  const sim::ReactionClips index(man, clips);
+  const reaction::ReactionClips index(man, clips);
   const motion::Pose raised = scenes::arms_raised(man.skeleton);
   for (auto _ : state) {
     benchmark::DoNotOptimize(index.find(raised, raised, 1.0F / 60, 10.0F));

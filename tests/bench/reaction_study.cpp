@@ -59,7 +59,7 @@ double cpu_us() {
 }
 
 Played play(const Study& study, const Blow& blow, double frame_s) {
-  sim::Reaction reaction(study.plan);
+  reaction::Reaction reaction(study.plan);
   scenes::begin(reaction, blow);
   Played played;
   played.poses.push_back(reaction.pose());
@@ -67,11 +67,11 @@ Played play(const Study& study, const Blow& blow, double frame_s) {
     const motion::Pose wanted = scenes::pose_at(*blow.motion, blow.begin_s + k * frame_s);
     const double begin_us = cpu_us();
     reaction.advance(frame_s, wanted, wanted);
-    if (reaction.phase() < sim::ReactionPhase::returning) {
+    if (reaction.phase() < reaction::ReactionPhase::returning) {
       played.frames_us.push_back(cpu_us() - begin_us);
     }
     played.poses.push_back(reaction.pose());
-    played.knocked_over |= reaction.phase() == sim::ReactionPhase::knocked_over;
+    played.knocked_over |= reaction.phase() == reaction::ReactionPhase::knocked_over;
   }
   const auto impulse = reaction.impulse();
   for (motion::Body body : motion::kBodies) {
@@ -148,7 +148,8 @@ void print_knock_overs(const Study& study) {
 /// For the pose at the end of the time that the simulation has alone, among the clips themselves.
 void print_search(const Study& study, const database::Library& library,
                   const std::vector<Blow>& blows) {
-  const sim::ReactionClips clips(library.character, library.clips, motion::Purpose::anticipation);
+  const reaction::ReactionClips clips(library.character, library.clips,
+                                      motion::Purpose::anticipation);
   std::vector<double> distances;
   double spent_us = 0;
   for (const Blow& blow : blows) {
@@ -159,7 +160,7 @@ void print_search(const Study& study, const database::Library& library,
     spent_us += cpu_us() - begin_us;
     if (match) distances.push_back(static_cast<double>(match->distance_m));
   }
-  const double near = static_cast<double>(sim::ReactionClips::kNear_m);
+  const double near = static_cast<double>(reaction::ReactionClips::kNear_m);
   const auto found = std::count_if(distances.begin(), distances.end(),
                                    [&](double distance) { return distance <= near; });
   std::printf("\n### Search for a clip to go on with, among %zu frames\n\n", clips.size());
@@ -183,7 +184,7 @@ std::vector<Blow> print(const char* title, const Study& study) {
 int run(int count, char** arguments) {
   const motion::Character man = motion::default_character();
   print("Motions by rule",
-        {man, scenes::motions_by_rule(man.skeleton), sim::make_figure_plan(man)});
+        {man, scenes::motions_by_rule(man.skeleton), reaction::make_figure_plan(man)});
   if (count < 2) return 0;
   database::Library library;
   const auto status = database::read_library(std::string(arguments[1]), library);
@@ -191,7 +192,7 @@ int run(int count, char** arguments) {
     std::fprintf(stderr, "%s: %s\n", arguments[1], database::message_of(status));
     return 1;
   }
-  Study study{library.character, {}, sim::make_figure_plan(library.character)};
+  Study study{library.character, {}, reaction::make_figure_plan(library.character)};
   for (const motion::Clip& clip : library.clips) study.motions.push_back({clip.name, clip.motion});
   print_search(study, library, print("The library's clips", study));
   return 0;

@@ -178,7 +178,7 @@ TEST(PredictImpact, GivesTheTimesOfAThrowAtTheHead) {
   const motion::Pose& pose = figure().standing;
   const motion::JointFrames frames = forward_kinematics(figure().character.skeleton, pose);
   const Eigen::Vector3f middle = target_centre(figure().model, frames, Target::head);
-  const Outline head = figure().outlines(pose)[Body::head];
+  const motion::Outline head = figure().outlines(pose)[Body::head];
   Threat threat;
   threat.position = middle + Eigen::Vector3f(10, 0, 0);
   threat.velocity = {-20, 0, 0};
@@ -201,7 +201,7 @@ TEST(PredictImpact, GivesTheTimesOfAThrowAtTheHead) {
 
 // sqrt(2 h / g) of free fall onto the crown.
 TEST(PredictImpact, OfABallAtRestIsWhenItHasFallenOnTheHead) {
-  const Outline head = figure().outlines(figure().standing)[Body::head];
+  const motion::Outline head = figure().outlines(figure().standing)[Body::head];
   const float crown = static_cast<float>(head.centre.z() + head.half_length + head.radius);
   Threat threat;
   threat.position = head.centre.cast<float>();
@@ -219,7 +219,7 @@ TEST(PredictImpact, OfABallAtRestIsWhenItHasFallenOnTheHead) {
 
 // Down at 45 degrees before the toes: it would reach them by going on into the ground.
 TEST(PredictImpact, ABallThatBouncesFirstMisses) {
-  const Outline foot = figure().outlines(figure().standing)[Body::left_foot];
+  const motion::Outline foot = figure().outlines(figure().standing)[Body::left_foot];
   Threat threat;
   threat.velocity = {-10, 0, -10};
   Eigen::Vector3f bounce = foot.centre.cast<float>();
@@ -260,7 +260,7 @@ TEST(PredictImpact, LaterThanTheHorizonIsAMiss) {
 }
 
 TEST(PredictImpact, ABallInsideABodyTouchesIt) {
-  for (const Outline& outline : figure().outlines(figure().standing)) {
+  for (const motion::Outline& outline : figure().outlines(figure().standing)) {
     Threat threat;
     threat.position = outline.centre.cast<float>();
     threat.velocity = {0, 0, 3};
@@ -315,7 +315,7 @@ TEST(PredictImpact, AHeldPoseIsAnIdleClipOfOnePose) {
 
 TEST(PredictImpact, TakesPosesFromAnyFunctionOfTime) {
   // Walks into a ball that hangs in the air 1 m ahead of its chest.
-  const Outline chest = figure().outlines(figure().standing)[Body::chest];
+  const motion::Outline chest = figure().outlines(figure().standing)[Body::chest];
   Threat threat;
   threat.position = chest.centre.cast<float>() + Eigen::Vector3f(1, 0, 0);
   const auto walks = [&](float time_s) {

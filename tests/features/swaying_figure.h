@@ -26,14 +26,14 @@ struct SwayingFigure {
   SwayingFigure& operator=(const SwayingFigure&) = delete;
 
   /// Straight from the joints, in double.
-  motion::PerBody<features::Outline> outlines(const motion::Pose& pose) const {
+  motion::PerBody<motion::Outline> outlines(const motion::Pose& pose) const {
     const motion::JointFrames frames = forward_kinematics(character.skeleton, pose);
-    motion::PerBody<features::Outline> outlines;
+    motion::PerBody<motion::Outline> outlines;
     for (motion::Body body : motion::kBodies) {
       const motion::Role role = role_of(body);
       const motion::Shape& shape = model[body].shape;
-      features::Outline& outline = outlines[body];
-      outline = features::outline_of(shape);
+      motion::Outline& outline = outlines[body];
+      outline = motion::outline_of(shape);
       outline.centre =
           (frames.position[role] + frames.orientation[role] * shape.centre).cast<double>();
       outline.orientation = (frames.orientation[role] * shape.orientation).cast<double>();
@@ -47,7 +47,7 @@ struct SwayingFigure {
   /// From the nearest body.
   double gap(const motion::Pose& pose, const Eigen::Vector3d& ball, double radius) const {
     double least = std::numeric_limits<double>::infinity();
-    for (const features::Outline& outline : outlines(pose)) {
+    for (const motion::Outline& outline : outlines(pose)) {
       least = std::min(least, clearance(ball, radius, outline).gap);
     }
     return least;

@@ -7,13 +7,13 @@
 
 #include "tests/motion/random_outlines.h"
 
-namespace flinch::features {
+namespace flinch::motion {
 namespace {
 
 /// A point of the surface or inside, by its definition rather than by the code under test.
 bool contains(const Outline& outline, const Eigen::Vector3d& point) {
   const Eigen::Vector3d local = outline.orientation.conjugate() * (point - outline.centre);
-  if (outline.kind == motion::Shape::Kind::box) {
+  if (outline.kind == Shape::Kind::box) {
     return ((outline.half_extents - local.cwiseAbs()).array() >= 0).all();
   }
   const double along = std::clamp(local.z(), -outline.half_length, outline.half_length);
@@ -44,7 +44,7 @@ TEST(Clearance, GapIsTheRadiusAtWhichTheBallFirstReachesTheShape) {
 
 TEST(Clearance, FromInsideABoxGoesThroughTheNearestFace) {
   Outline box;
-  box.kind = motion::Shape::Kind::box;
+  box.kind = Shape::Kind::box;
   box.half_extents = {0.3, 0.2, 0.1};
   const Clearance near = clearance({0.05, 0.05, -0.08}, 0.01, box);
   EXPECT_NEAR(near.gap, -0.03, 1e-12);
@@ -53,4 +53,4 @@ TEST(Clearance, FromInsideABoxGoesThroughTheNearestFace) {
 }
 
 }  // namespace
-}  // namespace flinch::features
+}  // namespace flinch::motion

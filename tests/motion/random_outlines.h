@@ -23,8 +23,8 @@ class RandomOutlines {
     return {x, y, z};
   }
 
-  features::Outline outline() {
-    features::Outline outline;
+  motion::Outline outline() {
+    motion::Outline outline;
     outline.kind = number(0, 1) < 0.5 ? motion::Shape::Kind::capsule : motion::Shape::Kind::box;
     outline.radius = number(0.02, 0.15);
     outline.half_length = number(0, 0.3);

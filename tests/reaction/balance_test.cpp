@@ -8,7 +8,7 @@
 
 #include "tests/sim/figure_motions.h"
 
-namespace flinch::sim {
+namespace flinch::reaction {
 namespace {
 
 using motion::Body;
@@ -53,15 +53,15 @@ TEST(DistanceOutside, OfALineAndOfAPoint) {
   EXPECT_DOUBLE_EQ(distance_outside(std::span(line).first(1), {3, 4}), 5);
 }
 
-motion::PerBody<BodyState> standing_that_moves(const FigurePlan& plan,
-                                               const Eigen::Vector3d& velocity) {
-  auto bodies = state_at_rest(plan.skeleton, plan.model, scenes::standing(plan.skeleton)).body;
-  for (BodyState& body : bodies) body.velocity = velocity;
+motion::PerBody<sim::BodyState> standing_that_moves(const sim::FigurePlan& plan,
+                                                    const Eigen::Vector3d& velocity) {
+  auto bodies = sim::state_at_rest(plan.skeleton, plan.model, scenes::standing(plan.skeleton)).body;
+  for (sim::BodyState& body : bodies) body.velocity = velocity;
   return bodies;
 }
 
 TEST(Balance, IsLostByTheExtrapolatedCentreBeyondTheToes) {
-  const FigurePlan plan(motion::default_character());
+  const sim::FigurePlan plan(motion::default_character());
   const auto still = standing_that_moves(plan, Eigen::Vector3d::Zero());
   EXPECT_EQ(out_of_balance_m(plan, still), 0);
   double toes = 0;
@@ -78,7 +78,7 @@ TEST(Balance, IsLostByTheExtrapolatedCentreBeyondTheToes) {
 }
 
 TEST(Balance, AStepSavesAPushOfOneMetreASecondAndNotOneOfThree) {
-  const FigurePlan plan(motion::default_character());
+  const sim::FigurePlan plan(motion::default_character());
   const auto out_m = [&](double speed) {
     return out_of_balance_m(plan, standing_that_moves(plan, {0, speed, 0}));
   };
@@ -88,4 +88,4 @@ TEST(Balance, AStepSavesAPushOfOneMetreASecondAndNotOneOfThree) {
 }
 
 }  // namespace
-}  // namespace flinch::sim
+}  // namespace flinch::reaction

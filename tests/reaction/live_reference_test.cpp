@@ -7,7 +7,7 @@
 
 #include "tests/reaction/reaction_scenes.h"
 
-namespace flinch::sim {
+namespace flinch::reaction {
 namespace {
 
 using motion::Body;
@@ -15,7 +15,7 @@ using motion::Body;
 constexpr double kStep_s = 1.0 / 120;
 
 TEST(LiveReference, NeverJumpsAndHasTheVelocityOfItsPathWhateverTheFrames) {
-  const FigurePlan plan(motion::default_character());
+  const sim::FigurePlan plan(motion::default_character());
   std::mt19937 generator(11);
   std::uniform_real_distribution<double> uneven(0.001, 0.03);
   for (const auto& [name, motion] : scenes::motions_by_rule(plan.skeleton)) {
@@ -24,19 +24,19 @@ TEST(LiveReference, NeverJumpsAndHasTheVelocityOfItsPathWhateverTheFrames) {
     LiveReference reference(plan, scenes::pose_at(motion, frame_s - 0.01),
                             scenes::pose_at(motion, frame_s), 0.01);
     double reached_s = 0;
-    ReferenceState last = reference.at(reached_s);
+    sim::ReferenceState last = reference.at(reached_s);
     while (frame_s < 0.6) {
       const double dt_s = uneven(generator);
       frame_s += dt_s;
       reference.add(scenes::pose_at(motion, frame_s), dt_s, reached_s);
-      const ReferenceState same = reference.at(reached_s);
+      const sim::ReferenceState same = reference.at(reached_s);
       for (Body body : motion::kBodies) {
         EXPECT_LT((same.body[body].position - last.body[body].position).norm(), 1e-9) << name;
         EXPECT_LT(same.body[body].orientation.angularDistance(last.body[body].orientation), 1e-7);
         EXPECT_LT((same.socket[body] - last.socket[body]).norm(), 1e-9);
       }
       while (reached_s < frame_s - begin_s) {
-        const ReferenceState next = reference.at(reached_s + kStep_s);
+        const sim::ReferenceState next = reference.at(reached_s + kStep_s);
         for (Body body : motion::kBodies) {
           const Eigen::Vector3d moved = next.body[body].position - last.body[body].position;
           EXPECT_LT((moved - kStep_s * next.body[body].velocity).norm(), 1e-9) << name;
@@ -44,8 +44,8 @@ TEST(LiveReference, NeverJumpsAndHasTheVelocityOfItsPathWhateverTheFrames) {
         reached_s += kStep_s;
         last = next;
       }
-      const auto wanted =
-          state_at_rest(plan.skeleton, plan.model, scenes::pose_at(motion, begin_s + reached_s));
+      const auto wanted = sim::state_at_rest(plan.skeleton, plan.model,
+                                             scenes::pose_at(motion, begin_s + reached_s));
       for (Body body : motion::kBodies) {
         EXPECT_LT((last.body[body].position - wanted.body[body].position).norm(), 0.03) << name;
       }
@@ -54,4 +54,4 @@ TEST(LiveReference, NeverJumpsAndHasTheVelocityOfItsPathWhateverTheFrames) {
 }
 
 }  // namespace
-}  // namespace flinch::sim
+}  // namespace flinch::reaction

@@ -11,7 +11,7 @@
 #include "tests/reaction/reaction_player.h"
 #include "tests/runtime/made_up_selector.h"
 
-namespace flinch::sim {
+namespace flinch::reaction {
 namespace {
 
 using motion::Role;
@@ -49,10 +49,10 @@ const runtime::Library& with_push() {
 }
 
 /// A volleyball at the middle of the chest as it is shown, there in 0.05 s.
-Ball ball_at_chest(const runtime::Library& library, const motion::Pose& pose, double mass_kg) {
+sim::Ball ball_at_chest(const runtime::Library& library, const motion::Pose& pose, double mass_kg) {
   const motion::Skeleton& skeleton = library.clips().character.skeleton;
   const Eigen::Vector3f chest = forward_kinematics(skeleton, pose).position[Role::chest];
-  Ball ball = scenes::aimed_ball(chest.cast<double>(), {-14, 2, 0}, 0.05);
+  sim::Ball ball = scenes::aimed_ball(chest.cast<double>(), {-14, 2, 0}, 0.05);
   ball.mass_kg = mass_kg;
   return ball;
 }
@@ -172,7 +172,7 @@ TEST(ReactingCharacter, RefusesBadInputAndGoesOn) {
   std::size_t k = 0;
   for (float time_s = 0; time_s < 2; time_s += kFrame_s) {
     for (float dt_s : {0.0F, -1.0F, kNan}) EXPECT_EQ(hit.update(dt_s), ReactionStatus::bad_time);
-    Ball bad = ball_at_chest(plain(), hit.pose(), 0.27);
+    sim::Ball bad = ball_at_chest(plain(), hit.pose(), 0.27);
     bad.velocity.x() = static_cast<double>(kNan);
     EXPECT_EQ(hit.meet(bad), ReactionStatus::bad_ball);
     if (hit.mover() == Mover::physics) {
@@ -192,4 +192,4 @@ TEST(ReactingCharacter, RefusesBadInputAndGoesOn) {
 }
 
 }  // namespace
-}  // namespace flinch::sim
+}  // namespace flinch::reaction

@@ -5,7 +5,7 @@
 #include "tests/reaction/reaction_scenes.h"
 #include "tests/scenes/allocation_count.h"
 
-namespace flinch::sim {
+namespace flinch::reaction {
 namespace {
 
 TEST(Reaction, AllocatesNothingOnceBegun) {
@@ -32,4 +32,4 @@ TEST(Reaction, AllocatesNothingOnceBegun) {
 }
 
 }  // namespace
-}  // namespace flinch::sim
+}  // namespace flinch::reaction

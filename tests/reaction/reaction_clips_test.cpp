@@ -9,7 +9,7 @@
 
 #include "tests/sim/figure_motions.h"
 
-namespace flinch::sim {
+namespace flinch::reaction {
 namespace {
 
 constexpr float kFrame_s = 1.0F / 60;
@@ -115,4 +115,4 @@ TEST(ReactionClips, LeaveSomethingToPlay) {
 }
 
 }  // namespace
-}  // namespace flinch::sim
+}  // namespace flinch::reaction

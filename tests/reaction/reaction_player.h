@@ -22,7 +22,7 @@ inline const std::vector<NamedMotion>& motions() {
 }
 
 inline std::shared_ptr<const sim::FigurePlan> plan() {
-  static const auto shared = sim::make_figure_plan(character());
+  static const auto shared = reaction::make_figure_plan(character());
   return shared;
 }
 
@@ -85,19 +85,19 @@ inline Blow aimed_at(motion::Body body, const Eigen::Vector3d& velocity, double 
   return {&still, ball, kFrame_s};
 }
 
-inline sim::ReactionStatus advance(sim::Reaction& reaction, const Blow& blow, double since_s,
-                                   double dt_s) {
+inline reaction::ReactionStatus advance(reaction::Reaction& reaction, const Blow& blow,
+                                        double since_s, double dt_s) {
   const motion::Pose wanted = pose_at(*blow.motion, blow.begin_s + since_s);
   return reaction.advance(dt_s, wanted, wanted);
 }
 
 /// The poses shown, frame by frame, the one at begin first.
-inline std::vector<motion::Pose> play(sim::Reaction& reaction, const Blow& blow, double duration_s,
-                                      double frame_s = kFrame_s) {
-  EXPECT_EQ(begin(reaction, blow), sim::ReactionStatus::ok);
+inline std::vector<motion::Pose> play(reaction::Reaction& reaction, const Blow& blow,
+                                      double duration_s, double frame_s = kFrame_s) {
+  EXPECT_EQ(begin(reaction, blow), reaction::ReactionStatus::ok);
   std::vector<motion::Pose> poses{reaction.pose()};
   for (int k = 1; k * frame_s < duration_s + 1e-9; ++k) {
-    EXPECT_EQ(advance(reaction, blow, k * frame_s, frame_s), sim::ReactionStatus::ok);
+    EXPECT_EQ(advance(reaction, blow, k * frame_s, frame_s), reaction::ReactionStatus::ok);
     poses.push_back(reaction.pose());
   }
   return poses;

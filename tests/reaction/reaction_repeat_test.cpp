@@ -10,7 +10,7 @@
 
 #include "tests/reaction/reaction_player.h"
 
-namespace flinch::sim {
+namespace flinch::reaction {
 namespace {
 
 using motion::Role;
@@ -92,7 +92,7 @@ TEST(Reaction, RefusesBadInputAndStaysUsable) {
   no_turn.rotation[Role::head].w() = nan;
   motion::Pose not_unit = good;
   not_unit.rotation[Role::head].coeffs() *= 2;
-  std::vector<Ball> bad_balls(6, blow.ball);
+  std::vector<sim::Ball> bad_balls(6, blow.ball);
   bad_balls[0].position.x() = static_cast<double>(nan);
   bad_balls[1].velocity.z() = std::numeric_limits<double>::infinity();
   bad_balls[2].radius = 0;
@@ -110,7 +110,7 @@ TEST(Reaction, RefusesBadInputAndStaysUsable) {
       EXPECT_EQ(reaction.begin(bad, good, kFrame_s, &blow.ball), ReactionStatus::bad_pose);
       EXPECT_EQ(reaction.begin(good, bad, kFrame_s, &blow.ball), ReactionStatus::bad_pose);
     }
-    for (const Ball& bad : bad_balls) {
+    for (const sim::Ball& bad : bad_balls) {
       EXPECT_EQ(reaction.begin(good, good, kFrame_s, &bad), ReactionStatus::bad_ball);
     }
   };
@@ -143,4 +143,4 @@ TEST(Reaction, RefusesBadInputAndStaysUsable) {
 }
 
 }  // namespace
-}  // namespace flinch::sim
+}  // namespace flinch::reaction

@@ -7,7 +7,7 @@
 
 #include "tests/reaction/reaction_player.h"
 
-namespace flinch::sim {
+namespace flinch::reaction {
 namespace {
 
 using motion::Body;
@@ -132,4 +132,4 @@ TEST(Reaction, StretchesNoBone) {
 }
 
 }  // namespace
-}  // namespace flinch::sim
+}  // namespace flinch::reaction

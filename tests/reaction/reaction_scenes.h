@@ -44,7 +44,7 @@ inline std::vector<Blow> random_blows(const motion::Character& character,
   return blows;
 }
 
-inline sim::ReactionStatus begin(sim::Reaction& reaction, const Blow& blow) {
+inline reaction::ReactionStatus begin(reaction::Reaction& reaction, const Blow& blow) {
   return reaction.begin(pose_at(*blow.motion, blow.begin_s - kFrame_s),
                         pose_at(*blow.motion, blow.begin_s), kFrame_s, &blow.ball);
 }

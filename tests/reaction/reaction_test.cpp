@@ -8,7 +8,7 @@
 
 #include "tests/reaction/reaction_player.h"
 
-namespace flinch::sim {
+namespace flinch::reaction {
 namespace {
 
 using motion::Body;
@@ -50,7 +50,7 @@ TEST(Reaction, WithoutABallFollowsTheMotion) {
 }
 
 TEST(Reaction, TouchesWhenAndAsTheTrainersFigureDoes) {
-  const Simulator simulator(character(), {});
+  const sim::Simulator simulator(character(), {});
   int hits = 0;
   int alike = 0;
   for (const Blow& blow : blows()) {
@@ -58,7 +58,7 @@ TEST(Reaction, TouchesWhenAndAsTheTrainersFigureDoes) {
     play(reaction, blow, 0.1);
     EXPECT_NEAR(reaction.contact_s(), scenes::kLead_s, 0.001);
     ++hits;
-    Ball ball = blow.ball;
+    sim::Ball ball = blow.ball;
     const Eigen::Vector3d gravity(0, 0, -9.81);
     ball.velocity -= blow.begin_s * gravity;
     ball.position -= blow.begin_s * ball.velocity + blow.begin_s * blow.begin_s / 2 * gravity;
@@ -121,7 +121,7 @@ TEST(Reaction, FigureMovesFromTheVeryBeginning) {
     return pose;
   };
   const motion::Shape& skull = model()[Body::head].shape;
-  Ball ball;
+  sim::Ball ball;
   ball.position =
       (frames_of(now).position[Role::head] + skull.centre).cast<double>() +
       (static_cast<double>(skull.radius) + ball.radius + 5e-5) * Eigen::Vector3d::UnitX();
@@ -193,7 +193,7 @@ TEST(Reaction, BallFliesOnAndBouncesUntilItIsOver) {
   double highest_after = 0;
   for (int k = 1; k <= 120; ++k) {
     advance(reaction, blow, k * kFrame_s, kFrame_s);
-    const Ball ball = reaction.ball();
+    const sim::Ball ball = reaction.ball();
     EXPECT_LT((ball.position - last).norm(), 14 * kFrame_s);
     last = ball.position;
     lowest = std::min(lowest, ball.position.z());
@@ -205,4 +205,4 @@ TEST(Reaction, BallFliesOnAndBouncesUntilItIsOver) {
 }
 
 }  // namespace
-}  // namespace flinch::sim
+}  // namespace flinch::reaction

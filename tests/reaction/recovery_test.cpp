@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace flinch::sim {
+namespace flinch::reaction {
 namespace {
 
 TEST(RecoverySchedule, LeavesTheSimulationAloneThenBlendsInTheTimesOfThePaper) {
@@ -51,4 +51,4 @@ TEST(RecoverySchedule, WeightsGoOneWayAndHaveNoCorner) {
 }
 
 }  // namespace
-}  // namespace flinch::sim
+}  // namespace flinch::reaction

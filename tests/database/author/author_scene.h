@@ -15,7 +15,7 @@ using motion::radians;
 
 /// The default character at ease.
 struct Scene {
-  Figure figure = make_figure(motion::default_character());
+  motion::Figure figure = motion::make_figure(motion::default_character());
   motion::Pose start = standing_pose(figure);
   motion::JointFrames frames = motion::forward_kinematics(figure.skeleton(), start);
 

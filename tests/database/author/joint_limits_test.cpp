@@ -30,10 +30,10 @@ Eigen::Vector3f angles_deg(std::string_view name, const motion::JointFrames& fra
       .unaryExpr([](float angle) { return degrees(angle); });
 }
 
-motion::JointFrames frames_with_arm(const ArmAngles& angles) {
+motion::JointFrames frames_with_arm(const motion::ArmAngles& angles) {
   const test::Scene scene;
   motion::Pose pose = motion::rest_pose(scene.figure.skeleton());
-  for (Side side : kSides) set_arm(pose, side, angles);
+  for (Side side : motion::kSides) set_arm(pose, side, angles);
   return motion::forward_kinematics(scene.figure.skeleton(), pose);
 }
 
@@ -50,7 +50,7 @@ TEST(JointLimits, MeasureBothSidesAlike) {
 }
 
 TEST(JointLimits, AllowWhatPeopleDoAndNotWhatTheyCannot) {
-  const auto shoulder_excess = [](const ArmAngles& angles) {
+  const auto shoulder_excess = [](const motion::ArmAngles& angles) {
     const motion::JointFrames frames = frames_with_arm(angles);
     const JointLimits& limits = joint_limits_named("left_shoulder");
     return degrees(limit_excess(limits, relative_rotation(frames, limits.from, limits.to)));

@@ -128,7 +128,7 @@ TEST(TargetWeights, AreEquation34) {
   EXPECT_NEAR(weights.pelvis, 0.375F, 1e-6);
 }
 
-Eigen::Vector3f palm_of(const Figure& figure, const JointFrames& frames, Side side) {
+Eigen::Vector3f palm_of(const motion::Figure& figure, const JointFrames& frames, Side side) {
   const Role hand = motion::roles_of(arm_of(side)).end;
   return frames.position[hand] + frames.orientation[hand] * (0.5F * figure.skeleton().tip[hand]);
 }
@@ -149,7 +149,7 @@ TEST(Block, PutsBothPalmsBesideTheLineAtTheirReach) {
   const float hand = scene.figure.skeleton().tip[Role::left_hand].norm();
   const float farthest = std::min(0.9F, arm + 0.25F * hand);
   const float reach = farthest + 0.7F * (0.3F - farthest);
-  for (Side side : kSides) {
+  for (Side side : motion::kSides) {
     const Eigen::Vector3f palm = palm_of(scene.figure, frames, side);
     const Eigen::Vector3f from_target = palm - danger.target_point;
     const float along = from_target.dot(aim.to_threat);
@@ -183,7 +183,7 @@ TEST(Block, PutsHandsBehindTheHeadForAThreatFromBehind) {
   Pose pose = scene.start;
   block(scene.figure, scene.frames, aim, {}, pose);
   const JointFrames frames = motion::forward_kinematics(scene.figure.skeleton(), pose);
-  for (Side side : kSides) {
+  for (Side side : motion::kSides) {
     const Eigen::Vector3f palm = palm_of(scene.figure, frames, side);
     EXPECT_LT(palm.x(), frames.position[Role::head].x() - 0.05F);
     EXPECT_NEAR(palm.z(), frames.position[Role::head].z(), 0.12F);
@@ -192,8 +192,8 @@ TEST(Block, PutsHandsBehindTheHeadForAThreatFromBehind) {
 
 TEST(ApplyRules, KeepsFeetInPlaceAndNeckAndArmsWithinHumanLimits) {
   const Scene scene;
-  const PerSide<FootPlace> feet{foot_place(scene.frames, Side::left),
-                                foot_place(scene.frames, Side::right)};
+  const motion::PerSide<motion::FootPlace> feet{foot_place(scene.frames, Side::left),
+                                                foot_place(scene.frames, Side::right)};
   for (float azimuth = -180; azimuth < 180; azimuth += 15) {
     for (Target target : {Target::head, Target::trunk, Target::pelvis}) {
       const Danger danger = scene.danger(target, azimuth, 1);
@@ -202,7 +202,7 @@ TEST(ApplyRules, KeepsFeetInPlaceAndNeckAndArmsWithinHumanLimits) {
                                     aim_of(scene.figure, scene.start, danger), controls, feet);
       ASSERT_TRUE(test::is_finite(pose));
       const JointFrames frames = motion::forward_kinematics(scene.figure.skeleton(), pose);
-      for (Side side : kSides) {
+      for (Side side : motion::kSides) {
         EXPECT_LT((foot_place(frames, side).ankle - feet[index_of(side)].ankle).norm(), 1e-3F);
       }
       for (std::string_view name : {"neck", "trunk", "left_shoulder", "right_shoulder",

@@ -46,7 +46,7 @@ TEST(Transition, KeepsFeetHandsNeckAndCentreOfMassOnTheirWays) {
   for (float s = 0; s <= 1; s += 0.05F) {
     const JointFrames frames =
         motion::forward_kinematics(scene.figure.skeleton(), pose_at(scene.figure, transition, s));
-    for (Side side : kSides) {
+    for (Side side : motion::kSides) {
       EXPECT_LT((foot_place(frames, side).ankle - foot_place(scene.frames, side).ankle).norm(),
                 5e-4F);
     }

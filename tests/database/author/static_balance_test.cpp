@@ -44,7 +44,7 @@ TEST(StaticBalance, MovesTheCentreOfMassTenCentimetresTowardTheThreatWithFeetPla
     EXPECT_TRUE(balanced.feet_reach);
     EXPECT_GT(balanced.iterations, 0);
     const JointFrames frames = motion::forward_kinematics(scene.figure.skeleton(), balanced.pose);
-    for (Side side : kSides) {
+    for (Side side : motion::kSides) {
       EXPECT_LT((foot_place(frames, side).ankle - foot_place(scene.frames, side).ankle).norm(),
                 2e-3F);
     }
@@ -111,8 +111,8 @@ TEST(StaticBalance, TellsTheThreeCasesOfFigure310) {
 TEST(StaticBalance, PutsARaisedFootDownAndLeavesOneThatCannotReach) {
   const Scene scene;
   const Danger danger = scene.danger(Target::head, 0);
-  PerSide<FootPlace> feet{foot_place(scene.frames, Side::left),
-                          foot_place(scene.frames, Side::right)};
+  motion::PerSide<motion::FootPlace> feet{foot_place(scene.frames, Side::left),
+                                          foot_place(scene.frames, Side::right)};
   feet[0].ankle.z() += 0.2F;
   const Pose raised = with_feet(scene.figure.skeleton(), scene.start, feet);
   const JointFrames down = motion::forward_kinematics(

@@ -33,8 +33,7 @@ TEST(FigurePlan, InertiasAreThoseOfTheReferenceEngine) {
   for (Body body : motion::kBodies) {
     SCOPED_TRACE(name_of(body));
     const motion::BodyProperties& properties = plan.model[body];
-    const Eigen::Matrix3d turn =
-        properties.shape.orientation.cast<double>().toRotationMatrix();
+    const Eigen::Matrix3d turn = properties.shape.orientation.cast<double>().toRotationMatrix();
     const Eigen::Matrix3d expected =
         turn * inertia_by_ode(properties.shape, double{properties.mass_kg}) * turn.transpose();
     EXPECT_LT((plan.inertia[body] - expected).norm(), 1e-6 * expected.norm());

@@ -37,7 +37,7 @@ class FreeSphere {
       const MovingShape shape = outline();
       contacts_.clear();
       const StepAhead ahead = step_ahead(ball_.flight(), {&shape, 1}, options_);
-      const features::Clearance near =
+      const motion::Clearance near =
           clearance(ball_.flight().position, ball_.flight().radius, shape);
       if (hits(ball_.flight(), shape, near)) {
         contacts_.add_hit(ball_.body(), body_, Body::head, near, options_.restitution);

@@ -132,7 +132,7 @@ TEST_F(TreeSceneTest, StepsFiguresInContactAsOdeDoes) {
     for (int k = 0; k < i % 4; ++k) {
       const Body hit = body();
       const Eigen::Vector3d normal = random.vector(1).normalized();
-      const features::Clearance near{0, thrown.position - thrown.radius * normal, normal};
+      const motion::Clearance near{0, thrown.position - thrown.radius * normal, normal};
       both([&](auto& scene) { scene.add_hit(hit, near, 0.7); });
       ++rubbed;
     }
@@ -141,8 +141,8 @@ TEST_F(TreeSceneTest, StepsFiguresInContactAsOdeDoes) {
       const Body first = body();
       const Body second = body();
       if (first == second) continue;
-      const features::Clearance near{0, start.body[first].position + random.vector(0.1),
-                                     random.vector(1).normalized()};
+      const motion::Clearance near{0, start.body[first].position + random.vector(0.1),
+                                   random.vector(1).normalized()};
       const double closing = random.uniform(0, 1);
       both([&](auto& scene) { scene.add_push(first, second, near, closing, true); });
     }
