@@ -46,7 +46,7 @@ features::Threat ball_of(const Throw& thrown) {
 }
 
 float head_height(const runtime::Library& library, const motion::Pose& pose) {
-  const auto frames = motion::forward_kinematics(library.clips().character.skeleton, pose);
+  const auto frames = motion::forward_kinematics(library.clip_library().character.skeleton, pose);
   return frames.position[motion::Role::head].z();
 }
 
@@ -80,7 +80,7 @@ int main(int argument_count, char** arguments) {
   const database::LoadStatus loaded = library.load(std::string(arguments[1]));
   runtime::Workspace workspace;
   if (loaded != database::LoadStatus::ok ||
-      workspace.make_room(library.selection_bytes()) != database::LoadStatus::ok) {
+      workspace.reserve_memory(library.selection_bytes()) != database::LoadStatus::ok) {
     std::fprintf(stderr, "game_loop: %s %s\n", arguments[1], message_of(loaded));
     return 1;
   }

@@ -28,18 +28,18 @@ features::Threat thrown_ball() {
 }
 
 /// Prints who moves the character whenever that changes.
-void tell(float time_s, const reaction::ReactingCharacter& hero, reaction::Mover& last) {
-  if (hero.mover() == last) return;
-  last = hero.mover();
+void tell(float time_s, const reaction::ReactingCharacter& hero, reaction::PoseSource& last) {
+  if (hero.pose_source() == last) return;
+  last = hero.pose_source();
   std::printf("%5.2f s  moved by %s\n", static_cast<double>(time_s), name_of(last));
 }
 
 /// Throws one ball after a second and plays until the character idles again.
 bool play(const runtime::Library& library, runtime::Workspace& workspace) {
-  const auto kit = reaction::make_reaction_kit(library);
-  reaction::ReactingCharacter hero(library, kit);
+  const auto data = reaction::make_reaction_data(library);
+  reaction::ReactingCharacter hero(library, data);
   const features::Threat threat = thrown_ball();
-  reaction::Mover last = hero.mover();
+  reaction::PoseSource last = hero.pose_source();
   float flown_s = -1;  // of the ball; it is thrown at 0
   bool is_met = false;
   for (int frame = 0; frame < 600; ++frame) {
@@ -50,7 +50,7 @@ bool play(const runtime::Library& library, runtime::Workspace& workspace) {
       if (status != runtime::Status::ok) return false;
     }
     if (!is_met && flown_s >= kFlight_s - kAhead_s) {
-      is_met = hero.meet(reaction::ball_of(features::advanced(threat, flown_s))) ==
+      is_met = hero.react_to(reaction::ball_of(features::advanced(threat, flown_s))) ==
                reaction::ReactionStatus::ok;
     }
     if (hero.update(kFrame_s) != reaction::ReactionStatus::ok) return false;
@@ -62,7 +62,7 @@ bool play(const runtime::Library& library, runtime::Workspace& workspace) {
   for (const double part : hero.reaction().impulse()) impulse_ns += part;
   std::printf("the body took %.1f N s; it ends %s\n", impulse_ns,
               runtime::name_of(hero.character().phase()));
-  return is_met && hero.mover() == reaction::Mover::character &&
+  return is_met && hero.pose_source() == reaction::PoseSource::character &&
          hero.character().phase() == runtime::Phase::idle;
 }
 
@@ -72,7 +72,7 @@ int main(int argument_count, char** arguments) {
   runtime::Library library;
   runtime::Workspace workspace;
   if (argument_count != 2 || library.load(arguments[1]) != database::LoadStatus::ok ||
-      workspace.make_room(library.selection_bytes()) != database::LoadStatus::ok) {
+      workspace.reserve_memory(library.selection_bytes()) != database::LoadStatus::ok) {
     std::fprintf(stderr, "usage: reaction SELECTOR, which can be loaded\n");
     return 2;
   }

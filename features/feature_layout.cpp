@@ -13,8 +13,8 @@ static_assert(sizeof(Geometry) == sizeof(float) * kGeometryCount);
 
 constexpr auto kPaperCount = static_cast<std::size_t>(kFeatureCount);
 
-constexpr std::array<std::string_view, kMostFeatures> kAllNames = [] {
-  std::array<std::string_view, kMostFeatures> names;
+constexpr std::array<std::string_view, kMaxFeatures> kAllNames = [] {
+  std::array<std::string_view, kMaxFeatures> names;
   std::copy(kFeatureNames.begin(), kFeatureNames.end(), names.begin());
   std::copy(kGeometryNames.begin(), kGeometryNames.end(), names.begin() + kFeatureCount);
   return names;
@@ -126,7 +126,7 @@ FeatureVector feature_vector(const Layout& layout, const Scenario& scenario,
   Geometry geometry{};
   if (layout.has_geometry()) {
     geometry =
-        geometry_of(scenario, character_ahead(figure, scenario.state, scenario.time_to_impact_s));
+        geometry_of(scenario, predict_character(figure, scenario.state, scenario.time_to_impact_s));
   }
   return arranged(layout, features, geometry);
 }
@@ -135,7 +135,7 @@ FeatureVector feature_vector(const Layout& layout, const Scenario& scenario,
                              const TargetCentres& centres) {
   motion::Motion still;
   still.poses.emplace_back();
-  const CharacterAhead ahead{Eigen::Vector3f::Zero(), centres};
+  const PredictedCharacter ahead{Eigen::Vector3f::Zero(), centres};
   return arranged(layout, features_of(scenario, still), geometry_of(scenario, ahead));
 }
 

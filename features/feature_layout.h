@@ -36,7 +36,7 @@ class Layout {
 
   int size_ = 0;
   /// Places in kFeatureNames followed by kGeometryNames; 0 beyond the size.
-  std::array<std::uint8_t, kMostFeatures> component_{};
+  std::array<std::uint8_t, kMaxFeatures> component_{};
 };
 
 /// A layout that has a name of its own.

@@ -52,8 +52,8 @@ FeatureVector to_vector(const Features& features) {
 
 void Scaling::apply(std::span<const float> raw, std::span<double> scaled) const {
   for (std::size_t i = 0; i < scaled.size(); ++i) {
-    const double range = most[i] - least[i];
-    const double value = range > 0 ? -1 + 2 * (static_cast<double>(raw[i]) - least[i]) / range : 0;
+    const double range = max[i] - min[i];
+    const double value = range > 0 ? -1 + 2 * (static_cast<double>(raw[i]) - min[i]) / range : 0;
     scaled[i] = static_cast<double>(static_cast<float>(value));
   }
 }
@@ -62,8 +62,8 @@ Scaling make_scaling(std::span<const FeatureVector> rows, std::span<const std::s
   if (rows.empty()) throw Error("", "no observations to make a feature scaling from");
   Scaling scaling;
   const std::span<const float> first = std::span(rows.front()).first(names.size());
-  scaling.least.assign(first.begin(), first.end());
-  scaling.most = scaling.least;
+  scaling.min.assign(first.begin(), first.end());
+  scaling.max = scaling.min;
   for (std::size_t row = 0; row < rows.size(); ++row) {
     for (std::size_t i = 0; i < names.size(); ++i) {
       const double value = rows[row][i];
@@ -71,8 +71,8 @@ Scaling make_scaling(std::span<const FeatureVector> rows, std::span<const std::s
         throw Error("", "feature " + names[i] + " of observation " + std::to_string(row) +
                             " is not a finite number");
       }
-      scaling.least[i] = std::min(scaling.least[i], value);
-      scaling.most[i] = std::max(scaling.most[i], value);
+      scaling.min[i] = std::min(scaling.min[i], value);
+      scaling.max[i] = std::max(scaling.max[i], value);
     }
   }
   return scaling;

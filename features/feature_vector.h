@@ -39,10 +39,10 @@ inline constexpr std::array<std::string_view, kFeatureCount> kFeatureNames{
 Features features_of(const Scenario& scenario, const motion::Motion& idle);
 
 /// The most components that a selector's features have.
-inline constexpr int kMostFeatures = kFeatureCount + 17;
+inline constexpr int kMaxFeatures = kFeatureCount + 17;
 
 /// Components in the order of some layout (features/feature_layout.h), 0 beyond its size.
-using FeatureVector = std::array<float, kMostFeatures>;
+using FeatureVector = std::array<float, kMaxFeatures>;
 
 /// In the order of kFeatureNames.
 FeatureVector to_vector(const Features& features);
@@ -50,12 +50,12 @@ FeatureVector to_vector(const Features& features);
 /// Brings each component into [-1, 1] over the observations that it was made from, as libsvm's
 /// svm-scale does; a component that never varies becomes 0.
 struct Scaling {
-  std::vector<double> least;  ///< one a component
-  std::vector<double> most;
+  std::vector<double> min;  ///< one a component
+  std::vector<double> max;
 
-  /// scaled_i = -1 + 2 (x_i - least_i) / (most_i - least_i), in double and rounded to a float, so
+  /// scaled_i = -1 + 2 (x_i - min_i) / (max_i - min_i), in double and rounded to a float, so
   /// that what a model keeps is what other tools are given; of the first scaled.size() components,
-  /// as many as `least` and `most` have. Values outside of the observed range go beyond [-1, 1].
+  /// as many as `min` and `max` have. Values outside of the observed range go beyond [-1, 1].
   void apply(std::span<const float> raw, std::span<double> scaled) const;
 };
 

@@ -24,32 +24,32 @@ Path make_path(const Eigen::Vector3f& point, const Eigen::Vector3f& velocity) {
 }
 
 /// Where the path is nearest to `centre`, from it.
-Eigen::Vector3f pass(const Path& path, const Eigen::Vector3f& centre) {
+Eigen::Vector3f closest_approach(const Path& path, const Eigen::Vector3f& centre) {
   const Eigen::Vector3f offset = path.point - centre;
   return offset - offset.dot(path.direction) * path.direction;
 }
 
 }  // namespace
 
-Geometry geometry_of(const Scenario& scenario, const CharacterAhead& character) {
+Geometry geometry_of(const Scenario& scenario, const PredictedCharacter& character) {
   const Eigen::Quaternionf to_character(
       Eigen::AngleAxisf(-scenario.state.facing, Eigen::Vector3f::UnitZ()));
   const Eigen::Vector3f origin(character.pelvis.x(), character.pelvis.y(), 0);
   const Threat then = advanced(scenario.threat, scenario.time_to_impact_s);
   const Path path =
       make_path(to_character * (then.position - origin), to_character * then.velocity);
-  const auto pass_of = [&](motion::Target target) -> Eigen::Vector3f {
+  const auto closest_approach_to = [&](motion::Target target) -> Eigen::Vector3f {
     const Eigen::Vector3f& centre = character.target_centres[static_cast<std::size_t>(target)];
-    return pass(path, to_character * (centre - origin));
+    return closest_approach(path, to_character * (centre - origin));
   };
   const Eigen::Vector3f aimed =
       to_character * (character.target_centres[static_cast<std::size_t>(scenario.target)] - origin);
-  const Eigen::Vector3f offset = pass_of(scenario.target);
+  const Eigen::Vector3f offset = closest_approach_to(scenario.target);
   const Eigen::Vector3f contact = aimed + offset;
-  const Eigen::Vector3f head = pass_of(motion::Target::head);
-  const Eigen::Vector3f trunk = pass_of(motion::Target::trunk);
-  const Eigen::Vector3f pelvis = pass_of(motion::Target::pelvis);
-  const Eigen::Vector3f legs = pass_of(motion::Target::legs);
+  const Eigen::Vector3f head = closest_approach_to(motion::Target::head);
+  const Eigen::Vector3f trunk = closest_approach_to(motion::Target::trunk);
+  const Eigen::Vector3f pelvis = closest_approach_to(motion::Target::pelvis);
+  const Eigen::Vector3f legs = closest_approach_to(motion::Target::legs);
   return {.contact_x = contact.x(),
           .contact_y = contact.y(),
           .contact_z = contact.z(),
@@ -69,11 +69,11 @@ Geometry geometry_of(const Scenario& scenario, const CharacterAhead& character) 
           .miss_legs_up = legs.dot(path.up)};
 }
 
-CharacterAhead character_ahead(const IdlingFigure& figure, const CharacterState& state,
-                               float time_s) {
+PredictedCharacter predict_character(const IdlingFigure& figure, const CharacterState& state,
+                                     float time_s) {
   const motion::Pose pose = idle_pose(*figure.idle, state, time_s);
   const motion::JointFrames frames = motion::forward_kinematics(*figure.skeleton, pose);
-  CharacterAhead ahead;
+  PredictedCharacter ahead;
   ahead.pelvis = pose.root_position;
   for (int target = 0; target < motion::kTargetCount; ++target) {
     ahead.target_centres[static_cast<std::size_t>(target)] =

@@ -10,7 +10,7 @@
 namespace flinch::features {
 
 /// A character at the predicted contact, if it keeps on idling until then. World, m.
-struct CharacterAhead {
+struct PredictedCharacter {
   Eigen::Vector3f pelvis = Eigen::Vector3f::Zero();
   TargetCentres target_centres{};
 };
@@ -45,7 +45,7 @@ inline constexpr std::array<std::string_view, kGeometryCount> kGeometryNames{
     "miss_legs_side", "miss_legs_up"};
 
 /// Of a scenario, with the character as it will be.
-Geometry geometry_of(const Scenario& scenario, const CharacterAhead& character);
+Geometry geometry_of(const Scenario& scenario, const PredictedCharacter& character);
 
 /// A character that idles with `idle`. Refers to all three, which must outlive it.
 struct IdlingFigure {
@@ -55,7 +55,7 @@ struct IdlingFigure {
 };
 
 /// The character `time_s` after perception. A few hundred nanoseconds.
-CharacterAhead character_ahead(const IdlingFigure& figure, const CharacterState& state,
-                               float time_s);
+PredictedCharacter predict_character(const IdlingFigure& figure, const CharacterState& state,
+                                     float time_s);
 
 }  // namespace flinch::features

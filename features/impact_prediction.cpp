@@ -14,30 +14,31 @@ namespace {
 using motion::Body;
 using motion::Target;
 
-constexpr double kTouch = 1e-3;  // m
+constexpr double kContactTolerance_m = 1e-3;  // m
 /// Nearer than this to the sphere about the figure, its bodies are looked at.
-constexpr double kNear = 0.05;  // m
+constexpr double kNearDistance_m = 0.05;  // m
 /// A path that comes no nearer than by this to another target is aimed at the one that it strikes.
-constexpr double kPreference = 0.05;  // m
+constexpr double kStruckTargetMargin_m = 0.05;  // m
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 constexpr std::array<std::string_view, 4> kOutcomeNames{"unusable", "miss", "impact", "touching"};
 
-bool is_within(const Eigen::Vector3f& vector, float most) {
-  return vector.allFinite() && vector.cwiseAbs().maxCoeff() <= most;
+bool is_within(const Eigen::Vector3f& vector, float max) {
+  return vector.allFinite() && vector.cwiseAbs().maxCoeff() <= max;
 }
 
-bool is_within(float number, float most) {
-  return number >= 0 && number <= most;  // false for NaN
+bool is_within(float number, float max) {
+  return number >= 0 && number <= max;  // false for NaN
 }
 
-bool can_use(const Threat& threat, const SweptFigure& figure, const Sway& sway,
-             const PredictionOptions& options) {
-  return figure.skeleton && figure.model && is_within(figure.reach_m, kMostExtent) &&
-         is_within(threat.position, kMostExtent) && is_within(threat.velocity, kMostExtent) &&
-         is_within(threat.radius, kMostExtent) && is_within(options.horizon_s, kMostHorizon) &&
-         is_within(options.gravity_mps2, kMostExtent) && is_within(sway.middle, kMostExtent) &&
-         is_within(sway.radius, kMostExtent) && is_within(sway.most_speed_mps, kMostSwaySpeed);
+bool is_valid_input(const Threat& threat, const CollisionFigure& figure, const MotionBounds& bounds,
+                    const PredictionOptions& options) {
+  return figure.skeleton && figure.model && is_within(figure.reach_m, kMaxExtent) &&
+         is_within(threat.position, kMaxExtent) && is_within(threat.velocity, kMaxExtent) &&
+         is_within(threat.radius, kMaxExtent) && is_within(options.horizon_s, kMaxHorizon_s) &&
+         is_within(options.gravity_mps2, kMaxExtent) &&
+         is_within(bounds.pelvis_centre, kMaxExtent) && is_within(bounds.radius, kMaxExtent) &&
+         is_within(bounds.max_speed_mps, kMaxSurfaceSpeed_mps);
 }
 
 // A gap to a convex outline is convex along a straight line, so while the ball closes at c = -n·v
@@ -70,10 +71,13 @@ double time_nearest(const FreeFlight& ball, const Eigen::Vector3d& centre, doubl
 }
 
 /// A ball on its way to a figure.
-class Sweep {
+class ImpactSearch {
  public:
-  Sweep(const FreeFlight& ball, const SweptFigure& figure, const PosesAhead& ahead)
-      : ball_(ball), figure_(figure), ahead_(ahead), middle_(ahead.sway().middle.cast<double>()) {}
+  ImpactSearch(const FreeFlight& ball, const CollisionFigure& figure, const PredictedMotion& ahead)
+      : ball_(ball),
+        figure_(figure),
+        ahead_(ahead),
+        pelvis_centre_(ahead.bounds().pelvis_centre.cast<double>()) {}
 
   PredictedImpact until(double horizon_s) {
     double time_s = 0;
@@ -83,9 +87,9 @@ class Sweep {
         time_s += step_s;
         continue;
       }
-      const double step_inside_s = look_at_bodies(time_s);
+      const double step_inside_s = update_nearest_body(time_s);
       if (std::isnan(step_inside_s)) return {};
-      if (nearest_.gap <= kTouch) return impact_at(time_s);
+      if (nearest_.gap <= kContactTolerance_m) return impact_at(time_s);
       time_s += step_inside_s;
     }
     return {.outcome = Outcome::miss};
@@ -94,19 +98,20 @@ class Sweep {
  private:
   /// How long the ball stays outside of the sphere about the figure; 0 near it.
   double step_outside(double time_s) const {
-    const Eigen::Vector3d offset = ball_.position_at(time_s) - middle_;
+    const Eigen::Vector3d offset = ball_.position_at(time_s) - pelvis_centre_;
     const double distance = offset.norm();
-    const Sway& sway = ahead_.sway();
-    const double gap = distance - ball_.radius - static_cast<double>(sway.radius + figure_.reach_m);
-    if (gap < kNear) return 0;
+    const MotionBounds& bounds = ahead_.bounds();
+    const double gap =
+        distance - ball_.radius - static_cast<double>(bounds.radius + figure_.reach_m);
+    if (gap < kNearDistance_m) return 0;
     const double closing_mps = -offset.dot(ball_.velocity_at(time_s)) / distance;
     return safe_step(gap, closing_mps, ball_.gravity_mps2);
   }
 
   /// Finds the nearest body. Returns how long none can be touched; NaN for a pose that is none.
-  double look_at_bodies(double time_s) {
-    const Sway& sway = ahead_.sway();
-    if (!has_outlines_ || sway.most_speed_mps > 0) place_bodies(time_s);
+  double update_nearest_body(double time_s) {
+    const MotionBounds& bounds = ahead_.bounds();
+    if (!has_outlines_ || bounds.max_speed_mps > 0) place_bodies(time_s);
     const Eigen::Vector3d centre = ball_.position_at(time_s);
     const Eigen::Vector3d velocity = ball_.velocity_at(time_s);
     nearest_.gap = kInfinity;
@@ -119,11 +124,12 @@ class Sweep {
         nearest_ = near;
         nearest_body_ = body;
       }
-      // Half of kTouch may be skipped too: it keeps a ball that glides past from taking for ever.
+      // Half of kContactTolerance_m may be skipped too: it keeps a ball that glides past from
+      // taking for ever.
       const double closing_mps =
-          static_cast<double>(sway.most_speed_mps) - near.normal.dot(velocity);
-      step_s = std::min(step_s, safe_step(std::max(near.gap - 0.5 * kTouch, 0.0), closing_mps,
-                                          ball_.gravity_mps2));
+          static_cast<double>(bounds.max_speed_mps) - near.normal.dot(velocity);
+      step_s = std::min(step_s, safe_step(std::max(near.gap - 0.5 * kContactTolerance_m, 0.0),
+                                          closing_mps, ball_.gravity_mps2));
     }
     return std::isfinite(sum) ? step_s : std::numeric_limits<double>::quiet_NaN();
   }
@@ -134,7 +140,7 @@ class Sweep {
 
   void place_bodies(double time_s) {
     frames_ = frames_at(time_s);
-    outlines_ = outlines_of(*figure_.model, frames_);
+    outlines_ = collision_shapes_of(*figure_.model, frames_);
     has_outlines_ = true;
   }
 
@@ -153,21 +159,21 @@ class Sweep {
   /// Which target the threat is aimed at, and when it would be there.
   void aim(PredictedImpact& impact) const {
     const double touch_s = static_cast<double>(impact.touch_s);
-    double least = kInfinity;
+    double min_distance = kInfinity;
     double time_s = touch_s;
     for (int i = 0; i < motion::kTargetCount; ++i) {
       const auto target = static_cast<Target>(i);
       const Eigen::Vector3d centre = target_centre(*figure_.model, frames_, target).cast<double>();
       const double nearest_s = time_nearest(ball_, centre, touch_s);
       double distance = (ball_.position_at(nearest_s) - centre).norm();
-      if (target == impact.struck) distance -= kPreference;
-      if (!(distance < least)) continue;
-      least = distance;
+      if (target == impact.struck) distance -= kStruckTargetMargin_m;
+      if (!(distance < min_distance)) continue;
+      min_distance = distance;
       time_s = nearest_s;
       impact.aimed_at = target;
     }
     // The centre where it will be then.
-    if (ahead_.sway().most_speed_mps > 0) {
+    if (ahead_.bounds().max_speed_mps > 0) {
       const motion::JointFrames then = frames_at(time_s);
       time_s = time_nearest(
           ball_, target_centre(*figure_.model, then, impact.aimed_at).cast<double>(), time_s);
@@ -176,11 +182,11 @@ class Sweep {
   }
 
   FreeFlight ball_;
-  const SweptFigure& figure_;
-  const PosesAhead& ahead_;
-  Eigen::Vector3d middle_;
+  const CollisionFigure& figure_;
+  const PredictedMotion& ahead_;
+  Eigen::Vector3d pelvis_centre_;
   motion::JointFrames frames_;
-  motion::PerBody<motion::Outline> outlines_;
+  motion::PerBody<motion::CollisionShape> outlines_;
   bool has_outlines_ = false;
   motion::Clearance nearest_;
   Body nearest_body_{};
@@ -209,37 +215,39 @@ std::string_view name_of(Outcome outcome) {
   return kOutcomeNames[static_cast<std::size_t>(outcome)];
 }
 
-SweptFigure make_swept_figure(const motion::Skeleton& skeleton, const motion::BodyModel& model) {
+CollisionFigure make_collision_figure(const motion::Skeleton& skeleton,
+                                      const motion::BodyModel& model) {
   return {&skeleton, &model, reach_of(skeleton, model)};
 }
 
-PredictedImpact predict_impact(const Threat& threat, const SweptFigure& figure,
-                               const PosesAhead& ahead, const PredictionOptions& options) {
-  if (!can_use(threat, figure, ahead.sway(), options)) return {};
+PredictedImpact predict_impact(const Threat& threat, const CollisionFigure& figure,
+                               const PredictedMotion& ahead, const PredictionOptions& options) {
+  if (!is_valid_input(threat, figure, ahead.bounds(), options)) return {};
   const FreeFlight ball{threat.position.cast<double>(), threat.velocity.cast<double>(),
                         static_cast<double>(threat.radius),
                         static_cast<double>(options.gravity_mps2)};
   const double horizon_s = static_cast<double>(options.horizon_s);
-  return Sweep(ball, figure, ahead).until(time_of_bounce(ball, horizon_s, 0).value_or(horizon_s));
+  return ImpactSearch(ball, figure, ahead)
+      .until(time_of_bounce(ball, horizon_s, 0).value_or(horizon_s));
 }
 
-PredictedImpact predict_impact(const Threat& threat, const SweptFigure& figure,
-                               const motion::Motion& idle, const Sway& sway,
+PredictedImpact predict_impact(const Threat& threat, const CollisionFigure& figure,
+                               const motion::Motion& idle, const MotionBounds& bounds,
                                const CharacterState& state,
                                const PredictionOptions& options) noexcept {
   if (idle.poses.empty() || !std::isfinite(state.idle_time_s) || !std::isfinite(state.facing)) {
     return {};
   }
   const auto pose_at = [&](float time_s) { return idle_pose(idle, state, time_s); };
-  return predict_impact(threat, figure, PosesAhead(pose_at, placed(sway, state)), options);
+  return predict_impact(threat, figure, PredictedMotion(pose_at, placed(bounds, state)), options);
 }
 
-PredictedImpact predict_impact(const Threat& threat, const SweptFigure& figure,
+PredictedImpact predict_impact(const Threat& threat, const CollisionFigure& figure,
                                const motion::Pose& held,
                                const PredictionOptions& options) noexcept {
   const auto pose_at = [&](float) { return held; };
-  const Sway still{.middle = held.root_position, .radius = 0, .most_speed_mps = 0};
-  return predict_impact(threat, figure, PosesAhead(pose_at, still), options);
+  const MotionBounds still{.pelvis_centre = held.root_position, .radius = 0, .max_speed_mps = 0};
+  return predict_impact(threat, figure, PredictedMotion(pose_at, still), options);
 }
 
 }  // namespace flinch::features

@@ -36,22 +36,23 @@ struct PredictedImpact {
 
 /// A figure for predict_impact: what depends on neither threat nor pose. Refers to skeleton and
 /// model, which must outlive it.
-struct SweptFigure {
+struct CollisionFigure {
   const motion::Skeleton* skeleton = nullptr;
   const motion::BodyModel* model = nullptr;
   float reach_m = 0;  ///< no pose has a point of the surface farther from the pelvis' joint
 };
-SweptFigure make_swept_figure(const motion::Skeleton& skeleton, const motion::BodyModel& model);
+CollisionFigure make_collision_figure(const motion::Skeleton& skeleton,
+                                      const motion::BodyModel& model);
 
 struct PredictionOptions {
-  float horizon_s = 2;            ///< later impacts are not looked for; at most kMostHorizon
+  float horizon_s = 2;            ///< later impacts are not looked for; at most kMaxHorizon_s
   float gravity_mps2 = kGravity;  ///< 0 for what flies or rolls straight on
 };
 
 /// Inputs beyond these are unusable: no figure of ours meets them, and sums lose their digits.
-inline constexpr float kMostHorizon = 100;  ///< s
-inline constexpr float kMostExtent = 1e6F;  ///< of a position, m, a velocity, m/s, a gravity, m/s²
-inline constexpr float kMostSwaySpeed = 100;  ///< m/s
+inline constexpr float kMaxHorizon_s = 100;  ///< s
+inline constexpr float kMaxExtent = 1e6F;  ///< of a position, m, a velocity, m/s, a gravity, m/s²
+inline constexpr float kMaxSurfaceSpeed_mps = 100;  ///< m/s
 
 /// When, where and on what a falling ball strikes the figure in `ahead`: by swept sphere against
 /// its capsules and boxes, within a millimetre: a ball that passes within that of a surface counts
@@ -61,18 +62,18 @@ inline constexpr float kMostSwaySpeed = 100;  ///< m/s
 /// below 0, poses that are not finite. Allocates nothing, throws nothing unless `ahead` does. A
 /// miss by more than the figure's reach costs a fraction of a microsecond, all else a few
 /// evaluations of `ahead`.
-PredictedImpact predict_impact(const Threat& threat, const SweptFigure& figure,
-                               const PosesAhead& ahead, const PredictionOptions& options = {});
+PredictedImpact predict_impact(const Threat& threat, const CollisionFigure& figure,
+                               const PredictedMotion& ahead, const PredictionOptions& options = {});
 
-/// Of a character that idles. `sway` is that of the idle clip (sway_of). A clip without poses or a
-/// state that is not finite is unusable.
-PredictedImpact predict_impact(const Threat& threat, const SweptFigure& figure,
-                               const motion::Motion& idle, const Sway& sway,
+/// Of a character that idles. `bounds` is that of the idle clip (motion_bounds_of). A clip without
+/// poses or a state that is not finite is unusable.
+PredictedImpact predict_impact(const Threat& threat, const CollisionFigure& figure,
+                               const motion::Motion& idle, const MotionBounds& bounds,
                                const CharacterState& state,
                                const PredictionOptions& options = {}) noexcept;
 
 /// Of a character that holds a pose (world).
-PredictedImpact predict_impact(const Threat& threat, const SweptFigure& figure,
+PredictedImpact predict_impact(const Threat& threat, const CollisionFigure& figure,
                                const motion::Pose& held,
                                const PredictionOptions& options = {}) noexcept;
 

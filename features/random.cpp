@@ -25,15 +25,15 @@ std::array<std::uint32_t, 4> philox4x32(std::array<std::uint32_t, 4> counter,
   return counter;
 }
 
-Random::Random(std::uint64_t seed, Purpose purpose, std::uint64_t stream)
-    : seed_(seed), purpose_(purpose), stream_(stream) {}
+Random::Random(std::uint64_t seed, RandomStream stream, std::uint64_t substream)
+    : seed_(seed), stream_(stream), substream_(substream) {}
 
 std::uint64_t Random::bits() {
   if (used_ == words_.size()) {
-    const auto block =
-        philox4x32({block_++, static_cast<std::uint32_t>(purpose_),
-                    static_cast<std::uint32_t>(stream_), static_cast<std::uint32_t>(stream_ >> 32)},
-                   {static_cast<std::uint32_t>(seed_), static_cast<std::uint32_t>(seed_ >> 32)});
+    const auto block = philox4x32(
+        {block_++, static_cast<std::uint32_t>(stream_), static_cast<std::uint32_t>(substream_),
+         static_cast<std::uint32_t>(substream_ >> 32)},
+        {static_cast<std::uint32_t>(seed_), static_cast<std::uint32_t>(seed_ >> 32)});
     words_ = {block[0] | std::uint64_t{block[1]} << 32, block[2] | std::uint64_t{block[3]} << 32};
     used_ = 0;
   }
@@ -44,8 +44,8 @@ double Random::uniform() {
   return static_cast<double>(bits() >> 11) * 0x1p-53;
 }
 
-double Random::uniform(double least, double most) {
-  return least + (most - least) * uniform();
+double Random::uniform(double min, double max) {
+  return min + (max - min) * uniform();
 }
 
 // Box and Muller (1958): sqrt(-2 ln u) cos(2 pi v), u in (0, 1].

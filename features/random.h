@@ -13,7 +13,7 @@ std::array<std::uint32_t, 4> philox4x32(std::array<std::uint32_t, 4> counter,
                                         std::array<std::uint32_t, 2> key);
 
 /// What numbers are drawn for. Draws for one purpose do not disturb those for another.
-enum class Purpose : std::uint32_t {
+enum class RandomStream : std::uint32_t {
   scenario,
   baseline,
   bootstrap,
@@ -23,19 +23,19 @@ enum class Purpose : std::uint32_t {
   noise
 };
 
-/// The numbers of one (seed, purpose, stream), in order. For scenarios the stream is the scenario's
-/// number, so that a scenario does not depend on which others are drawn, or by whom. Uses no
-/// distribution of the standard library, whose results differ between implementations.
+/// The numbers of one (seed, stream, substream), in order. For scenarios the stream is the
+/// scenario's number, so that a scenario does not depend on which others are drawn, or by whom.
+/// Uses no distribution of the standard library, whose results differ between implementations.
 class Random {
  public:
-  Random(std::uint64_t seed, Purpose purpose, std::uint64_t stream);
+  Random(std::uint64_t seed, RandomStream stream, std::uint64_t substream);
 
   /// Uniform over all 64 bits.
   std::uint64_t bits();
   /// Uniform in [0, 1): the upper 53 bits as a fraction, so every value is exact.
   double uniform();
-  /// Uniform in [least, most).
-  double uniform(double least, double most);
+  /// Uniform in [min, max).
+  double uniform(double min, double max);
   /// Normally distributed with mean 0 and standard deviation 1, from two uniform draws.
   double normal();
   /// Uniform in [0, count), without bias; count is positive.
@@ -43,8 +43,8 @@ class Random {
 
  private:
   std::uint64_t seed_;
-  Purpose purpose_;
-  std::uint64_t stream_;
+  RandomStream stream_;
+  std::uint64_t substream_;
   std::uint32_t block_ = 0;  ///< number of the next block of four words
   std::array<std::uint64_t, 2> words_{};
   std::size_t used_ = 2;  ///< of words_

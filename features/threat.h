@@ -28,7 +28,7 @@ Eigen::Vector3f velocity_at(const Threat& threat, float time_s);
 Threat advanced(const Threat& threat, float time_s);
 
 /// An impact as people describe it. Angles in radians.
-struct Approach {
+struct ThreatDescription {
   /// Where the threat comes from, counter-clockwise from the character's facing: 0 is the front,
   /// pi/2 the character's left.
   float azimuth = 0;
@@ -44,7 +44,7 @@ struct Approach {
 /// approach's speed and direction, run backwards to perception under gravity (Hermens 2006, section
 /// 3.1, keeps the values at the collision the same way). `facing` is the character's at perception
 /// (CharacterState::facing), radians.
-Threat threat_from_approach(const Approach& approach, const Eigen::Vector3f& impact_point,
-                            float facing);
+Threat threat_from_description(const ThreatDescription& approach,
+                               const Eigen::Vector3f& impact_point, float facing);
 
 }  // namespace flinch::features

@@ -12,7 +12,7 @@ int nearest_annotation(std::span<const ClipSummary> clips, int idle, motion::Tar
                        float azimuth) {
   const ClipMask allowed = allowed_clips(clips, idle, threatened);
   int best = idle;
-  std::pair<bool, double> least{true, 2 * std::numbers::pi};  // other target, angle
+  std::pair<bool, double> best_rank{true, 2 * std::numbers::pi};  // other target, angle
   for (std::size_t i = 0; i < clips.size(); ++i) {
     if (!allowed[i] || static_cast<int>(i) == idle || !clips[i].annotation) {
       continue;
@@ -20,9 +20,9 @@ int nearest_annotation(std::span<const ClipSummary> clips, int idle, motion::Tar
     const motion::Annotation& annotation = *clips[i].annotation;
     const double angle = std::abs(
         std::remainder(static_cast<double>(annotation.direction) - azimuth, 2 * std::numbers::pi));
-    const std::pair far{annotation.target != threatened, angle};
-    if (far < least) {
-      least = far;
+    const std::pair rank{annotation.target != threatened, angle};
+    if (rank < best_rank) {
+      best_rank = rank;
       best = static_cast<int>(i);
     }
   }

@@ -12,6 +12,6 @@ using ClipMask = std::pmr::vector<bool>;
 /// Where a selection takes its result and all that it needs on the way from. What it takes depends
 /// on the model and on which clips are allowed alone, never on the threat, so that whoever may not
 /// allocate measures it beforehand (see runtime/workspace.h).
-using Memory = std::pmr::memory_resource*;
+using MemoryResource = std::pmr::memory_resource*;
 
 }  // namespace flinch::models

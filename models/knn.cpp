@@ -53,7 +53,7 @@ Lanes distances_to_boxes(std::span<const float> query, const float* lower, const
 
 /// To the box about each leaf.
 std::pmr::vector<float> distances_to_leaves(const KnnLeaves& leaves, std::span<const float> query,
-                                            Memory memory) {
+                                            MemoryResource memory) {
   std::pmr::vector<float> distances(memory);
   const std::size_t count = leaves.leaf_count();
   distances.reserve(count);
@@ -66,16 +66,17 @@ std::pmr::vector<float> distances_to_leaves(const KnnLeaves& leaves, std::span<c
 }
 
 /// The nearest so far, as a heap with the farthest on top.
-void enter(const Neighbour& next, std::size_t most, std::pmr::vector<Neighbour>& found) {
-  if (found.size() == most) {
-    if (!nearer(next, found.front())) {
+void push_bounded(const Neighbour& next, std::size_t max_count,
+                  std::pmr::vector<Neighbour>& found) {
+  if (found.size() == max_count) {
+    if (!is_nearer(next, found.front())) {
       return;
     }
-    std::pop_heap(found.begin(), found.end(), nearer);
+    std::pop_heap(found.begin(), found.end(), is_nearer);
     found.pop_back();
   }
   found.push_back(next);
-  std::push_heap(found.begin(), found.end(), nearer);
+  std::push_heap(found.begin(), found.end(), is_nearer);
 }
 
 }  // namespace
@@ -93,18 +94,18 @@ float squared_distance(std::span<const float> a, const float* b) {
 // they stand, the others whose box is no farther than that. At the very same distance one may still
 // hold an observation of lower index. (A heap of leaves costs more than the visits that it saves.)
 std::pmr::vector<Neighbour> nearest(const KnnModel& model, std::span<const double> scaled, int k,
-                                    const ClipMask& allowed_clips, Memory memory) {
+                                    const ClipMask& allowed_clips, MemoryResource memory) {
   constexpr int kNearestLeaves = 4;
   std::pmr::vector<Neighbour> found(memory);
-  const auto most = std::min(static_cast<std::size_t>(std::max(k, 0)), model.label.size());
-  if (most == 0) {
+  const auto max_count = std::min(static_cast<std::size_t>(std::max(k, 0)), model.label.size());
+  if (max_count == 0) {
     return found;
   }
-  found.reserve(most);
+  found.reserve(max_count);
   std::pmr::vector<float> query(scaled.size(), memory);
   std::transform(scaled.begin(), scaled.end(), query.begin(), knn_coordinate);
   const auto is_too_far = [&](float distance) {
-    return found.size() == most && distance > found.front().squared_distance;
+    return found.size() == max_count && distance > found.front().squared_distance;
   };
   const auto visit = [&](std::size_t leaf) {
     const std::size_t first = leaf * kLeaf;
@@ -118,7 +119,7 @@ std::pmr::vector<Neighbour> nearest(const KnnModel& model, std::span<const doubl
       if (observation >= 0 && !is_too_far(distance) &&
           (allowed_clips.empty() || allowed_clips[static_cast<std::size_t>(
                                         model.label[static_cast<std::size_t>(observation)])])) {
-        enter({observation, distance}, most, found);
+        push_bounded({observation, distance}, max_count, found);
       }
     }
   };
@@ -137,12 +138,13 @@ std::pmr::vector<Neighbour> nearest(const KnnModel& model, std::span<const doubl
       visit(leaf);
     }
   }
-  std::sort_heap(found.begin(), found.end(), nearer);
+  std::sort_heap(found.begin(), found.end(), is_nearer);
   return found;
 }
 
 std::pmr::vector<Candidate> count_votes(std::span<const Neighbour> neighbours,
-                                        std::span<const int> label, KnnVote vote, Memory memory) {
+                                        std::span<const int> label, KnnVote vote,
+                                        MemoryResource memory) {
   struct Tally {
     int clip;
     double votes;
@@ -178,7 +180,7 @@ std::pmr::vector<Candidate> count_votes(std::span<const Neighbour> neighbours,
 // Sums of whole steps, which no order of neighbours changes.
 std::pmr::vector<Candidate> average_costs(std::span<const Neighbour> neighbours,
                                           const KnnModel& model, const ClipMask& allowed_clips,
-                                          Memory memory) {
+                                          MemoryResource memory) {
   const auto clips = static_cast<std::size_t>(model.clip_count);
   std::pmr::vector<std::uint32_t> sums(clips, 0, memory);
   std::pmr::vector<std::uint32_t> counts(clips, 0, memory);

@@ -18,7 +18,7 @@ enum class KnnVote : std::uint8_t {
 };
 
 /// The points in the order in which they are searched: leaves of kLeafSize near points each, what
-/// is missing in the last one infinitely far. Made by index() from the rest of a model.
+/// is missing in the last one infinitely far. Made by build_leaves() from the rest of a model.
 struct KnnLeaves {
   static constexpr int kLeafSize = 16;
   std::vector<int> observation;  ///< kLeafSize a leaf; -1 where there is none
@@ -49,7 +49,7 @@ struct KnnModel {
 
 /// Makes the model's leaves: to be called once the rest is there, before it is asked. Every point
 /// is finite.
-void index(KnnModel& model);
+void build_leaves(KnnModel& model);
 
 struct Neighbour {
   int observation = 0;
@@ -57,7 +57,7 @@ struct Neighbour {
 };
 
 /// The order of neighbours: by distance, then by the lower index.
-inline bool nearer(const Neighbour& a, const Neighbour& b) {
+inline bool is_nearer(const Neighbour& a, const Neighbour& b) {
   return a.squared_distance != b.squared_distance ? a.squared_distance < b.squared_distance
                                                   : a.observation < b.observation;
 }
@@ -67,27 +67,29 @@ float squared_distance(std::span<const float> a, const float* b);
 
 /// Scaled features as distances take them; beyond a million it is all the same.
 inline float knn_coordinate(double scaled) {
-  constexpr float kMost = 1e6F;
+  constexpr float kMaxCoordinate = 1e6F;
   // Not std::clamp, which lets through what is not a number.
-  return scaled > -kMost ? (scaled < kMost ? static_cast<float>(scaled) : kMost) : -kMost;
+  return scaled > -kMaxCoordinate
+             ? (scaled < kMaxCoordinate ? static_cast<float>(scaled) : kMaxCoordinate)
+             : -kMaxCoordinate;
 }
 
 /// The k nearest observations whose label is allowed (all when `allowed_clips` is empty), nearest
 /// first, ties by the lower index; fewer when there are not k.
 std::pmr::vector<Neighbour> nearest(const KnnModel& model, std::span<const double> scaled, int k,
                                     const ClipMask& allowed_clips,
-                                    Memory memory = std::pmr::get_default_resource());
+                                    MemoryResource memory = std::pmr::get_default_resource());
 
 /// What the neighbours, nearest first, vote for: more votes first, then the clip with the nearer
 /// neighbour. `label` is the clip index of each observation. Empty only without neighbours.
 std::pmr::vector<Candidate> count_votes(std::span<const Neighbour> neighbours,
                                         std::span<const int> label, KnnVote vote,
-                                        Memory memory = std::pmr::get_default_resource());
+                                        MemoryResource memory = std::pmr::get_default_resource());
 
 /// The allowed clips that were tried on any of the neighbours, by what they cost there on average;
 /// ties by the lower index. `model` votes by cost.
 std::pmr::vector<Candidate> average_costs(std::span<const Neighbour> neighbours,
                                           const KnnModel& model, const ClipMask& allowed_clips,
-                                          Memory memory = std::pmr::get_default_resource());
+                                          MemoryResource memory = std::pmr::get_default_resource());
 
 }  // namespace flinch::models

@@ -26,16 +26,16 @@ struct Rows {
 /// The feature over which these observations spread most, the first of equals.
 std::size_t widest_feature(const Rows& rows, std::span<const int> observations) {
   std::size_t widest = 0;
-  float most = -1;
+  float max_spread = -1;
   for (std::size_t feature = 0; feature < rows.feature_count; ++feature) {
-    float least = kInfinity;
-    float greatest = -kInfinity;
+    float min = kInfinity;
+    float max = -kInfinity;
     for (const int observation : observations) {
-      least = std::min(least, rows.value(observation, feature));
-      greatest = std::max(greatest, rows.value(observation, feature));
+      min = std::min(min, rows.value(observation, feature));
+      max = std::max(max, rows.value(observation, feature));
     }
-    if (greatest - least > most) {
-      most = greatest - least;
+    if (max - min > max_spread) {
+      max_spread = max - min;
       widest = feature;
     }
   }
@@ -64,7 +64,7 @@ void arrange(const Rows& rows, std::span<int> observations) {
 
 }  // namespace
 
-void index(KnnModel& model) {
+void build_leaves(KnnModel& model) {
   const Rows rows{model.points, static_cast<std::size_t>(model.feature_count)};
   const std::size_t count = model.label.size();
   const std::size_t leaf_count = (count + kLeaf - 1) / kLeaf;

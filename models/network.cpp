@@ -42,7 +42,7 @@ float output(std::span<const float> in, const float* weights, float bias) {
 
 std::pmr::vector<Candidate> expected_costs(const NetworkModel& model,
                                            std::span<const double> scaled,
-                                           const ClipMask& allowed_clips, Memory memory) {
+                                           const ClipMask& allowed_clips, MemoryResource memory) {
   const NetworkShape shape = model.shape();
   std::pmr::vector<std::size_t> outputs(memory);
   outputs.reserve(model.clip.size());

@@ -33,7 +33,7 @@ struct NetworkShape {
 inline constexpr int kNetworkBlock = 16;
 
 /// No weight is larger: whatever the file, whatever the threat, every sum stays finite.
-inline constexpr float kMostNetworkWeight = 1e4F;
+inline constexpr float kMaxNetworkWeight = 1e4F;
 
 /// What every clip is expected to cost, by a few small networks (two hidden layers of rectified
 /// units) whose answers are averaged. They answer with the square root of the cost, standardised:
@@ -62,9 +62,8 @@ inline float network_input(double scaled) {
 
 /// The allowed clips that the model knows, by rising expected cost; ties by the lower index.
 /// `scaled` has feature_count values.
-std::pmr::vector<Candidate> expected_costs(const NetworkModel& model,
-                                           std::span<const double> scaled,
-                                           const ClipMask& allowed_clips,
-                                           Memory memory = std::pmr::get_default_resource());
+std::pmr::vector<Candidate> expected_costs(
+    const NetworkModel& model, std::span<const double> scaled, const ClipMask& allowed_clips,
+    MemoryResource memory = std::pmr::get_default_resource());
 
 }  // namespace flinch::models

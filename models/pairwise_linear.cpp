@@ -27,7 +27,7 @@ std::int16_t product(std::int32_t a, std::int32_t b) {
 }  // namespace
 
 void expand(std::span<const double> scaled, std::span<std::int16_t> terms) {
-  std::array<std::int32_t, features::kMostFeatures + 1> room{kOne};
+  std::array<std::int32_t, features::kMaxFeatures + 1> room{kOne};
   std::transform(scaled.begin(), scaled.end(), room.begin() + 1, in_units);
   const auto z = std::span(room).first(scaled.size() + 1);
   auto end = terms.begin();
@@ -54,7 +54,8 @@ bool beats(const PairwiseModel& model, std::span<const std::int16_t> terms, std:
 }
 
 std::pmr::vector<Candidate> rank(const PairwiseModel& model, std::span<const double> scaled,
-                                 const ClipMask& allowed_clips, std::size_t most, Memory memory) {
+                                 const ClipMask& allowed_clips, std::size_t max_count,
+                                 MemoryResource memory) {
   std::pmr::vector<std::size_t> classes(memory);
   classes.reserve(model.clip.size());
   for (std::size_t c = 0; c < model.clip.size(); ++c) {
@@ -71,7 +72,7 @@ std::pmr::vector<Candidate> rank(const PairwiseModel& model, std::span<const dou
   const std::size_t pairs = classes.size() * (classes.size() - 1) / 2;
   std::pmr::vector<Candidate> ranked(memory);
   ranked.reserve(classes.size());
-  while (ranked.size() < std::min(most, classes.size())) {
+  while (ranked.size() < std::min(max_count, classes.size())) {
     const auto [player, wins] = tournament.next();
     const float vote = pairs == 0 ? 1.0F : static_cast<float>(wins) / static_cast<float>(pairs);
     ranked.push_back({.clip = model.clip[classes[player]], .vote = vote});

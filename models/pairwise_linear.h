@@ -30,9 +30,9 @@ struct PairwiseModel {
   static constexpr int kNone = -1;
   /// Terms are in units of 1/1024, and as features count within [-2, 2], none is beyond 4.
   static constexpr int kTermBits = 10;
-  static constexpr int kMostTerm = 4 << kTermBits;
+  static constexpr int kMaxTerm = 4 << kTermBits;
   /// The sizes of a machine's weights add up to no more, so that a sum has room in 32 bits.
-  static constexpr std::int32_t kMostWeightSum = 0x7FFF'FFFF / kMostTerm;
+  static constexpr std::int32_t kMaxWeightSum = 0x7FFF'FFFF / kMaxTerm;
 
   static std::size_t term_count(std::size_t feature_count) {
     return (feature_count + 1) * (feature_count + 2) / 2;
@@ -48,7 +48,7 @@ struct PairwiseModel {
   }
 };
 
-/// The terms of scaled features, kMostFeatures at the most, then zeros: `terms` has row_size() of
+/// The terms of scaled features, kMaxFeatures at the most, then zeros: `terms` has row_size() of
 /// them. Far beyond what machines were fitted to, [-1, 1], nothing is known, so nothing goes beyond
 /// [-2, 2].
 void expand(std::span<const double> scaled, std::span<std::int16_t> terms);
@@ -57,11 +57,11 @@ void expand(std::span<const double> scaled, std::span<std::int16_t> terms);
 bool beats(const PairwiseModel& model, std::span<const std::int16_t> terms, std::size_t a,
            std::size_t b);
 
-/// The best `most` of the allowed clips that the model knows, by falling share of the pairs won,
-/// ties by the lower index; as many pairs are decided as that takes. `scaled` has feature_count
-/// values.
+/// The best `max_count` of the allowed clips that the model knows, by falling share of the pairs
+/// won, ties by the lower index; as many pairs are decided as that takes. `scaled` has
+/// feature_count values.
 std::pmr::vector<Candidate> rank(const PairwiseModel& model, std::span<const double> scaled,
-                                 const ClipMask& allowed_clips, std::size_t most,
-                                 Memory memory = std::pmr::get_default_resource());
+                                 const ClipMask& allowed_clips, std::size_t max_count,
+                                 MemoryResource memory = std::pmr::get_default_resource());
 
 }  // namespace flinch::models

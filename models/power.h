@@ -6,7 +6,7 @@ namespace flinch::models {
 /// base^exponent by repeated squaring: the very multiplications that libsvm does. 1 where the
 /// exponent is not positive.
 template <typename Number>
-Number power(Number base, int exponent, Number one) {
+Number integer_power(Number base, int exponent, Number one) {
   Number result = one;
   for (; exponent > 0; exponent /= 2) {
     if (exponent % 2 == 1) {
@@ -17,8 +17,8 @@ Number power(Number base, int exponent, Number one) {
   return result;
 }
 
-inline double power(double base, int exponent) {
-  return power(base, exponent, 1.0);
+inline double integer_power(double base, int exponent) {
+  return integer_power(base, exponent, 1.0);
 }
 
 }  // namespace flinch::models

@@ -10,15 +10,15 @@
 namespace flinch::models {
 namespace {
 
-std::pmr::vector<Candidate> only(const Candidate& candidate, Memory memory) {
+std::pmr::vector<Candidate> single_candidate(const Candidate& candidate, MemoryResource memory) {
   return {std::size_t{1}, candidate, memory};
 }
 
 }  // namespace
 
 std::pmr::vector<Candidate> candidates(const SvmModel& model, std::span<const double> scaled,
-                                       const ClipMask& allowed_clips, int idle, Memory memory,
-                                       std::size_t most) {
+                                       const ClipMask& allowed_clips, int idle,
+                                       MemoryResource memory, std::size_t max_count) {
   std::pmr::vector<char> allowed(model.label.size(), memory);
   int count = 0;
   for (std::size_t c = 0; c < model.label.size(); ++c) {
@@ -26,10 +26,10 @@ std::pmr::vector<Candidate> candidates(const SvmModel& model, std::span<const do
     count += allowed[c];
   }
   if (count == 0) {
-    return only({.clip = idle}, memory);
+    return single_candidate({.clip = idle}, memory);
   }
   const auto machines = static_cast<float>(count * (count - 1) / 2);
-  const auto ranked = rank(model, scaled, allowed, std::max(most, std::size_t{1}), memory);
+  const auto ranked = rank(model, scaled, allowed, std::max(max_count, std::size_t{1}), memory);
   std::pmr::vector<Candidate> candidates(memory);
   candidates.reserve(ranked.size());
   for (const auto& [c, votes] : ranked) {
@@ -40,36 +40,39 @@ std::pmr::vector<Candidate> candidates(const SvmModel& model, std::span<const do
 }
 
 std::pmr::vector<Candidate> candidates(const KnnModel& model, std::span<const double> scaled,
-                                       const ClipMask& allowed_clips, int idle, Memory memory) {
+                                       const ClipMask& allowed_clips, int idle,
+                                       MemoryResource memory) {
   // What a clip cost is known on observations whose label is not allowed, too.
   if (model.vote == KnnVote::cost) {
     auto averages = average_costs(nearest(model, scaled, model.k, ClipMask(memory), memory), model,
                                   allowed_clips, memory);
-    return averages.empty() ? only({.clip = idle}, memory) : std::move(averages);
+    return averages.empty() ? single_candidate({.clip = idle}, memory) : std::move(averages);
   }
   const auto neighbours = nearest(model, scaled, model.k, allowed_clips, memory);
   if (neighbours.empty()) {
-    return only({.clip = idle}, memory);
+    return single_candidate({.clip = idle}, memory);
   }
   return count_votes(neighbours, model.label, model.vote, memory);
 }
 
 std::pmr::vector<Candidate> candidates(const NetworkModel& model, std::span<const double> scaled,
-                                       const ClipMask& allowed_clips, int idle, Memory memory) {
+                                       const ClipMask& allowed_clips, int idle,
+                                       MemoryResource memory) {
   auto expected = expected_costs(model, scaled, allowed_clips, memory);
-  return expected.empty() ? only({.clip = idle}, memory) : std::move(expected);
+  return expected.empty() ? single_candidate({.clip = idle}, memory) : std::move(expected);
 }
 
 std::pmr::vector<Candidate> candidates(const PairwiseModel& model, std::span<const double> scaled,
-                                       const ClipMask& allowed_clips, int idle, Memory memory,
-                                       std::size_t most) {
-  auto ranked = rank(model, scaled, allowed_clips, std::max(most, std::size_t{1}), memory);
-  return ranked.empty() ? only({.clip = idle}, memory) : std::move(ranked);
+                                       const ClipMask& allowed_clips, int idle,
+                                       MemoryResource memory, std::size_t max_count) {
+  auto ranked = rank(model, scaled, allowed_clips, std::max(max_count, std::size_t{1}), memory);
+  return ranked.empty() ? single_candidate({.clip = idle}, memory) : std::move(ranked);
 }
 
 std::pmr::vector<Candidate> candidates(const Selector& selector, const features::FeatureVector& x,
-                                       motion::Target threatened, Memory memory, std::size_t most) {
-  std::array<double, features::kMostFeatures> room{};
+                                       motion::Target threatened, MemoryResource memory,
+                                       std::size_t max_count) {
+  std::array<double, features::kMaxFeatures> room{};
   const auto scaled = std::span(room).first(static_cast<std::size_t>(selector.layout.size()));
   selector.scaling.apply(x, scaled);
   const ClipMask allowed = allowed_clips(selector.clips, selector.idle, threatened, memory);
@@ -77,10 +80,10 @@ std::pmr::vector<Candidate> candidates(const Selector& selector, const features:
       [&](const auto& model) {
         using Model = std::remove_cvref_t<decltype(model)>;
         if constexpr (std::is_same_v<Model, SvmModel> || std::is_same_v<Model, PairwiseModel>) {
-          return candidates(model, scaled, allowed, selector.idle, memory, most);
+          return candidates(model, scaled, allowed, selector.idle, memory, max_count);
         } else {
           auto ranked = candidates(model, scaled, allowed, selector.idle, memory);
-          ranked.resize(std::clamp(most, std::size_t{1}, ranked.size()));
+          ranked.resize(std::clamp(max_count, std::size_t{1}, ranked.size()));
           return ranked;
         }
       },
@@ -92,7 +95,7 @@ int select(const Selector& selector, const features::FeatureVector& x, motion::T
 }
 
 ClipMask allowed_clips(std::span<const ClipSummary> clips, int idle, motion::Target threatened,
-                       Memory memory) {
+                       MemoryResource memory) {
   ClipMask allowed(clips.size(), false, memory);
   for (std::size_t i = 0; i < clips.size(); ++i) {
     allowed[i] =

@@ -45,40 +45,40 @@ struct Selector {
 };
 
 /// The allowed clips that the model votes among, best first. An SVM's are all its classes, ranked
-/// by votes, ties by the model's class order; those of pairwise machines the first `most` of all
-/// their clips, ranked by votes, ties by the lower index; a KNN's are its neighbours' labels,
+/// by votes, ties by the model's class order; those of pairwise machines the first `max_count` of
+/// all their clips, ranked by votes, ties by the lower index; a KNN's are its neighbours' labels,
 /// ranked by votes, ties by the nearer neighbour. None of these expects a cost. A network's are all
 /// its clips, and those of a KNN that averages costs all that were tried on its neighbours, ranked
 /// by expected cost, with no votes. Where the model knows no allowed clip the idle clip is the last
 /// resort, with neither: never empty. `scaled` has the model's feature_count values.
 std::pmr::vector<Candidate> candidates(const SvmModel& model, std::span<const double> scaled,
                                        const ClipMask& allowed_clips, int idle,
-                                       Memory memory = std::pmr::get_default_resource(),
-                                       std::size_t most = kAll);
+                                       MemoryResource memory = std::pmr::get_default_resource(),
+                                       std::size_t max_count = kNoLimit);
 std::pmr::vector<Candidate> candidates(const KnnModel& model, std::span<const double> scaled,
                                        const ClipMask& allowed_clips, int idle,
-                                       Memory memory = std::pmr::get_default_resource());
+                                       MemoryResource memory = std::pmr::get_default_resource());
 std::pmr::vector<Candidate> candidates(const NetworkModel& model, std::span<const double> scaled,
                                        const ClipMask& allowed_clips, int idle,
-                                       Memory memory = std::pmr::get_default_resource());
+                                       MemoryResource memory = std::pmr::get_default_resource());
 std::pmr::vector<Candidate> candidates(const PairwiseModel& model, std::span<const double> scaled,
                                        const ClipMask& allowed_clips, int idle,
-                                       Memory memory = std::pmr::get_default_resource(),
-                                       std::size_t most = kAll);
+                                       MemoryResource memory = std::pmr::get_default_resource(),
+                                       std::size_t max_count = kNoLimit);
 
-/// The candidates of the selector's model, the first `most` of them and at least one: the fewer are
-/// asked for, the fewer pairs an SVM or a model of pairwise machines has to decide. `x` is in the
-/// selector's layout and not scaled.
+/// The candidates of the selector's model, the first `max_count` of them and at least one: the
+/// fewer are asked for, the fewer pairs an SVM or a model of pairwise machines has to decide. `x`
+/// is in the selector's layout and not scaled.
 std::pmr::vector<Candidate> candidates(const Selector& selector, const features::FeatureVector& x,
                                        motion::Target threatened,
-                                       Memory memory = std::pmr::get_default_resource(),
-                                       std::size_t most = kAll);
+                                       MemoryResource memory = std::pmr::get_default_resource(),
+                                       std::size_t max_count = kNoLimit);
 
 /// The first of the candidates, in less time than all of them take.
 int select(const Selector& selector, const features::FeatureVector& x, motion::Target threatened);
 
 /// Which clips are allowed for a threat at this target, by index; the idle clip always is.
 ClipMask allowed_clips(std::span<const ClipSummary> clips, int idle, motion::Target threatened,
-                       Memory memory = std::pmr::get_default_resource());
+                       MemoryResource memory = std::pmr::get_default_resource());
 
 }  // namespace flinch::models

@@ -17,7 +17,7 @@ double kernel(const SvmModel& model, std::span<const double> scaled, std::size_t
     for (std::size_t f = 0; f < scaled.size(); ++f) {
       sum += scaled[f] * double{model.value(vector, f)};
     }
-    return power(model.gamma * sum + model.coef0, model.degree);
+    return integer_power(model.gamma * sum + model.coef0, model.degree);
   }
   for (std::size_t f = 0; f < scaled.size(); ++f) {
     const double difference = scaled[f] - double{model.value(vector, f)};
@@ -37,7 +37,7 @@ double norm(const SvmModel& model, std::size_t vector) {
 
 }  // namespace
 
-void complete(SvmModel& model) {
+void update_derived(SvmModel& model) {
   model.first_of_class.assign(model.label.size(), 0);
   std::exclusive_scan(model.vectors_of_class.begin(), model.vectors_of_class.end(),
                       model.first_of_class.begin(), 0);
@@ -65,8 +65,8 @@ void complete(SvmModel& model) {
 
 // libsvm adds the terms of i's vectors by rising index, then those of j's. The free vectors and
 // those at the bound are merged back into that order.
-double decision(const SvmModel& model, std::span<const double> scaled, std::size_t i,
-                std::size_t j) {
+double decision_value(const SvmModel& model, std::span<const double> scaled, std::size_t i,
+                      std::size_t j) {
   const SvmMachine& machine = model.machines[model.machine_of(i, j)];
   const std::uint16_t* next = model.vectors.data() + machine.first_vector;
   const double* coefficient = model.coefficients.data() + machine.first_coefficient;

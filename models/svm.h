@@ -27,14 +27,14 @@ struct SvmMachine {
   /// at the bound; they stand there in this order, and each of the four by rising index.
   std::array<std::uint16_t, 4> count{};
 
-  // What follows from all machines: see complete().
+  // What follows from all machines: see update_derived().
   std::uint32_t first_vector = 0;       ///< in the model's `vectors`
   std::uint32_t first_coefficient = 0;  ///< in the model's `coefficients`
   double weight = 0;                    ///< sum of its coefficients
 };
 
 /// A C-SVC with one machine for each pair of classes, as libsvm trains it. Vectors are floats; what
-/// is added up is double, so that decision() is libsvm's own, to the bit.
+/// is added up is double, so that decision_value() is libsvm's own, to the bit.
 ///
 /// Vectors of one class stand together, classes in the order of `label`.
 struct SvmModel {
@@ -53,7 +53,7 @@ struct SvmModel {
   std::vector<std::uint16_t> vectors;  ///< index within their class; machine after machine
   std::vector<double> coefficients;    ///< of the free vectors; machine after machine
 
-  // What follows from the above: see complete().
+  // What follows from the above: see update_derived().
   std::vector<int> first_of_class{};  ///< index of each class's first vector
   double largest_norm = 0;            ///< of a support vector
 
@@ -78,12 +78,12 @@ struct SvmModel {
 
 /// Sets what follows from a model's other members. They fit together: sizes agree, and no index
 /// lies beyond its class.
-void complete(SvmModel& model);
+void update_derived(SvmModel& model);
 
 /// The decision value of the machine of classes i < j: to the bit what libsvm computes of the same
 /// numbers where no kernel value overflows. `scaled` has feature_count values.
-double decision(const SvmModel& model, std::span<const double> scaled, std::size_t i,
-                std::size_t j);
+double decision_value(const SvmModel& model, std::span<const double> scaled, std::size_t i,
+                      std::size_t j);
 
 /// A class with the votes that it got.
 struct RankedClass {
@@ -91,15 +91,16 @@ struct RankedClass {
   int votes = 0;
 };
 
-inline constexpr std::size_t kAll = std::numeric_limits<std::size_t>::max();
+inline constexpr std::size_t kNoLimit = std::numeric_limits<std::size_t>::max();
 
 /// The allowed classes by the votes of the machines of pairs of allowed classes, most votes first,
-/// ties by the lower index (svm_predict's rule): the first `most` of them. Machines are asked only
-/// as far as that needs. They are asked in float, and in double by decision() where float cannot
-/// tell, so that every vote is libsvm's. `scaled` has feature_count values, `allowed` class_count.
+/// ties by the lower index (svm_predict's rule): the first `max_count` of them. Machines are asked
+/// only as far as that needs. They are asked in float, and in double by decision_value() where
+/// float cannot tell, so that every vote is libsvm's. `scaled` has feature_count values, `allowed`
+/// class_count.
 std::pmr::vector<RankedClass> rank(const SvmModel& model, std::span<const double> scaled,
-                                   std::span<const char> allowed, std::size_t most = kAll,
-                                   Memory memory = std::pmr::get_default_resource());
+                                   std::span<const char> allowed, std::size_t max_count = kNoLimit,
+                                   MemoryResource memory = std::pmr::get_default_resource());
 
 /// The class index with the most votes among all classes, the lowest on a tie.
 int predict(const SvmModel& model, std::span<const double> scaled);

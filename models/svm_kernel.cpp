@@ -44,8 +44,8 @@ double kernel_error(const SvmModel& model, std::span<const double> scaled) {
   const auto n = static_cast<double>(scaled.size());
   if (!(norm(scaled) < kSafe && model.largest_norm < kSafe)) return kInfinity;
   if (model.kernel == SvmKernel::polynomial) {
-    const double most = model.gamma * norm(scaled) * model.largest_norm + std::abs(model.coef0);
-    const double largest = std::pow(most, model.degree);
+    const double max_base = model.gamma * norm(scaled) * model.largest_norm + std::abs(model.coef0);
+    const double largest = std::pow(max_base, model.degree);
     if (!(largest < kSafe)) return kInfinity;
     return 1.1 * std::expm1((model.degree + 1.0) * (n + 6) * kUnit) * largest + kUnderflow;
   }
@@ -82,8 +82,8 @@ RowValues kernels_of(const SvmModel& model, std::span<const float> point,
   if (model.kernel == SvmKernel::polynomial) {
     const RowValues dots =
         sums_of(point, rows, [](const Lanes& x, const Lanes& v) -> Lanes { return x * v; });
-    return power<RowValues>(gamma * dots + static_cast<float>(model.coef0), model.degree,
-                            RowValues::Ones());
+    return integer_power<RowValues>(gamma * dots + static_cast<float>(model.coef0), model.degree,
+                                    RowValues::Ones());
   }
   const RowValues squares = sums_of(
       point, rows, [](const Lanes& x, const Lanes& v) -> Lanes { return (x - v).square(); });
@@ -93,7 +93,7 @@ RowValues kernels_of(const SvmModel& model, std::span<const float> point,
 }  // namespace
 
 KernelValues::KernelValues(const SvmModel& model, std::span<const double> scaled,
-                           std::span<const std::size_t> classes, Memory memory)
+                           std::span<const std::size_t> classes, MemoryResource memory)
     : model_(model),
       error_(kernel_error(model, scaled)),
       x_(model.row_size(), 0.0F, memory),

@@ -15,7 +15,7 @@ class KernelValues {
  public:
   /// `scaled` has the model's feature_count values. The model outlives this.
   KernelValues(const SvmModel& model, std::span<const double> scaled,
-               std::span<const std::size_t> classes, Memory memory);
+               std::span<const std::size_t> classes, MemoryResource memory);
 
   /// How far a value may lie from the one that double gives, whichever vector it is of. Infinite
   /// where float might overflow.

@@ -10,7 +10,7 @@
 namespace flinch::models {
 namespace {
 
-std::pmr::vector<std::size_t> classes_of(std::span<const char> allowed, Memory memory) {
+std::pmr::vector<std::size_t> classes_of(std::span<const char> allowed, MemoryResource memory) {
   std::pmr::vector<std::size_t> classes(memory);
   classes.reserve(allowed.size());
   for (std::size_t c = 0; c < allowed.size(); ++c) {
@@ -20,10 +20,10 @@ std::pmr::vector<std::size_t> classes_of(std::span<const char> allowed, Memory m
 }
 
 /// What the machines of some classes say of one point.
-class Machines {
+class PairDecisions {
  public:
-  Machines(const SvmModel& model, std::span<const double> scaled,
-           std::span<const std::size_t> classes, Memory memory)
+  PairDecisions(const SvmModel& model, std::span<const double> scaled,
+                std::span<const std::size_t> classes, MemoryResource memory)
       : model_(model), scaled_(scaled), kernel_(model, scaled, classes, memory) {}
 
   /// Whether class i < j is preferred to j.
@@ -31,18 +31,18 @@ class Machines {
     const SvmMachine& machine = model_.machines[model_.machine_of(i, j)];
     const std::uint16_t* vector = model_.vectors.data() + machine.first_vector;
     const double* coefficient = model_.coefficients.data() + machine.first_coefficient;
-    const double first = side(i, machine.count[0], machine.count[1], vector, coefficient);
-    const double second = side(j, machine.count[2], machine.count[3], vector, coefficient);
+    const double first = kernel_sum(i, machine.count[0], machine.count[1], vector, coefficient);
+    const double second = kernel_sum(j, machine.count[2], machine.count[3], vector, coefficient);
     const double value = first - second - machine.rho;
     // Not a number is beyond no bound either.
     if (std::abs(value) > machine.weight * kernel_.error()) return value > 0;
-    return decision(model_, scaled_, i, j) > 0;
+    return decision_value(model_, scaled_, i, j) > 0;
   }
 
  private:
   /// sum of a K over one side's vectors, the free ones first; moves on to the other side's.
-  double side(std::size_t one, std::uint16_t free_count, std::uint16_t bound_count,
-              const std::uint16_t*& vector, const double*& coefficient) const {
+  double kernel_sum(std::size_t one, std::uint16_t free_count, std::uint16_t bound_count,
+                    const std::uint16_t*& vector, const double*& coefficient) const {
     const float* kernel = kernel_.of_class(one);
     std::array<double, 2> free{};
     std::array<double, 2> bound{};
@@ -71,16 +71,17 @@ class Machines {
 }  // namespace
 
 std::pmr::vector<RankedClass> rank(const SvmModel& model, std::span<const double> scaled,
-                                   std::span<const char> allowed, std::size_t most, Memory memory) {
+                                   std::span<const char> allowed, std::size_t max_count,
+                                   MemoryResource memory) {
   const std::pmr::vector<std::size_t> classes = classes_of(allowed, memory);
-  const Machines machines(model, scaled, classes, memory);
+  const PairDecisions machines(model, scaled, classes, memory);
   const auto beats = [&](std::size_t a, std::size_t b) {
     return machines.is_first_preferred(classes[a], classes[b]);
   };
   Tournament tournament(classes.size(), beats, memory);
   std::pmr::vector<RankedClass> ranked(memory);
   ranked.reserve(classes.size());
-  while (ranked.size() < std::min(most, classes.size())) {
+  while (ranked.size() < std::min(max_count, classes.size())) {
     const auto [player, wins] = tournament.next();
     ranked.push_back({classes[player], static_cast<int>(wins)});
   }

@@ -26,7 +26,7 @@ class Tournament {
   };
 
   /// Takes count ints and count^2 bytes of the memory; count is below 2^14.
-  Tournament(std::size_t count, Beats beats, Memory memory)
+  Tournament(std::size_t count, Beats beats, MemoryResource memory)
       : beats_(std::move(beats)), standing_(count, memory), played_(count * count, memory) {
     for (std::size_t player = 0; player < count; ++player) {
       standing_[player] = static_cast<int>(player);
@@ -58,20 +58,20 @@ class Tournament {
   static std::size_t player_of(int standing) { return static_cast<std::size_t>(standing % kLoss); }
 
   int first() const {
-    int least = standing_.front();
-    for (const int each : standing_) least = std::min(least, each);
-    return least;
+    int lowest = standing_.front();
+    for (const int each : standing_) lowest = std::min(lowest, each);
+    return lowest;
   }
 
   /// The strongest opponents come first: against them most games are decided that decide anything.
   /// kOut or above where there is none left.
   int first_not_met_by(std::size_t player) const {
     const char* met = &played_[player * count()];
-    int least = kOut;
+    int lowest = kOut;
     for (std::size_t other = 0; other < count(); ++other) {
-      least = std::min(least, standing_[other] + met[other] * kOut);
+      lowest = std::min(lowest, standing_[other] + met[other] * kOut);
     }
-    return least;
+    return lowest;
   }
 
   /// Plays a game that has not been played.

@@ -9,14 +9,14 @@
 namespace flinch::motion {
 namespace {
 
-struct Entry {
+struct BodyInfo {
   std::string_view name;
   Role role;
   Body parent;  // the pelvis names itself
   Target target;
 };
 
-constexpr std::array<Entry, kBodyCount> kEntries{{
+constexpr std::array<BodyInfo, kBodyCount> kBodyInfo{{
     {"pelvis", Role::pelvis, Body::pelvis, Target::pelvis},
     {"abdomen", Role::abdomen, Body::pelvis, Target::trunk},
     {"chest", Role::chest, Body::abdomen, Target::trunk},
@@ -36,8 +36,8 @@ constexpr std::array<Entry, kBodyCount> kEntries{{
     {"right_foot", Role::right_foot, Body::right_shin, Target::legs},
 }};
 
-constexpr const Entry& entry(Body body) {
-  return kEntries[static_cast<std::size_t>(body)];
+constexpr const BodyInfo& info_of(Body body) {
+  return kBodyInfo[static_cast<std::size_t>(body)];
 }
 
 constexpr std::array<std::string_view, 2> kSexNames{"female", "male"};
@@ -77,30 +77,30 @@ Eigen::Vector3f weighted_centre(const BodyModel& model, const JointFrames& frame
 }  // namespace
 
 Role role_of(Body body) {
-  return entry(body).role;
+  return info_of(body).role;
 }
 
 Body body_of(Role role) {
   if (role == Role::left_clavicle || role == Role::right_clavicle) return Body::chest;
   if (role == Role::left_toes) return Body::left_foot;
   if (role == Role::right_toes) return Body::right_foot;
-  const auto found = std::find_if(kEntries.begin(), kEntries.end(), [role](const Entry& candidate) {
-    return candidate.role == role;
-  });
-  return static_cast<Body>(found - kEntries.begin());
+  const auto found =
+      std::find_if(kBodyInfo.begin(), kBodyInfo.end(),
+                   [role](const BodyInfo& candidate) { return candidate.role == role; });
+  return static_cast<Body>(found - kBodyInfo.begin());
 }
 
 std::optional<Body> parent_of(Body body) {
   if (body == Body::pelvis) return std::nullopt;
-  return entry(body).parent;
+  return info_of(body).parent;
 }
 
 std::string_view name_of(Body body) {
-  return entry(body).name;
+  return info_of(body).name;
 }
 
 Target target_of(Body body) {
-  return entry(body).target;
+  return info_of(body).target;
 }
 
 std::string_view name_of(Sex sex) {

@@ -68,7 +68,7 @@ std::string_view name_of(Sex sex);
 std::optional<Sex> sex_named(std::string_view name);
 
 /// Who moves: a skeleton and what it weighs.
-struct Character {
+struct Physique {
   Skeleton skeleton;
   float mass_kg = 70;
   Sex sex = Sex::male;
@@ -103,7 +103,7 @@ using BodyModel = PerBody<BodyProperties>;
 /// capsule from chin to crown. In the rest pose adjacent parts about touch, others are clear of
 /// each other, and the feet's boxes lie on the ground. A bone without length gets a part of a few
 /// millimetres.
-BodyModel make_body_model(const Character& character);
+BodyModel make_body_model(const Physique& character);
 
 /// The centre of mass of one body, world, m.
 Eigen::Vector3f centre_of_mass(const BodyModel& model, const JointFrames& frames, Body body);

@@ -18,12 +18,12 @@ float distance_to_segment(const Eigen::Vector3f& from, const Eigen::Vector3f& to
 }
 
 // The outline's frame in the world.
-struct Placed {
+struct ShapeFrame {
   Eigen::Vector3f centre;
   Eigen::Quaternionf orientation;
 };
 
-Placed placed(const Figure& figure, const JointFrames& frames, Body body) {
+ShapeFrame shape_frame(const Figure& figure, const JointFrames& frames, Body body) {
   const Shape& shape = figure.bodies[body].shape;
   const Role role = role_of(body);
   return {frames.position[role] + frames.orientation[role] * shape.centre,
@@ -34,7 +34,7 @@ Placed placed(const Figure& figure, const JointFrames& frames, Body body) {
 
 Capsule capsule_of(const Figure& figure, const JointFrames& frames, Body body) {
   const Shape& shape = figure.bodies[body].shape;
-  const Placed place = placed(figure, frames, body);
+  const ShapeFrame place = shape_frame(figure, frames, body);
   if (shape.kind == Shape::Kind::capsule) {
     const Eigen::Vector3f half = place.orientation * (shape.half_length * Eigen::Vector3f::UnitZ());
     return {place.centre - half, place.centre + half, shape.radius};
@@ -54,7 +54,7 @@ float distance_to(const Figure& figure, const JointFrames& frames, Body body,
     const Capsule capsule = capsule_of(figure, frames, body);
     return std::max(distance_to_segment(capsule.from, capsule.to, point) - capsule.radius, 0.0F);
   }
-  const Placed place = placed(figure, frames, body);
+  const ShapeFrame place = shape_frame(figure, frames, body);
   const Eigen::Vector3f local = place.orientation.conjugate() * (point - place.centre);
   return (local.cwiseAbs() - shape.half_extents).cwiseMax(0).norm();
 }
@@ -79,13 +79,13 @@ float distance_between(const Figure& figure, const JointFrames& frames, Body bod
   return at(0.5F * (low + high)) - capsule.radius;
 }
 
-float distance_to_body(const Figure& figure, const JointFrames& frames,
-                       const Eigen::Vector3f& point) {
-  float least = std::numeric_limits<float>::infinity();
+float distance_to_figure(const Figure& figure, const JointFrames& frames,
+                         const Eigen::Vector3f& point) {
+  float min_distance = std::numeric_limits<float>::infinity();
   for (Body body : kBodies) {
-    least = std::min(least, distance_to(figure, frames, body, point));
+    min_distance = std::min(min_distance, distance_to(figure, frames, body, point));
   }
-  return least;
+  return min_distance;
 }
 
 // Where a ray leaves a box is where it leaves the first of its three slabs; it meets the box if it
@@ -99,7 +99,7 @@ float clearance_along(const Figure& figure, const JointFrames& frames, const Eig
         shape.kind == Shape::Kind::box
             ? shape.half_extents
             : Eigen::Vector3f(shape.radius, shape.radius, shape.radius + shape.half_length);
-    const Placed place = placed(figure, frames, body);
+    const ShapeFrame place = shape_frame(figure, frames, body);
     const Eigen::Vector3f from = place.orientation.conjugate() * (point - place.centre);
     const Eigen::Vector3f along = place.orientation.conjugate() * direction;
     float enter = -std::numeric_limits<float>::infinity();

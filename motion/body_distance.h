@@ -26,8 +26,8 @@ float distance_between(const Figure& figure, const JointFrames& frames, Body bod
                        const Capsule& capsule);
 
 /// Distance of a point from the nearest body, m.
-float distance_to_body(const Figure& figure, const JointFrames& frames,
-                       const Eigen::Vector3f& point);
+float distance_to_figure(const Figure& figure, const JointFrames& frames,
+                         const Eigen::Vector3f& point);
 
 /// How far along `direction` (unit) the line from `point` leaves head, trunk and pelvis for good,
 /// m; 0 where it meets none of them ahead. A capsule counts as its bounding box.

@@ -33,10 +33,10 @@ constexpr float kHandThickness = 0.15F;
 constexpr float kFootBreadth = 0.362F;  // 0.055 / 0.152 of the stature
 constexpr float kFootHeight = 0.6F;     // of the ankle's height: the foot falls off to the toes
 
-constexpr float kLimbDensity = 1060;       // kg/m^3, of muscle
-constexpr float kMostSlenderness = 0.45F;  // a capsule's radius over its length, so it stays one
-constexpr float kClearance = 0.95F;        // of the room that neighbours leave a part
-constexpr float kLeastExtent = 0.005F;     // m, where a skeleton's bone has no length
+constexpr float kLimbDensity = 1060;         // kg/m^3, of muscle
+constexpr float kMaxRadiusToLength = 0.45F;  // a capsule's radius over its length, so it stays one
+constexpr float kClearance = 0.95F;          // of the room that neighbours leave a part
+constexpr float kMinExtent = 0.005F;         // m, where a skeleton's bone has no length
 
 // De Leva takes head and neck together. A head without the neck of a man of 75 kg weighs 4.4 kg
 // (within the range that Yoganandan et al. 2009, "Physical properties of the human head", J.
@@ -45,15 +45,15 @@ constexpr float kHeadShare = 4.4F / 75 / 0.0694F;
 
 // The rest pose, in which all frames are parallel to the world's, so that a point less the joint's
 // position is the point in the joint's frame.
-struct Rest {
+struct RestGeometry {
   PerRole<Eigen::Vector3f> joint;
   Eigen::Vector3f middle_of_hips;
   Eigen::Vector3f crown;
   float stature;  // m
 };
 
-Rest rest_of(const Skeleton& skeleton) {
-  Rest rest;
+RestGeometry rest_geometry_of(const Skeleton& skeleton) {
+  RestGeometry rest;
   rest.joint = forward_kinematics(skeleton, rest_pose(skeleton)).position;
   rest.middle_of_hips = 0.5F * (rest.joint[Role::left_thigh] + rest.joint[Role::right_thigh]);
   rest.crown = rest.joint[Role::head] + skeleton.tip[Role::head];
@@ -61,12 +61,13 @@ Rest rest_of(const Skeleton& skeleton) {
   return rest;
 }
 
-Eigen::Vector3f along(const Eigen::Vector3f& near_end, const Eigen::Vector3f& far_end,
-                      float percent) {
+Eigen::Vector3f point_along(const Eigen::Vector3f& near_end, const Eigen::Vector3f& far_end,
+                            float percent) {
   return near_end + percent / 100 * (far_end - near_end);
 }
 
-Eigen::Quaternionf turning(const Eigen::Vector3f& from_axis, const Eigen::Vector3f& to_line) {
+Eigen::Quaternionf rotation_onto_line(const Eigen::Vector3f& from_axis,
+                                      const Eigen::Vector3f& to_line) {
   const float sense = from_axis.dot(to_line) < 0 ? -1.0F : 1.0F;  // outlines have no sense
   return rotation_between<float>(from_axis, sense * to_line);
 }
@@ -75,24 +76,24 @@ Eigen::Quaternionf turning(const Eigen::Vector3f& from_axis, const Eigen::Vector
 // point iteration:  V = pi r^2 (L - 2 r / 3).
 float capsule_radius(float mass_kg, float length_m) {
   const float volume = mass_kg / kLimbDensity;
-  const float most = kMostSlenderness * length_m;
+  const float max_radius = kMaxRadiusToLength * length_m;
   float radius = 0;
   for (int i = 0; i < 30; ++i) {
     radius = std::sqrt(volume / (std::numbers::pi_v<float> * (length_m - 2 * radius / 3)));
-    radius = std::min(radius, most);
+    radius = std::min(radius, max_radius);
   }
   return radius;
 }
 
 // From the joint to the far end, caps within.
 Shape limb_capsule(const Eigen::Vector3f& far_end, float mass_kg,
-                   float most_radius = std::numeric_limits<float>::infinity()) {
-  const float length = std::max(far_end.norm(), 2 * kLeastExtent);
+                   float max_radius = std::numeric_limits<float>::infinity()) {
+  const float length = std::max(far_end.norm(), 2 * kMinExtent);
   Shape shape;
   shape.kind = Shape::Kind::capsule;
   shape.centre = 0.5F * far_end;
-  shape.orientation = turning(Eigen::Vector3f::UnitZ(), far_end);
-  shape.radius = std::min(capsule_radius(mass_kg, length), most_radius);
+  shape.orientation = rotation_onto_line(Eigen::Vector3f::UnitZ(), far_end);
+  shape.radius = std::min(capsule_radius(mass_kg, length), max_radius);
   shape.half_length = 0.5F * length - shape.radius;
   return shape;
 }
@@ -103,11 +104,11 @@ Shape upright_box(const Eigen::Vector3f& bottom, const Eigen::Vector3f& top, flo
   shape.kind = Shape::Kind::box;
   shape.centre = 0.5F * (bottom + top);
   shape.half_extents = {0.5F * depth, 0.5F * breadth,
-                        std::max(0.5F * (top.z() - bottom.z()), kLeastExtent)};
+                        std::max(0.5F * (top.z() - bottom.z()), kMinExtent)};
   return shape;
 }
 
-void set_trunk(BodyModel& model, const Rest& rest, const de_leva::Table& table) {
+void set_trunk(BodyModel& model, const RestGeometry& rest, const de_leva::Table& table) {
   const Eigen::Vector3f& pelvis = rest.joint[Role::pelvis];
   const Eigen::Vector3f& abdomen = rest.joint[Role::abdomen];
   const Eigen::Vector3f& chest = rest.joint[Role::chest];
@@ -117,27 +118,28 @@ void set_trunk(BodyModel& model, const Rest& rest, const de_leva::Table& table) 
   const Eigen::Vector3f below_hips(0, 0, -kPelvisBelowHips * stature);
   model[Body::pelvis] = {
       table.lower_trunk.mass_percent,
-      along(abdomen, rest.middle_of_hips, table.lower_trunk.centre_percent) - pelvis,
+      point_along(abdomen, rest.middle_of_hips, table.lower_trunk.centre_percent) - pelvis,
       upright_box(rest.middle_of_hips + below_hips - pelvis, abdomen - pelvis,
                   kPelvisDepth * stature, kPelvisBreadth * stature)};
   model[Body::abdomen] = {table.middle_trunk.mass_percent,
-                          along(chest, abdomen, table.middle_trunk.centre_percent) - abdomen,
+                          point_along(chest, abdomen, table.middle_trunk.centre_percent) - abdomen,
                           upright_box(Eigen::Vector3f::Zero(), chest - abdomen,
                                       kAbdomenDepth * stature, kAbdomenBreadth * stature)};
   const float between_shoulders =
       rest.joint[Role::left_upper_arm].y() - rest.joint[Role::right_upper_arm].y();
   model[Body::chest] = {
-      table.upper_trunk.mass_percent, along(neck, chest, table.upper_trunk.centre_percent) - chest,
+      table.upper_trunk.mass_percent,
+      point_along(neck, chest, table.upper_trunk.centre_percent) - chest,
       upright_box(Eigen::Vector3f::Zero(), neck - chest, kChestDepth * stature,
                   std::min(kChestBreadth * stature, kClearance * between_shoulders))};
 }
 
 // An upright capsule from the chin to the crown about the skull, which lies before its joint.
-Shape skull(const Rest& rest) {
+Shape head_capsule(const RestGeometry& rest) {
   const Eigen::Vector3f& joint = rest.joint[Role::head];
   const float above_neck =
       rest.crown.z() - rest.joint[Role::neck].z() - kChinAboveNeck * rest.stature;
-  const float height = std::max(std::min(kHeadHeight * rest.stature, above_neck), 2 * kLeastExtent);
+  const float height = std::max(std::min(kHeadHeight * rest.stature, above_neck), 2 * kMinExtent);
   Shape shape;
   shape.kind = Shape::Kind::capsule;
   shape.centre = {kHeadForward * height, 0, rest.crown.z() - 0.5F * height - joint.z()};
@@ -148,29 +150,29 @@ Shape skull(const Rest& rest) {
 
 // The neck's centre is its middle; the head's is where both together have de Leva's centre:
 //   m c = m_head c_head + m_neck c_neck
-void set_head_and_neck(BodyModel& model, const Rest& rest, const de_leva::Table& table,
+void set_head_and_neck(BodyModel& model, const RestGeometry& rest, const de_leva::Table& table,
                        float mass_kg) {
   const Eigen::Vector3f& neck = rest.joint[Role::neck];
   const Eigen::Vector3f& head = rest.joint[Role::head];
   const float both = table.head_and_neck.mass_percent;
   const float head_mass = kHeadShare * both;
   const float neck_mass = both - head_mass;
-  const Eigen::Vector3f centre = along(rest.crown, neck, table.head_and_neck.centre_percent);
+  const Eigen::Vector3f centre = point_along(rest.crown, neck, table.head_and_neck.centre_percent);
   const Eigen::Vector3f neck_centre = 0.5F * (neck + head);
   const Eigen::Vector3f head_centre = (both * centre - neck_mass * neck_centre) / head_mass;
 
   model[Body::neck] = {neck_mass, neck_centre - neck,
                        limb_capsule(head - neck, neck_mass / 100 * mass_kg)};
-  model[Body::head] = {head_mass, head_centre - head, skull(rest)};
+  model[Body::head] = {head_mass, head_centre - head, head_capsule(rest)};
 }
 
 // A flat box from wrist to fingertips, palm down in the rest pose.
 Shape hand_box(const Eigen::Vector3f& fingertip) {
-  const float length = std::max(fingertip.norm(), 2 * kLeastExtent);
+  const float length = std::max(fingertip.norm(), 2 * kMinExtent);
   Shape shape;
   shape.kind = Shape::Kind::box;
   shape.centre = 0.5F * fingertip;
-  shape.orientation = turning(Eigen::Vector3f::UnitY(), fingertip);
+  shape.orientation = rotation_onto_line(Eigen::Vector3f::UnitY(), fingertip);
   shape.half_extents = 0.5F * length * Eigen::Vector3f(kHandBreadth, 1, kHandThickness);
   return shape;
 }
@@ -182,37 +184,37 @@ void set_arm(BodyModel& model, const Skeleton& skeleton, const de_leva::Table& t
   const Eigen::Vector3f& fingertip = skeleton.tip[role_of(hand)];
   const auto limb = [&](const de_leva::Segment& segment, const Eigen::Vector3f& far_end) {
     return BodyProperties{segment.mass_percent,
-                          along(Eigen::Vector3f::Zero(), far_end, segment.centre_percent),
+                          point_along(Eigen::Vector3f::Zero(), far_end, segment.centre_percent),
                           limb_capsule(far_end, segment.mass_percent / 100 * mass_kg)};
   };
   model[upper_arm] = limb(table.upper_arm, elbow);
   model[forearm] = limb(table.forearm, wrist);
-  model[hand] = {
-      table.hand.mass_percent,
-      along(Eigen::Vector3f::Zero(), table.knuckle_length * fingertip, table.hand.centre_percent),
-      hand_box(fingertip)};
+  model[hand] = {table.hand.mass_percent,
+                 point_along(Eigen::Vector3f::Zero(), table.knuckle_length * fingertip,
+                             table.hand.centre_percent),
+                 hand_box(fingertip)};
 }
 
 // A box on the ground from the heel to the tip of the toes, which carry no body of their own.
 BodyProperties foot_properties(const Skeleton& skeleton, const de_leva::Segment& segment,
                                Side side) {
-  const FootMeasures foot = measure_foot(skeleton, side);
-  const float height = std::max(kFootHeight * foot.ankle_height, 2 * kLeastExtent);
+  const FootDimensions foot = measure_foot(skeleton, side);
+  const float height = std::max(kFootHeight * foot.ankle_height, 2 * kMinExtent);
   const Eigen::Vector3f heel = foot.heel + 0.5F * height * Eigen::Vector3f::UnitZ();
   const Eigen::Vector3f toe_tip = heel + foot.length * foot.forward;
 
   BodyProperties properties;
   properties.mass_kg = segment.mass_percent;
-  properties.centre_of_mass = along(heel, toe_tip, segment.centre_percent);
+  properties.centre_of_mass = point_along(heel, toe_tip, segment.centre_percent);
   properties.shape.kind = Shape::Kind::box;
   properties.shape.centre = 0.5F * (heel + toe_tip);
-  properties.shape.orientation = turning(Eigen::Vector3f::UnitX(), foot.forward);
+  properties.shape.orientation = rotation_onto_line(Eigen::Vector3f::UnitX(), foot.forward);
   properties.shape.half_extents =
       0.5F * Eigen::Vector3f(foot.length, kFootBreadth * foot.length, height);
   return properties;
 }
 
-void set_leg(BodyModel& model, const Skeleton& skeleton, const Rest& rest,
+void set_leg(BodyModel& model, const Skeleton& skeleton, const RestGeometry& rest,
              const de_leva::Table& table, float mass_kg, Body thigh, Body shin, Body foot,
              Side side) {
   const Eigen::Vector3f& knee = skeleton.offset[role_of(shin)];
@@ -220,7 +222,7 @@ void set_leg(BodyModel& model, const Skeleton& skeleton, const Rest& rest,
   const auto limb = [&](const de_leva::Segment& segment, const Eigen::Vector3f& far_end) {
     const float to_middle = std::abs(rest.joint[role_of(thigh)].y());
     return BodyProperties{
-        segment.mass_percent, along(Eigen::Vector3f::Zero(), far_end, segment.centre_percent),
+        segment.mass_percent, point_along(Eigen::Vector3f::Zero(), far_end, segment.centre_percent),
         limb_capsule(far_end, segment.mass_percent / 100 * mass_kg, kClearance * to_middle)};
   };
   model[thigh] = limb(table.thigh, knee);
@@ -230,11 +232,11 @@ void set_leg(BodyModel& model, const Skeleton& skeleton, const Rest& rest,
 
 }  // namespace
 
-BodyModel make_body_model(const Character& character) {
+BodyModel make_body_model(const Physique& character) {
   const Skeleton& skeleton = character.skeleton;
   const de_leva::Table& table = de_leva::table(character.sex);
   const float mass_kg = character.mass_kg;
-  const Rest rest = rest_of(skeleton);
+  const RestGeometry rest = rest_geometry_of(skeleton);
 
   BodyModel model;
   set_trunk(model, rest, table);

@@ -31,12 +31,12 @@ constexpr float kFootLength = 0.152F;
 constexpr float kAnkleToTip = 0.75F * kFootLength;
 constexpr float kAnkleToBall = 0.47F * kFootLength;
 
-struct Side {
+struct SideRoles {
   Role clavicle, upper_arm, forearm, hand, thigh, shin, foot, toes;
   float sign;  // of y
 };
 
-void set_side(Skeleton& skeleton, const Side& side) {
+void set_side_offsets(Skeleton& skeleton, const SideRoles& side) {
   const float y = side.sign;
   skeleton.offset[side.clavicle] = {0, y * kHalfBetweenClavicles, kClavicleHeight - kChestHeight};
   skeleton.offset[side.upper_arm] = {0, y * (kHalfBetweenShoulders - kHalfBetweenClavicles),
@@ -61,7 +61,7 @@ void set_side(Skeleton& skeleton, const Side& side) {
 
 }  // namespace
 
-Character default_character() {
+Physique default_character() {
   Skeleton skeleton;
   skeleton.offset[Role::pelvis] = {0, 0, kPelvisHeight};
   skeleton.offset[Role::abdomen] = {0, 0, kAbdomenHeight - kPelvisHeight};
@@ -73,12 +73,12 @@ Character default_character() {
   skeleton.tip[Role::chest] = skeleton.offset[Role::neck];
   skeleton.tip[Role::neck] = skeleton.offset[Role::head];
   skeleton.tip[Role::head] = {0, 0, 1 - kHeadHeight};
-  set_side(skeleton,
-           {Role::left_clavicle, Role::left_upper_arm, Role::left_forearm, Role::left_hand,
-            Role::left_thigh, Role::left_shin, Role::left_foot, Role::left_toes, 1});
-  set_side(skeleton,
-           {Role::right_clavicle, Role::right_upper_arm, Role::right_forearm, Role::right_hand,
-            Role::right_thigh, Role::right_shin, Role::right_foot, Role::right_toes, -1});
+  set_side_offsets(skeleton,
+                   {Role::left_clavicle, Role::left_upper_arm, Role::left_forearm, Role::left_hand,
+                    Role::left_thigh, Role::left_shin, Role::left_foot, Role::left_toes, 1});
+  set_side_offsets(
+      skeleton, {Role::right_clavicle, Role::right_upper_arm, Role::right_forearm, Role::right_hand,
+                 Role::right_thigh, Role::right_shin, Role::right_foot, Role::right_toes, -1});
   for (Role role : kRoles) {
     skeleton.offset[role] *= kStature;
     skeleton.tip[role] *= kStature;

@@ -10,6 +10,6 @@ namespace flinch::motion {
 /// of the feet from Drillis and Contini (1966), as in Winter, "Biomechanics and Motor Control of
 /// Human Movement", figure 4.1; lengths of the arms and heights on the trunk from de Leva (1996),
 /// table 4, whose men are 1.741 m tall.
-Character default_character();
+Physique default_character();
 
 }  // namespace flinch::motion

@@ -20,15 +20,15 @@ void bend(const LimbRoles& roles, const LimbSolution& solution, const JointFrame
 
 }  // namespace
 
-Figure make_figure(const Character& character) {
+Figure make_figure(const Physique& character) {
   return {character, make_body_model(character)};
 }
 
-bool put_feet(const Skeleton& skeleton, const JointFrames& trunk, const PerSide<FootPlace>& feet,
-              Pose& pose) {
+bool solve_legs(const Skeleton& skeleton, const JointFrames& trunk, const PerSide<FootPose>& feet,
+                Pose& pose) {
   bool reached = true;
   for (Side side : kSides) {
-    const FootPlace& place = feet[index_of(side)];
+    const FootPose& place = feet[index_of(side)];
     const LimbRoles roles = roles_of(leg_of(side));
     const Eigen::Vector3f knee_way = place.orientation * Eigen::Vector3f::UnitX();
     const LimbSolution solution =
@@ -40,20 +40,20 @@ bool put_feet(const Skeleton& skeleton, const JointFrames& trunk, const PerSide<
   return reached;
 }
 
-float highest_pelvis(const Skeleton& skeleton, const JointFrames& trunk,
-                     const PerSide<FootPlace>& feet) {
+float max_pelvis_height(const Skeleton& skeleton, const JointFrames& trunk,
+                        const PerSide<FootPose>& feet) {
   float highest = std::numeric_limits<float>::infinity();
   for (Side side : kSides) {
     const float reach = 0.997F * limb_length(skeleton, leg_of(side));
     const Eigen::Vector3f& hip = trunk.position[roles_of(leg_of(side)).upper];
-    const float hip_z = highest_upper(hip, feet[index_of(side)].ankle, reach);
+    const float hip_z = max_upper_height(hip, feet[index_of(side)].ankle, reach);
     highest = std::min(highest, hip_z - hip.z());
   }
   return trunk.position[Role::pelvis].z() + highest;
 }
 
-Eigen::Quaternionf put_hand(const Skeleton& skeleton, const JointFrames& trunk, Side side,
-                            const HandPlace& place, Pose& pose) {
+Eigen::Quaternionf solve_arm(const Skeleton& skeleton, const JointFrames& trunk, Side side,
+                             const HandGoal& place, Pose& pose) {
   const LimbRoles roles = roles_of(arm_of(side));
   const LimbSolution solution = solve_limb(skeleton, arm_of(side), trunk.position[roles.upper],
                                            place.wrist, place.pole, sign_of(side) * place.swivel);
@@ -61,9 +61,9 @@ Eigen::Quaternionf put_hand(const Skeleton& skeleton, const JointFrames& trunk, 
   return solution.lower;
 }
 
-Pose with_feet(const Skeleton& skeleton, const Pose& pose, const PerSide<FootPlace>& feet) {
+Pose with_feet(const Skeleton& skeleton, const Pose& pose, const PerSide<FootPose>& feet) {
   Pose result = pose;
-  put_feet(skeleton, forward_kinematics(skeleton, pose), feet, result);
+  solve_legs(skeleton, forward_kinematics(skeleton, pose), feet, result);
   return result;
 }
 
@@ -81,10 +81,10 @@ float swivel_of(const JointFrames& frames, Side side, const Eigen::Vector3f& pol
 // forward about -y. Elbows bend about -z.
 void set_arm(Pose& pose, Side side, const ArmAngles& angles) {
   const Eigen::Quaternionf upper =
-      turn_about(Eigen::Vector3f::UnitY(), -angles.flexion) *
-      turn_about(Eigen::Vector3f::UnitX(), angles.abduction - radians(90)) *
-      turn_about(Eigen::Vector3f::UnitY(), -angles.rotation);
-  const Eigen::Quaternionf lower = turn_about(Eigen::Vector3f::UnitZ(), -angles.elbow);
+      rotation_about(Eigen::Vector3f::UnitY(), -angles.flexion) *
+      rotation_about(Eigen::Vector3f::UnitX(), angles.abduction - radians(90)) *
+      rotation_about(Eigen::Vector3f::UnitY(), -angles.rotation);
+  const Eigen::Quaternionf lower = rotation_about(Eigen::Vector3f::UnitZ(), -angles.elbow);
   const LimbRoles roles = roles_of(arm_of(side));
   const bool left = side == Side::left;
   pose.rotation[roles.upper] = left ? upper : mirrored(upper);

@@ -11,16 +11,16 @@ namespace flinch::motion {
 
 /// A character with its bodies: what authoring poses and measuring them needs.
 struct Figure {
-  Character character;
+  Physique character;
   BodyModel bodies;
 
   const Skeleton& skeleton() const { return character.skeleton; }
 };
 
-Figure make_figure(const Character& character);
+Figure make_figure(const Physique& character);
 
 /// Where a wrist goes, world, and which way its elbow.
-struct HandPlace {
+struct HandGoal {
   Eigen::Vector3f wrist = Eigen::Vector3f::Zero();
   Eigen::Vector3f pole = -Eigen::Vector3f::UnitZ();  ///< the elbow's way at swivel 0
   float swivel = 0;  ///< radians from the pole, positive away from the body
@@ -29,21 +29,21 @@ struct HandPlace {
 /// Bends the legs of a pose so that the feet are at these places, knees over the toes. `trunk` are
 /// its joints; only those of pelvis and trunk need be right. Legs too short stretch toward the
 /// place; then false is returned.
-bool put_feet(const Skeleton& skeleton, const JointFrames& trunk, const PerSide<FootPlace>& feet,
-              Pose& pose);
+bool solve_legs(const Skeleton& skeleton, const JointFrames& trunk, const PerSide<FootPose>& feet,
+                Pose& pose);
 
 /// The highest that the pelvis may be, world z, m, for both legs to reach their feet with a little
 /// bend left. Where a foot is too far aside, as high as it is.
-float highest_pelvis(const Skeleton& skeleton, const JointFrames& trunk,
-                     const PerSide<FootPlace>& feet);
+float max_pelvis_height(const Skeleton& skeleton, const JointFrames& trunk,
+                        const PerSide<FootPose>& feet);
 
 /// Bends the arm of one side so that its wrist is at this place, and returns the forearm's
 /// orientation, world. The hand keeps its rotation relative to the forearm.
-Eigen::Quaternionf put_hand(const Skeleton& skeleton, const JointFrames& trunk, Side side,
-                            const HandPlace& place, Pose& pose);
+Eigen::Quaternionf solve_arm(const Skeleton& skeleton, const JointFrames& trunk, Side side,
+                             const HandGoal& place, Pose& pose);
 
 /// The pose with its feet put to these places.
-Pose with_feet(const Skeleton& skeleton, const Pose& pose, const PerSide<FootPlace>& feet);
+Pose with_feet(const Skeleton& skeleton, const Pose& pose, const PerSide<FootPose>& feet);
 
 /// The swivel of an arm from a pole, radians, positive away from the body: what with_hands needs
 /// to bring the elbow back to where it is.

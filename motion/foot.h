@@ -35,22 +35,22 @@ struct FootRoles {
 FootRoles roles_of(Side side);
 
 /// Where an ankle is, world.
-struct FootPlace {
+struct FootPose {
   Eigen::Vector3f ankle = Eigen::Vector3f::Zero();
   Eigen::Quaternionf orientation = Eigen::Quaternionf::Identity();
 };
-FootPlace foot_place(const JointFrames& frames, Side side);
+FootPose foot_pose(const JointFrames& frames, Side side);
 
 /// Between two places: the ankle linearly, the orientation by slerp.
-FootPlace blend(const FootPlace& from, const FootPlace& to, float weight);
+FootPose blend(const FootPose& from, const FootPose& to, float weight);
 
 /// The lowest of points in a frame with this orientation, above the frame's origin, m; infinite of
 /// no points.
-float lowest_point(std::span<const Eigen::Vector3f> points, const Eigen::Quaternionf& orientation);
+float min_height(std::span<const Eigen::Vector3f> points, const Eigen::Quaternionf& orientation);
 
 /// Size and place of a foot, in the frame of its joint in the rest pose, whose ankle stands above
 /// the ground.
-struct FootMeasures {
+struct FootDimensions {
   Eigen::Vector3f forward;  ///< unit, horizontal, from below the ankle to the tip of the toes
   Eigen::Vector3f heel;     ///< where the heel's end stands on the ground, m
   float length;             ///< from the heel's end to the tip of the toes, m
@@ -59,6 +59,6 @@ struct FootMeasures {
 
 /// Skeletons do not say where the heel is: it is taken to reach behind the ankle by a quarter of
 /// the foot's length, an estimate from mean adults.
-FootMeasures measure_foot(const Skeleton& skeleton, Side side);
+FootDimensions measure_foot(const Skeleton& skeleton, Side side);
 
 }  // namespace flinch::motion

@@ -19,8 +19,8 @@ float shorter_sign(const Eigen::Quaternionf& from, const Eigen::Quaternionf& to)
 }
 
 // slerp(p, q, w) = (sin((1-w) a) p + sin(w a) q) / sin a  with cos a = p . q
-Eigen::Quaternionf slerp_to(const Eigen::Quaternionf& from, const Eigen::Quaternionf& to,
-                            float sign, float weight) {
+Eigen::Quaternionf slerp_with_sign(const Eigen::Quaternionf& from, const Eigen::Quaternionf& to,
+                                   float sign, float weight) {
   constexpr float kNearlyParallel = 0.9995F;
   const float cosine = std::min(sign * from.dot(to), 1.0F);
   float from_weight = 1 - weight;
@@ -44,7 +44,7 @@ float minimum_jerk(float s) {
 
 Eigen::Quaternionf slerp(const Eigen::Quaternionf& from, const Eigen::Quaternionf& to,
                          float weight) {
-  return slerp_to(from, to, shorter_sign(from, to), weight);
+  return slerp_with_sign(from, to, shorter_sign(from, to), weight);
 }
 
 Pose blend(const Pose& from, const Pose& to, float weight, std::span<const Role> roles) {
@@ -56,8 +56,8 @@ Pose blend(const Pose& from, const Pose& to, float weight, std::span<const Role>
   return result;
 }
 
-Pose blend_on_first_arc(const Pose& from, const Pose& to, float weight, const Pose& from_at_start,
-                        const Pose& to_at_start) {
+Pose blend_along_initial_arc(const Pose& from, const Pose& to, float weight,
+                             const Pose& from_at_start, const Pose& to_at_start) {
   constexpr float kWholeTurn = -0.95F;  // cosine of half the arc: beyond, the arc has no direction
   Pose result;
   result.root_position = (1 - weight) * from.root_position + weight * to.root_position;
@@ -70,7 +70,7 @@ Pose blend_on_first_arc(const Pose& from, const Pose& to, float weight, const Po
     const float sign = shorter_sign(p, p_at_start) * shorter_sign(p_at_start, q_at_start) *
                        shorter_sign(q_at_start, q);
     result.rotation[role] =
-        sign * p.dot(q) < kWholeTurn ? slerp(p, q, weight) : slerp_to(p, q, sign, weight);
+        sign * p.dot(q) < kWholeTurn ? slerp(p, q, weight) : slerp_with_sign(p, q, sign, weight);
   }
   return result;
 }

@@ -28,7 +28,7 @@ Pose blend(const Pose& from, const Pose& to, float weight, std::span<const Role>
 /// side that a joint would make when the shorter arc between its two rotations changes sides: every
 /// joint keeps to the arc that is the shorter one between `from_at_start` and `to_at_start`, the
 /// poses when the blend begins. At the start it is the same as `blend`.
-Pose blend_on_first_arc(const Pose& from, const Pose& to, float weight, const Pose& from_at_start,
-                        const Pose& to_at_start);
+Pose blend_along_initial_arc(const Pose& from, const Pose& to, float weight,
+                             const Pose& from_at_start, const Pose& to_at_start);
 
 }  // namespace flinch::motion

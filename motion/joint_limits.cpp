@@ -14,14 +14,14 @@ namespace {
 // Ranges in degrees about x, y, z of the reference. Signs on the left side: an arm (+Y) rises with
 // +x and comes forward with -z; a leg (-Z) comes forward with -y and goes outward with +x; a trunk
 // (+Z) bows with +y and bends to the right with +x.
-struct Row {
+struct LimitsRow {
   std::string_view name;
   Role from;
   Role to;
   float reference_z;  // turn about z of the reference from the rest pose
   int axis;           // of the twist: 0 x, 1 y, 2 z
-  Eigen::Vector3f least;
-  Eigen::Vector3f most;
+  Eigen::Vector3f min;
+  Eigen::Vector3f max;
 };
 
 // Sources.
@@ -42,14 +42,14 @@ struct Row {
 //   (weight-bearing lunge, Bennell et al. 1998; the Academy's 20 is of a hanging foot).
 // Toes: extension 70, flexion 45.
 // All without a name: American Academy of Orthopaedic Surgeons, Joint Motion (1965).
-std::array<Row, 2> middle_rows() {
+std::array<LimitsRow, 2> middle_rows() {
   return {{
       {"trunk", Role::pelvis, Role::chest, 0, 2, {-40, -60, -40}, {40, 105, 40}},
       {"neck", Role::chest, Role::head, 0, 2, {-45, -60, -80}, {45, 50, 80}},
   }};
 }
 
-std::array<Row, 8> left_rows() {
+std::array<LimitsRow, 8> left_rows() {
   return {{
       {"clavicle", Role::chest, Role::left_clavicle, 0, 1, {-10, -50, -30}, {45, 50, 25}},
       {"shoulder", Role::chest, Role::left_upper_arm, -45, 1, {-108, -135, -95}, {95, 85, 100}},
@@ -69,22 +69,22 @@ constexpr std::array<std::string_view, 8> kRightNames{
     "right_clavicle", "right_shoulder", "right_elbow", "right_wrist",
     "right_hip",      "right_knee",     "right_ankle", "right_toes"};
 
-JointLimits limits_of(const Row& row, std::string_view name, bool on_right_side) {
+JointLimits limits_of(const LimitsRow& row, std::string_view name, bool on_right_side) {
   JointLimits limits;
   limits.name = name;
   limits.from = on_right_side ? mirrored(row.from) : row.from;
   limits.to = on_right_side ? mirrored(row.to) : row.to;
-  limits.reference = turn_about(Eigen::Vector3f::UnitZ(), radians(row.reference_z));
+  limits.reference = rotation_about(Eigen::Vector3f::UnitZ(), radians(row.reference_z));
   limits.axis = Eigen::Vector3f::Unit(row.axis);
-  limits.least = row.least.unaryExpr([](float angle) { return radians(angle); });
-  limits.most = row.most.unaryExpr([](float angle) { return radians(angle); });
+  limits.min = row.min.unaryExpr([](float angle) { return radians(angle); });
+  limits.max = row.max.unaryExpr([](float angle) { return radians(angle); });
   limits.on_right_side = on_right_side;
   return limits;
 }
 
 std::vector<JointLimits> make_table() {
   std::vector<JointLimits> table;
-  for (const Row& row : middle_rows()) table.push_back(limits_of(row, row.name, false));
+  for (const LimitsRow& row : middle_rows()) table.push_back(limits_of(row, row.name, false));
   const auto left = left_rows();
   for (std::size_t i = 0; i < left.size(); ++i) {
     table.push_back(limits_of(left[i], kLeftNames[i], false));
@@ -110,22 +110,23 @@ const JointLimits& joint_limits_named(std::string_view name) {
 // rotation = reference * swing * twist, with the twist about the axis.
 Eigen::Vector3f joint_angles(const JointLimits& limits, const Eigen::Quaternionf& rotation) {
   const Eigen::Quaternionf seen = limits.on_right_side ? mirrored(rotation) : rotation;
-  return swing_and_twist<float>(limits.reference.conjugate() * seen, limits.axis);
+  return swing_twist_vector<float>(limits.reference.conjugate() * seen, limits.axis);
 }
 
 Eigen::Quaternionf rotation_of_angles(const JointLimits& limits, const Eigen::Vector3f& angles) {
-  const Eigen::Quaternionf rotation = limits.reference * from_swing_and_twist(angles, limits.axis);
+  const Eigen::Quaternionf rotation =
+      limits.reference * rotation_from_swing_twist(angles, limits.axis);
   return limits.on_right_side ? mirrored(rotation) : rotation;
 }
 
 float limit_excess(const JointLimits& limits, const Eigen::Quaternionf& rotation) {
   const Eigen::Vector3f angles = joint_angles(limits, rotation);
-  const float over = (angles - limits.most).maxCoeff();
-  const float under = (limits.least - angles).maxCoeff();
+  const float over = (angles - limits.max).maxCoeff();
+  const float under = (limits.min - angles).maxCoeff();
   return std::max({over, under, 0.0F});
 }
 
-void limit_arm(Pose& pose, Side side) {
+void clamp_arm_to_limits(Pose& pose, Side side) {
   const bool left = side == Side::left;
   const JointLimits& shoulder = joint_limits_named(left ? "left_shoulder" : "right_shoulder");
   const JointLimits& wrist = joint_limits_named(left ? "left_wrist" : "right_wrist");
@@ -134,15 +135,14 @@ void limit_arm(Pose& pose, Side side) {
   Eigen::Quaternionf& upper_arm = pose.rotation[shoulder.to];
   const Eigen::Quaternionf arm = clavicle * upper_arm;
   if (limit_excess(shoulder, arm) > 0) {
-    upper_arm = (clavicle.conjugate() * within_limits(shoulder, arm)).normalized();
+    upper_arm = (clavicle.conjugate() * clamp_to_limits(shoulder, arm)).normalized();
   }
-  pose.rotation[wrist.to] = within_limits(wrist, pose.rotation[wrist.to]);
+  pose.rotation[wrist.to] = clamp_to_limits(wrist, pose.rotation[wrist.to]);
 }
 
-Eigen::Quaternionf within_limits(const JointLimits& limits, const Eigen::Quaternionf& rotation) {
+Eigen::Quaternionf clamp_to_limits(const JointLimits& limits, const Eigen::Quaternionf& rotation) {
   const Eigen::Vector3f angles = joint_angles(limits, rotation);
-  return rotation_of_angles(limits, angles.cwiseMax(limits.least).cwiseMin(limits.most))
-      .normalized();
+  return rotation_of_angles(limits, angles.cwiseMax(limits.min).cwiseMin(limits.max)).normalized();
 }
 
 }  // namespace flinch::motion

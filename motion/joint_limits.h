@@ -21,8 +21,8 @@ struct JointLimits {
   Role to;
   Eigen::Quaternionf reference;  ///< where all three angles are 0
   Eigen::Vector3f axis;          ///< of the twist: a coordinate axis
-  Eigen::Vector3f least;         ///< radians
-  Eigen::Vector3f most;
+  Eigen::Vector3f min;           ///< radians
+  Eigen::Vector3f max;
   bool on_right_side = false;
 };
 
@@ -43,9 +43,9 @@ Eigen::Quaternionf rotation_of_angles(const JointLimits& limits, const Eigen::Ve
 float limit_excess(const JointLimits& limits, const Eigen::Quaternionf& rotation);
 
 /// The rotation with each angle clamped to its range.
-Eigen::Quaternionf within_limits(const JointLimits& limits, const Eigen::Quaternionf& rotation);
+Eigen::Quaternionf clamp_to_limits(const JointLimits& limits, const Eigen::Quaternionf& rotation);
 
 /// Clamps shoulder and wrist of an arm to their limits.
-void limit_arm(Pose& pose, Side side);
+void clamp_arm_to_limits(Pose& pose, Side side);
 
 }  // namespace flinch::motion

@@ -10,15 +10,15 @@
 namespace flinch::motion {
 namespace {
 
-Eigen::Vector3f without_part_along(const Eigen::Vector3f& vector, const Eigen::Vector3f& line) {
+Eigen::Vector3f rejection_from(const Eigen::Vector3f& vector, const Eigen::Vector3f& line) {
   return vector - vector.dot(line) * line;
 }
 
 // Any fixed direction square to the line.
-Eigen::Vector3f some_direction_square_to(const Eigen::Vector3f& line) {
+Eigen::Vector3f any_perpendicular_to(const Eigen::Vector3f& line) {
   const Eigen::Vector3f axis =
       std::abs(line.x()) < 0.9F ? Eigen::Vector3f::UnitX() : Eigen::Vector3f::UnitZ();
-  return without_part_along(axis, line).normalized();
+  return rejection_from(axis, line).normalized();
 }
 
 // The direction, square to the line from upper joint to end, in which the middle joint sticks out.
@@ -31,12 +31,12 @@ Eigen::Vector3f bending_direction(const Eigen::Vector3f& to_middle, const Eigen:
       0.01F;                      // middle joint's distance from the line over the line's length
   constexpr float kBent = 0.05F;  // about 11 degrees at the hinge
   const float length = to_end.norm();
-  if (length <= 0) return some_direction_square_to(hinge);
+  if (length <= 0) return any_perpendicular_to(hinge);
   const Eigen::Vector3f line = to_end / length;
   const Eigen::Vector3f across = line.cross(hinge);
-  if (across.norm() <= 0) return some_direction_square_to(line);
+  if (across.norm() <= 0) return any_perpendicular_to(line);
   const Eigen::Vector3f by_hinge = across.normalized();
-  const Eigen::Vector3f off_line = without_part_along(to_middle, line);
+  const Eigen::Vector3f off_line = rejection_from(to_middle, line);
   const float bend = off_line.norm() / length;
   const float weight = ease_in_ease_out((bend - kStraight) / (kBent - kStraight));
   if (weight <= 0) return by_hinge;
@@ -44,20 +44,23 @@ Eigen::Vector3f bending_direction(const Eigen::Vector3f& to_middle, const Eigen:
 }
 
 // The rotation that takes the orthonormal pair `line`, `square` to the other.
-Eigen::Quaternionf taking(const Eigen::Vector3f& line, const Eigen::Vector3f& square,
-                          const Eigen::Vector3f& to_line, const Eigen::Vector3f& to_square) {
+Eigen::Quaternionf rotation_between_pairs(const Eigen::Vector3f& line,
+                                          const Eigen::Vector3f& perpendicular,
+                                          const Eigen::Vector3f& to_line,
+                                          const Eigen::Vector3f& to_perpendicular) {
   Eigen::Matrix3f from;
-  from << line, square, line.cross(square);
+  from << line, perpendicular, line.cross(perpendicular);
   Eigen::Matrix3f to;
-  to << to_line, to_square, to_line.cross(to_square);
+  to << to_line, to_perpendicular, to_line.cross(to_perpendicular);
   return Eigen::Quaternionf(to * from.transpose()).normalized();
 }
 
 // How far a limb of bones a and b is bent: the angle between their parts square to the hinge.
-float bend_of(const Eigen::Vector3f& a, const Eigen::Vector3f& b, const Eigen::Vector3f& hinge) {
-  const Eigen::Vector3f a_square = without_part_along(a, hinge);
-  const Eigen::Vector3f b_square = without_part_along(b, hinge);
-  return std::atan2(hinge.dot(a_square.cross(b_square)), a_square.dot(b_square));
+float bend_angle(const Eigen::Vector3f& a, const Eigen::Vector3f& b, const Eigen::Vector3f& hinge) {
+  const Eigen::Vector3f a_perpendicular = rejection_from(a, hinge);
+  const Eigen::Vector3f b_perpendicular = rejection_from(b, hinge);
+  return std::atan2(hinge.dot(a_perpendicular.cross(b_perpendicular)),
+                    a_perpendicular.dot(b_perpendicular));
 }
 
 // How far a hinge must turn to bring the limb's end to a distance from its upper joint.
@@ -75,17 +78,16 @@ struct HingeBend {
 HingeBend bend_for_distance(const Eigen::Vector3f& a, const Eigen::Vector3f& b,
                             const Eigen::Vector3f& hinge, float distance,
                             const HingeLimits& limits) {
-  const Eigen::Vector3f a_square = without_part_along(a, hinge);
-  const Eigen::Vector3f b_square = without_part_along(b, hinge);
+  const Eigen::Vector3f a_perpendicular = rejection_from(a, hinge);
+  const Eigen::Vector3f b_perpendicular = rejection_from(b, hinge);
   const float along = a.dot(hinge) * b.dot(hinge);
-  const float product = a_square.norm() * b_square.norm();
-  const float rest_bend = bend_of(a, b, hinge);
+  const float product = a_perpendicular.norm() * b_perpendicular.norm();
+  const float rest_bend = bend_angle(a, b, hinge);
   if (product <= 0) return {0, false};  // a bone of no length bends nothing
 
   const float rigid = a.squaredNorm() + b.squaredNorm() + 2 * along;
   const float cosine = (distance * distance - rigid) / (2 * product);
-  const float bend =
-      std::clamp(std::acos(std::clamp(cosine, -1.0F, 1.0F)), limits.least, limits.most);
+  const float bend = std::clamp(std::acos(std::clamp(cosine, -1.0F, 1.0F)), limits.min, limits.max);
   constexpr float kReachTolerance = 1e-4F;  // m
   const float found = std::sqrt(std::max(rigid + 2 * product * std::cos(bend), 0.0F));
   return {bend - rest_bend, std::abs(found - distance) <= kReachTolerance};
@@ -97,12 +99,12 @@ Eigen::Vector3f bending_axis(const Eigen::Vector3f& upper_bone, const Eigen::Vec
                              const Eigen::Vector3f& hinge) {
   constexpr float kStraight = 0.03F;  // sine of the bend
   constexpr float kBent = 0.15F;
-  const Eigen::Vector3f square = upper_bone.cross(lower_bone);
-  const float size = square.norm();
+  const Eigen::Vector3f perpendicular = upper_bone.cross(lower_bone);
+  const float size = perpendicular.norm();
   const float sine = size / std::max(upper_bone.norm() * lower_bone.norm(), 1e-9F);
   const float weight = ease_in_ease_out((sine - kStraight) / (kBent - kStraight));
   if (weight <= 0) return hinge;
-  const Eigen::Vector3f axis = (1 - weight) * hinge + weight / size * square;
+  const Eigen::Vector3f axis = (1 - weight) * hinge + weight / size * perpendicular;
   return axis.norm() > 1e-3F ? Eigen::Vector3f(axis.normalized()) : hinge;
 }
 
@@ -135,8 +137,8 @@ float limb_length(const Skeleton& skeleton, Limb limb) {
   return skeleton.offset[roles.lower].norm() + skeleton.offset[roles.end].norm();
 }
 
-float highest_upper(const Eigen::Vector3f& upper_position, const Eigen::Vector3f& end_position,
-                    float reach) {
+float max_upper_height(const Eigen::Vector3f& upper_position, const Eigen::Vector3f& end_position,
+                       float reach) {
   const float across = (upper_position - end_position).head<2>().squaredNorm();
   return end_position.z() + std::sqrt(std::max(reach * reach - across, 0.0F));
 }
@@ -158,20 +160,21 @@ LimbSolution solve_limb(const Skeleton& skeleton, Limb limb, const Eigen::Vector
   const float distance = to_target.norm();
 
   const HingeBend bend = bend_for_distance(upper_bone, lower_bone, hinge, distance, limits);
-  const Eigen::Quaternionf lower_local = turn_about(hinge, bend.angle);
+  const Eigen::Quaternionf lower_local = rotation_about(hinge, bend.angle);
   const Eigen::Vector3f to_end = upper_bone + lower_local * lower_bone;  // in the upper frame
 
   const Eigen::Vector3f line =
       distance > 0 ? Eigen::Vector3f(to_target / distance) : -Eigen::Vector3f::UnitZ();
-  const Eigen::Vector3f pole_off_line = without_part_along(pole_vector, line);
+  const Eigen::Vector3f pole_off_line = rejection_from(pole_vector, line);
   constexpr float kParallel = 1e-6F;
-  const Eigen::Vector3f square = pole_off_line.norm() > kParallel * pole_vector.norm()
-                                     ? Eigen::Vector3f(pole_off_line.normalized())
-                                     : some_direction_square_to(line);
+  const Eigen::Vector3f perpendicular = pole_off_line.norm() > kParallel * pole_vector.norm()
+                                            ? Eigen::Vector3f(pole_off_line.normalized())
+                                            : any_perpendicular_to(line);
 
   LimbSolution solution;
-  solution.upper = taking(to_end.normalized(), bending_direction(upper_bone, to_end, hinge), line,
-                          turn_about(line, swivel) * square);
+  solution.upper =
+      rotation_between_pairs(to_end.normalized(), bending_direction(upper_bone, to_end, hinge),
+                             line, rotation_about(line, swivel) * perpendicular);
   solution.lower = (solution.upper * lower_local).normalized();
   solution.reached = bend.in_reach;
   return solution;
@@ -195,9 +198,9 @@ bool move_limb_end(const JointFrames& frames, Limb limb, const Eigen::Vector3f& 
       bending_axis(upper_bone, lower_bone, frames.orientation[roles.upper] * hinge_axis(limb));
   const HingeBend bend =
       bend_for_distance(upper_bone, lower_bone, axis, (end_position - root).norm(),
-                        {std::min(limits.least, bend_of(upper_bone, lower_bone, axis)),
-                         std::max(limits.most, bend_of(upper_bone, lower_bone, axis))});
-  const Eigen::Quaternionf flex = turn_about(axis, bend.angle);
+                        {std::min(limits.min, bend_angle(upper_bone, lower_bone, axis)),
+                         std::max(limits.max, bend_angle(upper_bone, lower_bone, axis))});
+  const Eigen::Quaternionf flex = rotation_about(axis, bend.angle);
   const Eigen::Quaternionf swing =
       rotation_between<float>(upper_bone + flex * lower_bone, end_position - root);
   const Eigen::Quaternionf& parent = frames.orientation[*parent_of(roles.upper)];

@@ -27,8 +27,8 @@ float limb_length(const Skeleton& skeleton, Limb limb);
 
 /// How high the upper joint may rise, world z, m, with the end no farther off than `reach`; where
 /// the end is farther aside than that, the end's own height.
-float highest_upper(const Eigen::Vector3f& upper_position, const Eigen::Vector3f& end_position,
-                    float reach);
+float max_upper_height(const Eigen::Vector3f& upper_position, const Eigen::Vector3f& end_position,
+                       float reach);
 
 /// The axis of the elbow or knee in the frame of the upper joint, unit; turning the lower joint by
 /// a positive angle about it bends the limb. Knees bend about +Y, which takes the shin backwards
@@ -41,8 +41,8 @@ Eigen::Vector3f hinge_axis(Limb limb);
 /// American Academy of Orthopaedic Surgeons (1965): elbow 0 to 150 degrees, knee 0 to 135, widened
 /// to 150 for the passive bend of a deep crouch.
 struct HingeLimits {
-  float least = 0.01F;
-  float most = 2.618F;
+  float min = 0.01F;
+  float max = 2.618F;
 };
 
 /// Result of solving a limb.

@@ -7,13 +7,13 @@ namespace flinch::motion {
 namespace {
 
 /// The Z axis turned, to the bits of Eigen's product without the terms that are nothing.
-Eigen::Vector3d axis_of(const Outline& capsule) {
+Eigen::Vector3d axis_of(const CollisionShape& capsule) {
   const Eigen::Quaterniond& q = capsule.orientation;
   return {q.w() * (2 * q.y()) + q.z() * (2 * q.x()), q.w() * (-2 * q.x()) + q.z() * (2 * q.y()),
           1 + (q.x() * (-2 * q.x()) - q.y() * (2 * q.y()))};
 }
 
-Eigen::Vector3d nearest_on_axis(const Eigen::Vector3d& centre, const Outline& capsule) {
+Eigen::Vector3d nearest_on_axis(const Eigen::Vector3d& centre, const CollisionShape& capsule) {
   const Eigen::Vector3d axis = axis_of(capsule);
   const Eigen::Vector3d offset = centre - capsule.centre;
   const double along = std::clamp(offset.dot(axis), -capsule.half_length, capsule.half_length);
@@ -21,7 +21,8 @@ Eigen::Vector3d nearest_on_axis(const Eigen::Vector3d& centre, const Outline& ca
 }
 
 /// From the nearest point of a capsule's axis.
-Clearance capsule_clearance(const Eigen::Vector3d& centre, double radius, const Outline& capsule) {
+Clearance capsule_clearance(const Eigen::Vector3d& centre, double radius,
+                            const CollisionShape& capsule) {
   const Eigen::Vector3d nearest = nearest_on_axis(centre, capsule);
   const Eigen::Vector3d separation = centre - nearest;
   const double distance = separation.norm();
@@ -34,7 +35,7 @@ Clearance capsule_clearance(const Eigen::Vector3d& centre, double radius, const 
 
 /// Where a point is in a box's own axes, and the point of the box that is nearest to it.
 struct InBox {
-  InBox(const Eigen::Vector3d& point, const Outline& box)
+  InBox(const Eigen::Vector3d& point, const CollisionShape& box)
       : local(box.orientation.conjugate() * (point - box.centre)),
         nearest(local.cwiseMax(-box.half_extents).cwiseMin(box.half_extents)),
         distance((local - nearest).norm()) {}
@@ -45,12 +46,12 @@ struct InBox {
 };
 
 /// From inside, the way out through the nearest face, and which that is: 0 or below.
-double way_out(const InBox& in, const Outline& box, int& face) {
+double way_out(const InBox& in, const CollisionShape& box, int& face) {
   return -(box.half_extents - in.local.cwiseAbs()).minCoeff(&face);
 }
 
 /// From the nearest point of a box; from inside, through the nearest face.
-Clearance box_clearance(const Eigen::Vector3d& centre, double radius, const Outline& box) {
+Clearance box_clearance(const Eigen::Vector3d& centre, double radius, const CollisionShape& box) {
   InBox in(centre, box);
   Eigen::Vector3d normal = in.local - in.nearest;
   if (in.distance > 0) {
@@ -66,7 +67,7 @@ Clearance box_clearance(const Eigen::Vector3d& centre, double radius, const Outl
           box.orientation * normal};
 }
 
-double box_gap(const Eigen::Vector3d& centre, double radius, const Outline& box) {
+double box_gap(const Eigen::Vector3d& centre, double radius, const CollisionShape& box) {
   const InBox in(centre, box);
   int face = 0;
   return (in.distance > 0 ? in.distance : way_out(in, box, face)) - radius;
@@ -74,11 +75,11 @@ double box_gap(const Eigen::Vector3d& centre, double radius, const Outline& box)
 
 }  // namespace
 
-double Outline::reach() const {
+double CollisionShape::reach() const {
   return kind == Shape::Kind::capsule ? half_length : half_extents.norm();
 }
 
-Outline outline_of(const Shape& shape) {
+CollisionShape collision_shape_of(const Shape& shape) {
   return {.kind = shape.kind,
           .radius = static_cast<double>(shape.radius),
           .half_length = static_cast<double>(shape.half_length),
@@ -87,13 +88,13 @@ Outline outline_of(const Shape& shape) {
           .orientation = shape.orientation.cast<double>().normalized()};
 }
 
-PerBody<Outline> outlines_of(const BodyModel& model, const JointFrames& frames) {
-  PerBody<Outline> outlines;
+PerBody<CollisionShape> collision_shapes_of(const BodyModel& model, const JointFrames& frames) {
+  PerBody<CollisionShape> outlines;
   for (Body body : kBodies) {
     const Role role = role_of(body);
     const Eigen::Quaterniond orientation = frames.orientation[role].cast<double>();
-    Outline& outline = outlines[body];
-    outline = outline_of(model[body].shape);
+    CollisionShape& outline = outlines[body];
+    outline = collision_shape_of(model[body].shape);
     outline.centre = frames.position[role].cast<double>() + orientation * outline.centre;
     outline.orientation = orientation * outline.orientation;
   }
@@ -101,12 +102,12 @@ PerBody<Outline> outlines_of(const BodyModel& model, const JointFrames& frames) 
 }
 
 Clearance clearance(const Eigen::Vector3d& ball_centre, double ball_radius,
-                    const Outline& outline) {
+                    const CollisionShape& outline) {
   return outline.kind == Shape::Kind::capsule ? capsule_clearance(ball_centre, ball_radius, outline)
                                               : box_clearance(ball_centre, ball_radius, outline);
 }
 
-double gap(const Eigen::Vector3d& ball_centre, double ball_radius, const Outline& outline) {
+double gap(const Eigen::Vector3d& ball_centre, double ball_radius, const CollisionShape& outline) {
   return outline.kind == Shape::Kind::capsule
              ? (ball_centre - nearest_on_axis(ball_centre, outline)).norm() - ball_radius -
                    outline.radius

@@ -6,7 +6,7 @@
 namespace flinch::motion {
 
 /// A body's outline for contact, in double and wherever it is.
-struct Outline {
+struct CollisionShape {
   Shape::Kind kind = Shape::Kind::capsule;
   double radius = 0;                                                ///< of a capsule, m
   double half_length = 0;                                           ///< of a capsule, m
@@ -19,10 +19,10 @@ struct Outline {
 };
 
 /// In the frame of the shape: of its body's joint.
-Outline outline_of(const Shape& shape);
+CollisionShape collision_shape_of(const Shape& shape);
 
 /// Those of a figure's bodies where its joints are, world.
-PerBody<Outline> outlines_of(const BodyModel& model, const JointFrames& frames);
+PerBody<CollisionShape> collision_shapes_of(const BodyModel& model, const JointFrames& frames);
 
 /// Where a ball and an outline are closest.
 struct Clearance {
@@ -32,8 +32,9 @@ struct Clearance {
 };
 
 /// How near a ball is to an outline.
-Clearance clearance(const Eigen::Vector3d& ball_centre, double ball_radius, const Outline& outline);
+Clearance clearance(const Eigen::Vector3d& ball_centre, double ball_radius,
+                    const CollisionShape& outline);
 /// Its gap alone, the same bits in half the time.
-double gap(const Eigen::Vector3d& ball_centre, double ball_radius, const Outline& outline);
+double gap(const Eigen::Vector3d& ball_centre, double ball_radius, const CollisionShape& outline);
 
 }  // namespace flinch::motion

@@ -4,13 +4,13 @@
 namespace flinch::motion {
 namespace {
 
-struct Entry {
+struct RoleInfo {
   std::string_view name;
   Role parent;  // the pelvis names itself
   Role mirrored;
 };
 
-constexpr std::array<Entry, kRoleCount> kEntries{{
+constexpr std::array<RoleInfo, kRoleCount> kRoleInfo{{
     {"pelvis", Role::pelvis, Role::pelvis},
     {"abdomen", Role::pelvis, Role::abdomen},
     {"chest", Role::abdomen, Role::chest},
@@ -34,23 +34,23 @@ constexpr std::array<Entry, kRoleCount> kEntries{{
     {"right_toes", Role::right_foot, Role::left_toes},
 }};
 
-constexpr const Entry& entry(Role role) {
-  return kEntries[static_cast<std::size_t>(role)];
+constexpr const RoleInfo& info_of(Role role) {
+  return kRoleInfo[static_cast<std::size_t>(role)];
 }
 
 }  // namespace
 
 std::optional<Role> parent_of(Role role) {
   if (role == Role::pelvis) return std::nullopt;
-  return entry(role).parent;
+  return info_of(role).parent;
 }
 
 Role mirrored(Role role) {
-  return entry(role).mirrored;
+  return info_of(role).mirrored;
 }
 
 std::string_view name_of(Role role) {
-  return entry(role).name;
+  return info_of(role).name;
 }
 
 std::optional<Role> role_named(std::string_view name) {

@@ -17,7 +17,7 @@ constexpr float degrees(float radians) {
 }
 
 /// The same angle in [-pi, pi], radians.
-inline float wrapped(float angle) {
+inline float wrapped_to_pi(float angle) {
   return std::remainder(angle, 2 * std::numbers::pi_v<float>);
 }
 
@@ -31,7 +31,7 @@ inline float yaw_of(const Eigen::Quaternionf& orientation) {
 }
 
 /// The rotation by `angle` radians about a unit axis.
-inline Eigen::Quaternionf turn_about(const Eigen::Vector3f& axis, float angle) {
+inline Eigen::Quaternionf rotation_about(const Eigen::Vector3f& axis, float angle) {
   return Eigen::Quaternionf(Eigen::AngleAxisf(angle, axis));
 }
 
@@ -59,7 +59,7 @@ Eigen::Vector3<Scalar> rotation_vector(const Eigen::Quaternion<Scalar>& rotation
 
 /// The rotation of a rotation vector: the inverse.
 template <typename Scalar>
-Eigen::Quaternion<Scalar> rotation_by(const Eigen::Vector3<Scalar>& vector) {
+Eigen::Quaternion<Scalar> rotation_from_vector(const Eigen::Vector3<Scalar>& vector) {
   const Scalar angle = vector.norm();
   if (!(angle > 0)) return Eigen::Quaternion<Scalar>::Identity();
   return Eigen::Quaternion<Scalar>(Eigen::AngleAxis<Scalar>(angle, vector / angle));
@@ -67,13 +67,13 @@ Eigen::Quaternion<Scalar> rotation_by(const Eigen::Vector3<Scalar>& vector) {
 
 /// A rotation as a swing across a unit axis after a twist about it.
 template <typename Scalar>
-struct SwingAndTwist {
+struct SwingTwist {
   Eigen::Quaternion<Scalar> swing;
   Eigen::Quaternion<Scalar> twist;
 };
 template <typename Scalar>
-SwingAndTwist<Scalar> split_at_twist(const Eigen::Quaternion<Scalar>& rotation,
-                                     const Eigen::Vector3<Scalar>& axis) {
+SwingTwist<Scalar> decompose_swing_twist(const Eigen::Quaternion<Scalar>& rotation,
+                                         const Eigen::Vector3<Scalar>& axis) {
   const Scalar along = rotation.vec().dot(axis);
   Eigen::Quaternion<Scalar> twist(rotation.w(), along * axis.x(), along * axis.y(),
                                   along * axis.z());
@@ -89,18 +89,18 @@ SwingAndTwist<Scalar> split_at_twist(const Eigen::Quaternion<Scalar>& rotation,
 /// The sum of the swing's rotation vector, which is across the axis, and the twist's, which is
 /// along it. Radians.
 template <typename Scalar>
-Eigen::Vector3<Scalar> swing_and_twist(const Eigen::Quaternion<Scalar>& rotation,
-                                       const Eigen::Vector3<Scalar>& axis) {
-  const auto [swing, twist] = split_at_twist(rotation, axis);
+Eigen::Vector3<Scalar> swing_twist_vector(const Eigen::Quaternion<Scalar>& rotation,
+                                          const Eigen::Vector3<Scalar>& axis) {
+  const auto [swing, twist] = decompose_swing_twist(rotation, axis);
   return rotation_vector(swing) + rotation_vector(twist);
 }
 
 /// The rotation that has these angles: the inverse.
 template <typename Scalar>
-Eigen::Quaternion<Scalar> from_swing_and_twist(const Eigen::Vector3<Scalar>& angles,
-                                               const Eigen::Vector3<Scalar>& axis) {
+Eigen::Quaternion<Scalar> rotation_from_swing_twist(const Eigen::Vector3<Scalar>& angles,
+                                                    const Eigen::Vector3<Scalar>& axis) {
   const Eigen::Vector3<Scalar> twist = angles.dot(axis) * axis;
-  return rotation_by<Scalar>(angles - twist) * rotation_by<Scalar>(twist);
+  return rotation_from_vector<Scalar>(angles - twist) * rotation_from_vector<Scalar>(twist);
 }
 
 }  // namespace flinch::motion

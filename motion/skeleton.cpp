@@ -64,7 +64,7 @@ bool is_sound(const Pose& pose, float unit_tolerance) noexcept {
 }
 
 Pose placed(const Pose& pose, float yaw, const Eigen::Vector3f& translation) {
-  const Eigen::Quaternionf turn = turn_about(Eigen::Vector3f::UnitZ(), yaw);
+  const Eigen::Quaternionf turn = rotation_about(Eigen::Vector3f::UnitZ(), yaw);
   Pose result = pose;
   result.root_position = turn * pose.root_position + translation;
   result.rotation[Role::pelvis] = (turn * pose.rotation[Role::pelvis]).normalized();

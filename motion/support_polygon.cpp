@@ -33,7 +33,7 @@ constexpr std::array<SolePoint, 6> kToesOutline{{{0.73F, -0.190F},
 
 template <std::size_t size>
 std::vector<Eigen::Vector3f> outline_in_frame(const std::array<SolePoint, size>& outline,
-                                              const FootMeasures& foot, Side side,
+                                              const FootDimensions& foot, Side side,
                                               const Eigen::Vector3f& frame_origin) {
   const Eigen::Vector3f leftward = Eigen::Vector3f::UnitZ().cross(foot.forward);
   const float sense = side == Side::left ? 1.0F : -1.0F;
@@ -48,11 +48,12 @@ std::vector<Eigen::Vector3f> outline_in_frame(const std::array<SolePoint, size>&
 }
 
 // Twice the area of the triangle a b c: positive where it turns left.
-float turn(const Eigen::Vector2f& a, const Eigen::Vector2f& b, const Eigen::Vector2f& c) {
+float twice_signed_area(const Eigen::Vector2f& a, const Eigen::Vector2f& b,
+                        const Eigen::Vector2f& c) {
   return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
 }
 
-bool before(const Eigen::Vector2f& a, const Eigen::Vector2f& b) {
+bool precedes(const Eigen::Vector2f& a, const Eigen::Vector2f& b) {
   return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y());
 }
 
@@ -69,12 +70,13 @@ float distance_to_segment(const Eigen::Vector2f& from, const Eigen::Vector2f& to
 
 // Andrew's monotone chain (1979): lower hull from left to right, then upper hull back.
 std::vector<Eigen::Vector2f> convex_hull(std::vector<Eigen::Vector2f> points) {
-  std::sort(points.begin(), points.end(), before);
+  std::sort(points.begin(), points.end(), precedes);
   points.erase(std::unique(points.begin(), points.end()), points.end());
   if (points.size() < 3) return points;
   std::vector<Eigen::Vector2f> hull;
   const auto add = [&hull](const Eigen::Vector2f& point, std::size_t settled) {
-    while (hull.size() > settled && turn(hull[hull.size() - 2], hull.back(), point) <= 0) {
+    while (hull.size() > settled &&
+           twice_signed_area(hull[hull.size() - 2], hull.back(), point) <= 0) {
       hull.pop_back();
     }
     hull.push_back(point);
@@ -87,7 +89,7 @@ std::vector<Eigen::Vector2f> convex_hull(std::vector<Eigen::Vector2f> points) {
 }
 
 SoleOutline sole_outline(const Skeleton& skeleton, Side side) {
-  const FootMeasures foot = measure_foot(skeleton, side);
+  const FootDimensions foot = measure_foot(skeleton, side);
   const Eigen::Vector3f& toes = skeleton.offset[roles_of(side).toes];
   return {outline_in_frame(kFootOutline, foot, side, Eigen::Vector3f::Zero()),
           outline_in_frame(kToesOutline, foot, side, toes)};
@@ -118,7 +120,7 @@ float signed_distance_inside(const std::vector<Eigen::Vector2f>& polygon,
     const Eigen::Vector2f& from = polygon[i];
     const Eigen::Vector2f& to = polygon[(i + 1) % polygon.size()];
     distance = std::min(distance, distance_to_segment(from, to, point));
-    inside = inside && turn(from, to, point) >= 0;
+    inside = inside && twice_signed_area(from, to, point) >= 0;
   }
   return inside ? distance : -distance;
 }

@@ -26,7 +26,7 @@ struct Options {
   bool json = false;
 };
 
-motion::Character character_of(const Options& options) {
+motion::Physique character_of(const Options& options) {
   if (!options.character) return motion::default_character();
   if (train::file_kind_at(*options.character) == database::FileKind::library)
     return database::load_library(*options.character).character;
@@ -34,7 +34,7 @@ motion::Character character_of(const Options& options) {
 }
 
 // Mirror images are left out: they show nothing new.
-void draw_gallery(const database::Library& library, const std::string& folder) {
+void draw_gallery(const database::ClipLibrary& library, const std::string& folder) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error) throw Error(folder, "cannot make this folder: " + error.message());
@@ -55,7 +55,8 @@ void draw_gallery(const database::Library& library, const std::string& folder) {
 }
 
 void run(const Options& options) {
-  database::Library library = database::authored_library(character_of(options), options.startle);
+  database::ClipLibrary library =
+      database::authored_library(character_of(options), options.startle);
   library.hash = database::write_library(library, options.library);
   if (options.gallery) draw_gallery(library, *options.gallery);
   const std::string idle = library.clips[static_cast<std::size_t>(library.idle)].name;

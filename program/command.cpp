@@ -13,13 +13,12 @@ void add_json_option(CLI::App& command, bool& json) {
   command.add_flag("--json", json, "print one JSON document and nothing else");
 }
 
-CLI::Validator number_in(double least, double most) {
+CLI::Validator number_in(double min, double max) {
   std::ostringstream range;
-  range << "[" << least << " - " << most << "]";
-  const auto refusal = [least, most, text = range.str()](const std::string& input) {
+  range << "[" << min << " - " << max << "]";
+  const auto refusal = [min, max, text = range.str()](const std::string& input) {
     double value = 0;
-    const bool in_range =
-        CLI::detail::lexical_cast(input, value) && value >= least && value <= most;
+    const bool in_range = CLI::detail::lexical_cast(input, value) && value >= min && value <= max;
     return in_range ? std::string() : "Value " + input + " not in range " + text;
   };
   return {refusal, "NUMBER in " + range.str()};

@@ -26,8 +26,8 @@ void add_respond(CLI::App& program);
 /// The option that every command has.
 void add_json_option(CLI::App& command, bool& json);
 
-/// Accepts numbers from `least` to `most`; unlike CLI::Range, nan is not one.
-CLI::Validator number_in(double least, double most);
+/// Accepts numbers from `min` to `max`; unlike CLI::Range, nan is not one.
+CLI::Validator number_in(double min, double max);
 
 /// The option that says with which features selectors are asked; `set` becomes the default.
 void add_features_option(CLI::App& command, std::string& set);

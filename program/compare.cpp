@@ -40,7 +40,7 @@ train::Store read_with_features(const std::string& path, const std::string& set)
   return store;
 }
 
-train::Split read_split(const Options& options, train::Store store) {
+train::TrainTestSplit read_split(const Options& options, train::Store store) {
   if (options.test.empty()) return split_of(std::move(store));
   train::Store test = read_with_features(options.test, options.features);
   require_independent(store, test, options.test);
@@ -65,7 +65,7 @@ void run(const Options& options) {
       make_cost_model(store.header, vulnerability_of(options.cost), options.cost.brawn);
   train::Report report;
   report.prevention = train::prevention_rows(store, train::label(store.observations, cost_model));
-  const train::Split split = read_split(options, std::move(store));
+  const train::TrainTestSplit split = read_split(options, std::move(store));
   const std::vector<train::Method> chosen = methods_of(options);
   const train::StudyPlan plan{split, cost_model, chosen, seed};
 
@@ -83,7 +83,7 @@ void run(const Options& options) {
   report.groups = train::group_rows(split, report.evaluation, seed);
   report.reliability = train::reliability(report.evaluation);
   report.noise = train::noise_rows(plan, fitted);
-  if (options.curves) report.curves = train::curve_rows(plan, tell);
+  if (options.curves) report.curves = train::learning_curve_rows(plan, tell);
   if (options.transfer) report.transfer = train::transfer_rows(plan, tell);
   if (options.ablation) report.ablation = train::ablation_rows(plan, tell);
 

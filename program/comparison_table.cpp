@@ -141,7 +141,7 @@ std::string prevention_text(const std::vector<train::PreventionRow>& rows) {
   }
   return "\nWhat the library can prevent of the cost of staying idle, over all scenarios of the "
          "store; by target and\ndirection (degrees) of those with " +
-         fixed(double{train::kTimeToAnswer}, 1) + " s or more to impact:\n\n" + table.text();
+         fixed(double{train::kMinAnswerTime_s}, 1) + " s or more to impact:\n\n" + table.text();
 }
 
 }  // namespace
@@ -158,9 +158,10 @@ std::string comparison_text(const train::Report& report) {
     text += sweep_text("protection with noise on the features", report.noise,
                        [](const train::NoiseRow& row) { return fixed(row.noise, 2); });
   if (!report.curves.empty())
-    text += '\n' +
-            sweep_text("protection, fitted to", report.curves,
-                       [](const train::CurveRow& row) { return std::to_string(row.fitted_count); });
+    text += '\n' + sweep_text("protection, fitted to", report.curves,
+                              [](const train::LearningCurveRow& row) {
+                                return std::to_string(row.fitted_count);
+                              });
   if (!report.transfer.empty()) text += '\n' + transfer_text(report.transfer);
   if (!report.ablation.empty()) text += '\n' + ablation_text(report.ablation);
   return text + prevention_text(report.prevention);

@@ -11,7 +11,7 @@
 namespace flinch::program {
 
 /// A response from perception until the character idles again, with all that happens on the way.
-struct Film {
+struct ResponseRecording {
   motion::Motion motion;
   database::BallTrack ball;
   int clip = 0;                      ///< that answers
@@ -25,7 +25,8 @@ struct Film {
 /// Plays what a character at the origin, facing +X, does about a threat that is to hit `target` in
 /// `time_to_impact_s`: the run time's motion, and from shortly before the impact the physical
 /// reaction (sim/reaction.h). Throws Error where the run time refuses the threat.
-Film film_response(const runtime::Library& library, const features::Threat& threat,
-                   motion::Target target, float time_to_impact_s, float rate_hz = 60);
+ResponseRecording record_response(const runtime::Library& library, const features::Threat& threat,
+                                  motion::Target target, float time_to_impact_s,
+                                  float rate_hz = 60);
 
 }  // namespace flinch::program

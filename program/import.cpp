@@ -27,7 +27,7 @@ struct Options {
   bool json = false;
 };
 
-std::size_t mirrored_count(const database::Library& library) {
+std::size_t mirrored_count(const database::ClipLibrary& library) {
   std::size_t count = 0;
   for (const motion::Clip& clip : library.clips) count += clip.mirrored_from.empty() ? 0U : 1U;
   return count;
@@ -88,7 +88,7 @@ void print_text(const Options& options, const database::ImportResult& result) {
     std::cout << "skipped " << file.path << ": " << file.reason << '\n';
   for (const std::string& warning : result.report.warnings)
     std::cout << "note: " << warning << '\n';
-  const database::Library& library = result.library;
+  const database::ClipLibrary& library = result.library;
   std::cout << options.library << ": library " << library.name << ", "
             << database::hash_text(library.hash) << ", " << library.clips.size() << " clips ("
             << mirrored_count(library) << " of them mirrored) at " << library.rate_hz << " Hz from "

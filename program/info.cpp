@@ -38,7 +38,7 @@ Json clip_document(const motion::Clip& clip) {
   return document;
 }
 
-Json library_document(const database::Library& library) {
+Json library_document(const database::ClipLibrary& library) {
   Json clips = Json::array();
   for (const motion::Clip& clip : library.clips) clips.push_back(clip_document(clip));
   Json joints = Json::array();
@@ -64,7 +64,7 @@ std::vector<std::string> annotation_cells(const std::optional<motion::Annotation
           fixed(double{annotation->end_s}, 2)};
 }
 
-void print_library(const database::Library& library) {
+void print_library(const database::ClipLibrary& library) {
   Table table({{"clip"},
                {"purpose"},
                {"length, s", right},
@@ -156,7 +156,7 @@ void print_store(const StoreView& view) {
             << table.text();
 }
 
-std::size_t pose_count(const database::Library& library) {
+std::size_t pose_count(const database::ClipLibrary& library) {
   std::size_t count = 0;
   for (const motion::Clip& clip : library.clips) count += clip.motion.poses.size();
   return count;
@@ -240,7 +240,7 @@ void show(const Options& options, const Content& content, Document document, Pri
   }
 }
 
-Json document_with_quality(const database::Library& library) {
+Json document_with_quality(const database::ClipLibrary& library) {
   Json document = library_document(library);
   document["quality"] = quality_document(library);
   return document;
@@ -259,8 +259,9 @@ void run(const Options& options) {
   switch (kind) {
     case FileKind::library:
       if (options.quality)
-        return show(options, database::load_library(options.file), document_with_quality,
-                    [](const database::Library& library) { std::cout << quality_text(library); });
+        return show(
+            options, database::load_library(options.file), document_with_quality,
+            [](const database::ClipLibrary& library) { std::cout << quality_text(library); });
       return show(options, database::load_library(options.file), library_document, print_library);
     case FileKind::store:
       return show(options, StoreView(options.file), store_document, print_store);

@@ -23,10 +23,10 @@ std::string duration_text(double seconds) {
 }
 
 std::string bar(double share) {
-  constexpr std::size_t kWidth = 24;
-  const auto filled = static_cast<std::size_t>(share * static_cast<double>(kWidth));
+  constexpr std::size_t kBarWidth = 24;
+  const auto filled = static_cast<std::size_t>(share * static_cast<double>(kBarWidth));
   std::string text(1, '[');
-  text.append(filled, '#').append(kWidth - filled, '.').append("] ");
+  text.append(filled, '#').append(kBarWidth - filled, '.').append("] ");
   return text;
 }
 
@@ -61,15 +61,15 @@ void ProgressDisplay::begin(const train::SimulationProgress& progress) {
   started_ = true;
   start_ = shown_ = std::chrono::steady_clock::now();
   scenarios_at_start_ = progress.scenarios;
-  tenth_shown_ = 10 * progress.scenarios / progress.of;
-  if (!json_ && progress.scenarios > 0 && progress.scenarios < progress.of)
+  tenth_shown_ = 10 * progress.scenarios / progress.wanted;
+  if (!json_ && progress.scenarios > 0 && progress.scenarios < progress.wanted)
     std::cerr << "going on after " << progress.scenarios << " scenarios" << std::endl;
 }
 
 /// A bar always; lines at every tenth of the way, and of longer ways every ten seconds.
 bool ProgressDisplay::is_due(const train::SimulationProgress& progress) {
   const auto now = std::chrono::steady_clock::now();
-  const std::uint64_t tenth = 10 * progress.scenarios / progress.of;
+  const std::uint64_t tenth = 10 * progress.scenarios / progress.wanted;
   if (!terminal_ && tenth <= tenth_shown_ && now - shown_ < std::chrono::seconds(10)) return false;
   tenth_shown_ = tenth;
   shown_ = now;
@@ -83,7 +83,8 @@ ProgressDisplay::Rates ProgressDisplay::rates(const train::SimulationProgress& p
   rates.scenarios_per_s = static_cast<double>(progress.scenarios - scenarios_at_start_) / seconds;
   rates.simulations_per_s = static_cast<double>(progress.counts.simulations) / seconds;
   if (rates.scenarios_per_s > 0)
-    rates.left_s = static_cast<double>(progress.of - progress.scenarios) / rates.scenarios_per_s;
+    rates.left_s =
+        static_cast<double>(progress.wanted - progress.scenarios) / rates.scenarios_per_s;
   return rates;
 }
 
@@ -91,7 +92,7 @@ void ProgressDisplay::show_json(const train::SimulationProgress& progress) const
   const Rates now = rates(progress);
   print_line({{"kind", "progress"},
               {"scenarios", progress.scenarios},
-              {"of", progress.of},
+              {"of", progress.wanted},
               {"simulations", progress.counts.simulations},
               {"hit_rate", rounded(hit_rate(progress))},
               {"scenarios_per_s", rounded(now.scenarios_per_s)},
@@ -101,16 +102,17 @@ void ProgressDisplay::show_json(const train::SimulationProgress& progress) const
 
 void ProgressDisplay::show_text(const train::SimulationProgress& progress) {
   const Rates now = rates(progress);
-  const std::string text = std::to_string(progress.scenarios) + "/" + std::to_string(progress.of) +
-                           " scenarios, " + fixed(now.scenarios_per_s, 1) + " a second (" +
-                           fixed(now.simulations_per_s, 0) + " simulations), " +
-                           fixed(100 * hit_rate(progress), 0) + " % hit, " +
-                           duration_text(now.left_s) + " left";
+  const std::string text =
+      std::to_string(progress.scenarios) + "/" + std::to_string(progress.wanted) + " scenarios, " +
+      fixed(now.scenarios_per_s, 1) + " a second (" + fixed(now.simulations_per_s, 0) +
+      " simulations), " + fixed(100 * hit_rate(progress), 0) + " % hit, " +
+      duration_text(now.left_s) + " left";
   if (!terminal_) {
     std::cerr << text << std::endl;
     return;
   }
-  const double share = static_cast<double>(progress.scenarios) / static_cast<double>(progress.of);
+  const double share =
+      static_cast<double>(progress.scenarios) / static_cast<double>(progress.wanted);
   std::cerr << '\r' << bar(share) << text << "\033[K" << std::flush;
   bar_shown_ = true;
 }

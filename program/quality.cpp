@@ -30,7 +30,7 @@ Json measures(const database::ClipQuality& quality) {
 
 }  // namespace
 
-std::string quality_text(const database::Library& library) {
+std::string quality_text(const database::ClipLibrary& library) {
   Table table({{"clip"},
                {"beyond joint limits, deg", right},
                {"hands clear by, mm", right},
@@ -57,7 +57,7 @@ std::string quality_text(const database::Library& library) {
          " clips keep all bounds\n";
 }
 
-Json quality_document(const database::Library& library) {
+Json quality_document(const database::ClipLibrary& library) {
   const database::QualityBounds bounds;
   Json clips = Json::array();
   for (const database::ClipQuality& quality : database::measure_quality(library)) {

@@ -9,9 +9,9 @@
 namespace flinch::program {
 
 /// How human a library's clips are: a table of database::measure_quality for people.
-std::string quality_text(const database::Library& library);
+std::string quality_text(const database::ClipLibrary& library);
 
 /// The same for machines: `bounds` and, for every clip, its measures and the bounds it breaks.
-Json quality_document(const database::Library& library);
+Json quality_document(const database::ClipLibrary& library);
 
 }  // namespace flinch::program

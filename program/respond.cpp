@@ -36,38 +36,41 @@ Kind kind_of(const std::string& path) {
   throw Error(path, "can write .glb, .bvh or .svg; name the file so");
 }
 
-// The film as a clip that protects where the threat comes from, for its arrow.
-void write_filmstrip(const runtime::Library& library, const Film& film, const Options& options) {
-  motion::Clip clip = library.clips().clips[static_cast<std::size_t>(film.clip)];
-  clip.motion = film.motion;
+// The recording as a clip that protects where the threat comes from, for its arrow.
+void write_filmstrip(const runtime::Library& library, const ResponseRecording& recording,
+                     const Options& options) {
+  motion::Clip clip = library.clip_library().clips[static_cast<std::size_t>(recording.clip)];
+  clip.motion = recording.motion;
   if (clip.annotation) {
     clip.annotation->onset_s = 0;
-    clip.annotation->peak_s = film.impact_s;
-    clip.annotation->end_s = film.motion.duration_s();
+    clip.annotation->peak_s = recording.impact_s;
+    clip.annotation->end_s = recording.motion.duration_s();
     clip.annotation->direction =
         static_cast<float>(options.threat.azimuth * std::numbers::pi / 180);
   }
   database::write_file_atomically(
-      options.out, database::filmstrip_svg(motion::make_figure(library.clips().character), clip));
+      options.out,
+      database::filmstrip_svg(motion::make_figure(library.clip_library().character), clip));
 }
 
-void write(const runtime::Library& library, const Film& film, const Options& options) {
-  const motion::Character& character = library.clips().character;
+void write(const runtime::Library& library, const ResponseRecording& recording,
+           const Options& options) {
+  const motion::Physique& character = library.clip_library().character;
   switch (kind_of(options.out)) {
     case Kind::glb:
-      database::write_glb(options.out, character, film.motion, film.ball);
+      database::write_glb(options.out, character, recording.motion, recording.ball);
       break;
     case Kind::bvh:
-      database::write_bvh(options.out, character, film.motion);
+      database::write_bvh(options.out, character, recording.motion);
       break;
     case Kind::svg:
-      write_filmstrip(library, film, options);
+      write_filmstrip(library, recording, options);
       break;
   }
 }
 
 const std::string& clip_name(const runtime::Library& library, int clip) {
-  return library.clips().clips[static_cast<std::size_t>(clip)].name;
+  return library.clip_library().clips[static_cast<std::size_t>(clip)].name;
 }
 
 void run(const Options& options) {
@@ -75,41 +78,43 @@ void run(const Options& options) {
   const runtime::Library library = load_runtime_library(options.selector);
   const features::TargetCentres& centres = library.selector().target_centres;
   const train::DescribedThreat threat = described(options.threat, centres);
-  const Film film =
-      film_response(library,
-                    features::threat_from_approach(
-                        threat.approach, centres[static_cast<std::size_t>(threat.target)], 0),
-                    threat.target, threat.approach.time_to_impact_s);
-  write(library, film, options);
+  const ResponseRecording recording =
+      record_response(library,
+                      features::threat_from_description(
+                          threat.approach, centres[static_cast<std::size_t>(threat.target)], 0),
+                      threat.target, threat.approach.time_to_impact_s);
+  write(library, recording, options);
 
-  const std::string& clip = clip_name(library, film.clip);
-  const bool hits = std::isfinite(film.contact_s);
+  const std::string& clip = clip_name(library, recording.clip);
+  const bool hits = std::isfinite(recording.contact_s);
   if (options.json) {
     Json document{{"file", options.out},
                   {"clip", clip},
                   {"target", options.threat.target},
                   {"time_to_impact_s", options.threat.time_to_impact_s},
-                  {"duration_s", shortest(film.motion.duration_s())},
+                  {"duration_s", shortest(recording.motion.duration_s())},
                   {"hits", hits},
-                  {"knocked_over", film.knocked_over}};
-    if (film.reaction_clip) document["reaction_clip"] = clip_name(library, *film.reaction_clip);
+                  {"knocked_over", recording.knocked_over}};
+    if (recording.reaction_clip)
+      document["reaction_clip"] = clip_name(library, *recording.reaction_clip);
     if (hits) {
-      document["contact_s"] = shortest(film.contact_s);
-      document["impulse_ns"] = shortest(film.impulse_ns);
+      document["contact_s"] = shortest(recording.contact_s);
+      document["impulse_ns"] = shortest(recording.impulse_ns);
     }
     print(document);
     return;
   }
-  std::cout << options.out << ": " << clip << ", " << fixed(double{film.motion.duration_s()}, 2)
-            << " s; ";
+  std::cout << options.out << ": " << clip << ", "
+            << fixed(double{recording.motion.duration_s()}, 2) << " s; ";
   if (hits) {
-    std::cout << "the ball hits at " << fixed(double{film.contact_s}, 2) << " s with "
-              << fixed(double{film.impulse_ns}, 1) << " N s";
+    std::cout << "the ball hits at " << fixed(double{recording.contact_s}, 2) << " s with "
+              << fixed(double{recording.impulse_ns}, 1) << " N s";
   } else {
     std::cout << "the ball hits nothing";
   }
-  if (film.reaction_clip) std::cout << ", then " << clip_name(library, *film.reaction_clip);
-  std::cout << (film.knocked_over ? ", which knocks the character over\n" : "\n");
+  if (recording.reaction_clip)
+    std::cout << ", then " << clip_name(library, *recording.reaction_clip);
+  std::cout << (recording.knocked_over ? ", which knocks the character over\n" : "\n");
 }
 
 }  // namespace

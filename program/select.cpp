@@ -51,14 +51,14 @@ Json document_of(const models::Selector& selector, const ThreatOptions& threat,
 void print_text(const models::Selector& selector, const ThreatOptions& threat,
                 std::span<const models::Candidate> candidates) {
   using enum Table::Align;
-  constexpr std::size_t kMostShown = 5;
+  constexpr std::size_t kMaxShown = 5;
   const bool by_votes = std::isnan(candidates.front().expected_cost_ns);
   Table table({{"clip"},
                {"target"},
                {"direction", right},
                {by_votes ? "vote" : "expected cost, N s", right}});
   for (const models::Candidate& candidate :
-       candidates.first(std::min(kMostShown, candidates.size()))) {
+       candidates.first(std::min(kMaxShown, candidates.size()))) {
     const models::ClipSummary& clip = selector.clips[static_cast<std::size_t>(candidate.clip)];
     const auto& annotation = clip.annotation;
     table.add({clip.name, annotation ? std::string(motion::name_of(annotation->target)) : "-",
@@ -71,8 +71,8 @@ void print_text(const models::Selector& selector, const ThreatOptions& threat,
             << fixed(threat.azimuth, 0) << " degrees in " << fixed(threat.time_to_impact_s, 2)
             << " s\n\n"
             << table.text();
-  if (candidates.size() > kMostShown)
-    std::cout << "and " << candidates.size() - kMostShown << " more (--json lists all)\n";
+  if (candidates.size() > kMaxShown)
+    std::cout << "and " << candidates.size() - kMaxShown << " more (--json lists all)\n";
 }
 
 void run(const Options& options) {

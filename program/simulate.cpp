@@ -48,10 +48,10 @@ std::string mebibytes(std::uint64_t bytes) {
 /// What the run will use, before it begins.
 void print_plan(const train::SimulationRun& run) {
   const train::MemoryPlan& memory = run.memory;
-  std::cerr << "memory: at most " << mebibytes(memory.most)
+  std::cerr << "memory: at most " << mebibytes(memory.max_bytes)
             << (run.messenger->size() > 1 ? " a process" : "") << "; " << memory.response_count
-            << " different responses take about " << mebibytes(memory.all_responses)
-            << ", of which " << (memory.keeps_all() ? "all" : mebibytes(memory.for_responses()))
+            << " different responses take about " << mebibytes(memory.all_response_bytes)
+            << ", of which " << (memory.keeps_all() ? "all" : mebibytes(memory.response_bytes()))
             << " are kept" << std::endl;
 }
 
@@ -72,7 +72,7 @@ Json summary_document(const Options& options, const train::StoreSummary& store,
           {"cpu_s",
            {{"posing", done.cpu.posing_s},
             {"rehearsing", done.cpu.rehearsing_s},
-            {"striking", done.cpu.striking_s},
+            {"striking", done.cpu.contact_s},
             {"writing", done.cpu.writing_s}}}};
 }
 
@@ -96,7 +96,7 @@ void print_summary(const train::SimulationProgress& done) {
             << " per 1000 of " << counts.steps << " steps\n"
             << "CPU time: " << fixed(cpu.total_s(), 1) << " s (posing " << fixed(cpu.posing_s, 1)
             << ", rehearsing " << fixed(cpu.rehearsing_s, 1) << ", striking "
-            << fixed(cpu.striking_s, 1) << ", writing " << fixed(cpu.writing_s, 1) << "), "
+            << fixed(cpu.contact_s, 1) << ", writing " << fixed(cpu.writing_s, 1) << "), "
             << fixed(ratio(simulations, cpu.total_s()), 0) << " simulations a second of it\n";
 }
 
@@ -113,49 +113,49 @@ void print_result(const Options& options, const train::SimulationProgress& done)
   if (done.counts.simulations > 0) print_summary(done);
 }
 
-void write_store(const Options& options, const train::SimulationSubject& subject,
+void write_store(const Options& options, const train::SimulationSetup& setup,
                  train::SimulationRun& run) {
   train::SimulationProgress last;
   {
     ProgressDisplay display(options.json);
     run.report = [&](const train::SimulationProgress& progress) {
-      const bool begins = last.of == 0;
+      const bool begins = last.wanted == 0;
       if (begins && !options.json) print_plan(run);
       last = progress;
       display.show(progress);
     };
-    if (train::simulate_store(subject, options.store, run)) {
+    if (train::simulate_store(setup, options.store, run)) {
       print_result(options, last);
       return;
     }
   }
   throw Error(options.store, "interrupted; " + std::to_string(last.scenarios) + " of " +
-                                 std::to_string(last.of) +
+                                 std::to_string(last.wanted) +
                                  " scenarios are kept, run the same command again to go on");
 }
 
 void simulate(const Options& options, train::Messenger& messenger) {
-  const database::Library library = database::load_library(options.library);
+  const database::ClipLibrary library = database::load_library(options.library);
   train::SimulationPlan plan;
   plan.seed = options.seed;
   plan.unabridged = options.unabridged;
-  const train::SimulationSubject subject(library, plan);
+  const train::SimulationSetup setup(library, plan);
   train::SimulationRun run;
   run.wanted = {options.first, options.scenarios};
   run.batch.threads = thread_count(options, messenger);
   run.batch.cpu_s = thread_cpu_s;
   run.batch.stop = &catch_interrupts();
-  run.memory = train::plan_memory(subject, options.memory, run.batch.threads);
+  run.memory = train::plan_memory(setup, options.memory, run.batch.threads);
   run.messenger = &messenger;
   if (messenger.rank() == 0) {
-    write_store(options, subject, run);
+    write_store(options, setup, run);
   } else {
-    help_simulate(subject, run);
+    run_simulation_worker(setup, run);
   }
 }
 
 void run(const Options& options) {
-  const std::unique_ptr<train::Messenger> messenger = train::join_processes();
+  const std::unique_ptr<train::Messenger> messenger = train::make_messenger();
   if (messenger->rank() == 0) {
     simulate(options, *messenger);
     return;
@@ -164,7 +164,7 @@ void run(const Options& options) {
   try {
     simulate(options, *messenger);
   } catch (const std::exception& error) {
-    tell_failure(*messenger, error.what());
+    report_failure(*messenger, error.what());
   }
 }
 
@@ -176,10 +176,10 @@ void add_simulate(CLI::App& program) {
       program.add_subcommand("simulate", "Try every allowed clip of a library on random scenarios");
   command->add_option("LIB", options->library, "library that flinch import made")->required();
   command->add_option("--out", options->store, "store to write")->required();
-  constexpr std::uint64_t kMost = 1'000'000'000;
+  constexpr std::uint64_t kMaxScenarios = 1'000'000'000;
   command->add_option("-n", options->scenarios, "number of scenarios")
       ->required()
-      ->check(CLI::Range(std::uint64_t{1}, kMost));
+      ->check(CLI::Range(std::uint64_t{1}, kMaxScenarios));
   command
       ->add_option("--first", options->first,
                    "number of the first, where this is one of several stores to merge")

@@ -51,17 +51,17 @@ train::DescribedThreat described(const ThreatOptions& options,
                                  const features::TargetCentres& centres) {
   train::DescribedThreat threat;
   threat.target = *motion::target_named(options.target);
-  const double least = degrees(train::least_feasible_elevation(
-      options.speed_mps, options.time_to_impact_s, options.radius_m,
-      double{centres[static_cast<std::size_t>(threat.target)].z()}));
-  const double elevation = options.elevation.value_or(std::max(0.0, least));
-  if (least >= 90)
+  const double min_elevation = degrees(
+      train::min_feasible_elevation(options.speed_mps, options.time_to_impact_s, options.radius_m,
+                                    double{centres[static_cast<std::size_t>(threat.target)].z()}));
+  const double elevation = options.elevation.value_or(std::max(0.0, min_elevation));
+  if (min_elevation >= 90)
     throw Error("", "a ball this slow would come from below the ground " +
                         fixed(options.time_to_impact_s, 2) +
                         " s before the impact; raise --speed or shorten --time-to-impact");
-  if (elevation < least)
+  if (elevation < min_elevation)
     throw Error("", "the ball would come from below the ground; raise --elevation to at least " +
-                        fixed(least, 1) + ", raise --speed or shorten --time-to-impact");
+                        fixed(min_elevation, 1) + ", raise --speed or shorten --time-to-impact");
   threat.approach.azimuth = static_cast<float>(options.azimuth * std::numbers::pi / 180);
   threat.approach.elevation = static_cast<float>(elevation * std::numbers::pi / 180);
   threat.approach.speed_mps = static_cast<float>(options.speed_mps);

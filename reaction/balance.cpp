@@ -28,7 +28,7 @@ double distance_to_segment(const Eigen::Vector2d& from, const Eigen::Vector2d& t
 }
 
 /// A few points on the ground.
-class Corners {
+class GroundPoints {
  public:
   void add(const Eigen::Vector3d& point) { points_[count_++] = point.head<2>(); }
   std::span<const Eigen::Vector2d> points() const { return {points_.data(), count_}; }
@@ -39,10 +39,10 @@ class Corners {
 };
 
 template <class Visit>
-void for_each_sole_corner(const sim::FigurePlan& plan,
+void for_each_sole_corner(const sim::FigureModel& figure_model,
                           const motion::PerBody<sim::BodyState>& bodies, Visit visit) {
   for (Body foot : {Body::left_foot, Body::right_foot}) {
-    const sim::MovingShape& sole = plan.outline[foot];
+    const sim::MovingShape& sole = figure_model.outline[foot];
     for (int corner = 0; corner < 4; ++corner) {
       const Eigen::Vector3d side(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, -1);
       visit(bodies[foot].position +
@@ -56,37 +56,38 @@ void for_each_sole_corner(const sim::FigurePlan& plan,
 
 // Seen from outside, all points lie on one side of the line to the outermost of them; then the
 // nearest point of the hull is on one of its edges, and no other pair of points lies nearer.
-double distance_outside(std::span<const Eigen::Vector2d> hull_of, const Eigen::Vector2d& point) {
-  const bool outside = std::any_of(hull_of.begin(), hull_of.end(), [&](const auto& outermost) {
-    return std::all_of(hull_of.begin(), hull_of.end(), [&](const auto& other) {
+double distance_outside(std::span<const Eigen::Vector2d> points, const Eigen::Vector2d& point) {
+  const bool outside = std::any_of(points.begin(), points.end(), [&](const auto& outermost) {
+    return std::all_of(points.begin(), points.end(), [&](const auto& other) {
       return cross(outermost - point, other - point) >= 0;
     });
   });
   if (!outside) return 0;
   double nearest = std::numeric_limits<double>::infinity();
-  for (const auto& from : hull_of) {
-    for (const auto& to : hull_of) {
+  for (const auto& from : points) {
+    for (const auto& to : points) {
       nearest = std::min(nearest, distance_to_segment(from, to, point));
     }
   }
   return nearest;
 }
 
-double out_of_balance_m(const sim::FigurePlan& plan,
+double out_of_balance_m(const sim::FigureModel& figure_model,
                         const motion::PerBody<sim::BodyState>& bodies) {
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();
   Eigen::Vector3d velocity = Eigen::Vector3d::Zero();
   for (Body body : motion::kBodies) {
-    const double share = static_cast<double>(plan.model[body].mass_kg) / plan.mass_kg;
+    const double share =
+        static_cast<double>(figure_model.model[body].mass_kg) / figure_model.mass_kg;
     centre += share * bodies[body].position;
     velocity += share * bodies[body].velocity;
   }
   const double height = std::max(centre.z(), kOnGround_m);
   const Eigen::Vector3d extrapolated = centre + std::sqrt(height / kGravity_mps2) * velocity;
 
-  Corners all;
-  Corners on_ground;
-  for_each_sole_corner(plan, bodies, [&](const Eigen::Vector3d& corner) {
+  GroundPoints all;
+  GroundPoints on_ground;
+  for_each_sole_corner(figure_model, bodies, [&](const Eigen::Vector3d& corner) {
     all.add(corner);
     if (corner.z() < kOnGround_m) on_ground.add(corner);
   });
@@ -94,9 +95,9 @@ double out_of_balance_m(const sim::FigurePlan& plan,
   return distance_outside(points, extrapolated.head<2>());
 }
 
-bool is_beyond_a_step(const sim::FigurePlan& plan, double out_m) {
+bool is_beyond_a_step(const sim::FigureModel& figure_model, double out_m) {
   const auto length = [&](motion::Role role) {
-    return static_cast<double>(plan.skeleton.offset[role].norm());
+    return static_cast<double>(figure_model.skeleton.offset[role].norm());
   };
   const double leg = length(motion::Role::left_shin) + length(motion::Role::left_foot);
   return out_m * std::exp(std::sqrt(kGravity_mps2 / leg) * kStepTime_s) > leg;

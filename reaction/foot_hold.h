@@ -8,28 +8,29 @@
 namespace flinch::reaction {
 
 /// The grip of the ground on the feet that stand, for a figure whose own springs are too weak to
-/// keep them in place: in place of the ground's support (see Figure::stand). A foot stands while
-/// its reference lies on the ground and keeps still.
-class FootHold {
+/// keep them in place: in place of the ground's support (see Figure::add_foot_support). A foot
+/// stands while its reference lies on the ground and keeps still.
+class FootLock {
  public:
-  /// `plan` must outlive this; `figure` is of that plan and in that world, and must
+  /// `figure_model` must outlive this; `figure` is of that plan and in that world, and must
   /// outlive this too.
-  FootHold(const sim::FigurePlan& plan, dWorldID world, sim::Figure& figure);
+  FootLock(const sim::FigureModel& figure_model, dWorldID world, sim::Figure& figure);
 
-  /// Sets the grip for the next step, at whose end `target` is wanted; `share` of it, see weakened.
-  void hold(const sim::ReferenceState& target, double step_s, double share);
-  void let_go();
+  /// Sets the grip for the next step, at whose end `target` is wanted; `share` of it, see
+  /// scaled_gains.
+  void lock(const sim::ReferenceState& target, double step_s, double share);
+  void unlock();
 
  private:
   struct Foot {
     motion::Body body;
     dBodyID part;
     dJointID place;
-    dJointID turning;
+    dJointID angular;
   };
-  void set_held(const Foot& foot, bool held);
+  void set_locked(const Foot& foot, bool locked);
 
-  const sim::FigurePlan& plan_;
+  const sim::FigureModel& figure_model_;
   sim::Figure& figure_;
   std::array<Foot, 2> feet_;
 };

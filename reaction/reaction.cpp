@@ -11,19 +11,20 @@ namespace flinch::reaction {
 namespace {
 
 // A ball that has not hit by then is not waited for.
-constexpr double kPatience_s = 0.3;
+constexpr double kMaxWaitForContact_s = 0.3;
 
-bool is_good(const ReactionOptions& options) {
-  const double alone_s = options.schedule.alone_s;
-  return alone_s >= 0.05 && alone_s <= 0.5 && options.stiffness > 0 && options.stiffness <= 1;
+bool is_in_range(const ReactionOptions& options) {
+  const double simulation_only_s = options.schedule.simulation_only_s;
+  return simulation_only_s >= 0.05 && simulation_only_s <= 0.5 && options.stiffness > 0 &&
+         options.stiffness <= 1;
 }
 
-bool is_good_time(double dt_s) {
-  return dt_s > 0 && dt_s <= kMostReactionFrame_s;
+bool is_frame_time(double dt_s) {
+  return dt_s > 0 && dt_s <= kMaxReactionFrame_s;
 }
 
 // Masses too far apart are more than the solver bears; the rest keeps numbers sane.
-bool is_good(const sim::Ball& ball) {
+bool is_in_range(const sim::Ball& ball) {
   return ball.position.allFinite() && ball.velocity.norm() <= 1000 && ball.radius >= 1e-3 &&
          ball.radius <= 10 && ball.mass_kg >= 1e-3 && ball.mass_kg <= 1000;
 }
@@ -32,15 +33,15 @@ bool is_good(const sim::Ball& ball) {
 
 /// A reaction under way.
 struct Reaction::State {
-  std::shared_ptr<const sim::FigurePlan> plan;
+  std::shared_ptr<const sim::FigureModel> figure_model;
   ReactionOptions options;
-  std::optional<ReactionRun> run;
+  std::optional<ReactionSimulation> run;
   ReactionPhase phase = ReactionPhase::none;
   motion::Pose shown;
-  sim::Ball given;
+  sim::Ball initial_ball;
   double time_s = 0;  ///< since begin
-  bool fails = false;
-  bool returns = false;
+  bool has_failed = false;
+  bool is_returning = false;
   motion::Pose wanted_at_return;  ///< where both motions were when the way back began
   motion::Pose returning_at_return;
 
@@ -53,10 +54,10 @@ struct Reaction::State {
                            double weight);
 };
 
-std::shared_ptr<const sim::FigurePlan> make_figure_plan(
-    const motion::Character& character) noexcept {
+std::shared_ptr<const sim::FigureModel> make_figure_model(
+    const motion::Physique& character) noexcept {
   try {
-    return std::make_shared<const sim::FigurePlan>(character);
+    return std::make_shared<const sim::FigureModel>(character);
   } catch (...) {
     return nullptr;
   }
@@ -64,31 +65,31 @@ std::shared_ptr<const sim::FigurePlan> make_figure_plan(
 
 /// Negative before it.
 double Reaction::State::since_contact_s() const {
-  return time_s - std::min(run->encounter().first_contact_s(), kPatience_s);
+  return time_s - std::min(run->encounter().first_contact_s(), kMaxWaitForContact_s);
 }
 
 motion::Pose Reaction::State::destination(const motion::Pose& wanted, const motion::Pose& returning,
                                           double weight) {
   if (weight <= 0) return wanted;
   if (weight >= 1) return returning;
-  if (!returns) {
-    returns = true;
+  if (!is_returning) {
+    is_returning = true;
     wanted_at_return = wanted;
     returning_at_return = returning;
   }
-  return motion::blend_on_first_arc(wanted, returning, static_cast<float>(weight), wanted_at_return,
-                                    returning_at_return);
+  return motion::blend_along_initial_arc(wanted, returning, static_cast<float>(weight),
+                                         wanted_at_return, returning_at_return);
 }
 
 void Reaction::State::begin(const motion::Pose& before, const motion::Pose& now, double dt_s,
                             const sim::Ball* ball) {
-  run.emplace(*plan, options, before, now, dt_s, ball);
+  run.emplace(*figure_model, options, before, now, dt_s, ball);
   phase = ReactionPhase::waiting;
   shown = now;
-  given = ball ? *ball : sim::Ball{};
+  initial_ball = ball ? *ball : sim::Ball{};
   time_s = 0;
-  fails = false;
-  returns = false;
+  has_failed = false;
+  is_returning = false;
 }
 
 void Reaction::State::advance(double dt_s, const motion::Pose& wanted,
@@ -122,7 +123,7 @@ void Reaction::State::simulate(double dt_s, const motion::Pose& aim, double weig
   phase = ReactionPhase::struck;
   if (run->is_beyond_recovery()) {
     phase = ReactionPhase::knocked_over;
-    run->let_fall();
+    run->start_falling();
   }
 }
 
@@ -146,11 +147,11 @@ const char* message_of(ReactionStatus status) noexcept {
   return "the physics engine failed; the motion goes on without it";
 }
 
-Reaction::Reaction(std::shared_ptr<const sim::FigurePlan> figure,
+Reaction::Reaction(std::shared_ptr<const sim::FigureModel> figure,
                    const ReactionOptions& options) noexcept {
   try {
     state_ = std::make_unique<State>();
-    state_->plan = std::move(figure);
+    state_->figure_model = std::move(figure);
     state_->options = options;
   } catch (...) {
   }
@@ -162,14 +163,15 @@ Reaction& Reaction::operator=(Reaction&&) noexcept = default;
 
 ReactionStatus Reaction::begin(const motion::Pose& before, const motion::Pose& now, double dt_s,
                                const sim::Ball* ball) noexcept {
-  if (!state_ || !state_->plan || !is_good(state_->options)) return ReactionStatus::bad_options;
-  if (!is_good_time(dt_s)) return ReactionStatus::bad_time;
+  if (!state_ || !state_->figure_model || !is_in_range(state_->options))
+    return ReactionStatus::bad_options;
+  if (!is_frame_time(dt_s)) return ReactionStatus::bad_time;
   if (!is_sound(before) || !is_sound(now)) return ReactionStatus::bad_pose;
-  if (ball && !is_good(*ball)) return ReactionStatus::bad_ball;
+  if (ball && !is_in_range(*ball)) return ReactionStatus::bad_ball;
   try {
     state_->begin(before, now, dt_s, ball);
   } catch (...) {
-    state_->fails = true;
+    state_->has_failed = true;
     state_->phase = ReactionPhase::over;
     return ReactionStatus::failed;
   }
@@ -179,16 +181,16 @@ ReactionStatus Reaction::begin(const motion::Pose& before, const motion::Pose& n
 ReactionStatus Reaction::advance(double dt_s, const motion::Pose& wanted,
                                  const motion::Pose& returning) noexcept {
   if (!state_ || state_->phase == ReactionPhase::none) return ReactionStatus::not_begun;
-  if (!is_good_time(dt_s)) return ReactionStatus::bad_time;
+  if (!is_frame_time(dt_s)) return ReactionStatus::bad_time;
   if (!is_sound(wanted) || !is_sound(returning)) return ReactionStatus::bad_pose;
   try {
-    if (!state_->fails) {
+    if (!state_->has_failed) {
       sim::prepare_this_thread();
       state_->advance(dt_s, wanted, returning);
       return ReactionStatus::ok;
     }
   } catch (...) {
-    state_->fails = true;
+    state_->has_failed = true;
   }
   state_->shown = returning;
   state_->phase = ReactionPhase::over;
@@ -205,8 +207,8 @@ ReactionPhase Reaction::phase() const noexcept {
 }
 
 sim::Ball Reaction::ball() const noexcept {
-  if (!state_ || !state_->run) return state_ ? state_->given : sim::Ball{};
-  return state_->run->ball(state_->given);
+  if (!state_ || !state_->run) return state_ ? state_->initial_ball : sim::Ball{};
+  return state_->run->ball(state_->initial_ball);
 }
 
 double Reaction::contact_s() const noexcept {

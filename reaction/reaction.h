@@ -8,22 +8,22 @@
 #include "sim/rehearsal/simulator.h"
 
 namespace flinch::sim {
-struct FigurePlan;
+struct FigureModel;
 }
 
 namespace flinch::reaction {
 
 /// The physical figure of a character, made once at loading and shared by all who look like it, on
 /// any threads. Never changes. Nothing if memory ran out.
-std::shared_ptr<const sim::FigurePlan> make_figure_plan(
-    const motion::Character& character) noexcept;
+std::shared_ptr<const sim::FigureModel> make_figure_model(
+    const motion::Physique& character) noexcept;
 
 /// The longest frame of a reaction, s.
-inline constexpr double kMostReactionFrame_s = 0.1;
+inline constexpr double kMaxReactionFrame_s = 0.1;
 
 /// How a character takes a blow.
 struct ReactionOptions {
-  RecoverySchedule schedule;    ///< alone_s from 0.05 to 0.5
+  RecoverySchedule schedule;    ///< simulation_only_s from 0.05 to 0.5
   double stiffness = 1.0 / 16;  ///< share of the trainer's figure's, in (0, 1]
 };
 
@@ -49,7 +49,7 @@ enum class ReactionPhase : std::uint8_t {
   knocked_over,  ///< out of balance beyond a step: it falls, until the caller does something else
 };
 
-/// One character's reaction to a ball: the trainer's figure, contacts and laws (see Encounter),
+/// One character's reaction to a ball: the trainer's figure, contacts and laws (see OdeEncounter),
 /// tracking the motion that the kinematic response plays with weakened springs, so that the blow
 /// shows, and the double blend back. docs/reaction.md says more.
 ///
@@ -58,7 +58,7 @@ enum class ReactionPhase : std::uint8_t {
 /// nothing of ours allocates; the physics engine may.
 class Reaction {
  public:
-  explicit Reaction(std::shared_ptr<const sim::FigurePlan> figure,
+  explicit Reaction(std::shared_ptr<const sim::FigureModel> figure,
                     const ReactionOptions& options = {}) noexcept;
   ~Reaction();
   Reaction(Reaction&&) noexcept;
@@ -71,7 +71,7 @@ class Reaction {
   ReactionStatus begin(const motion::Pose& before, const motion::Pose& now, double dt_s,
                        const sim::Ball* ball) noexcept;
 
-  /// Goes on by `dt_s` (above 0, at most kMostReactionFrame_s, uneven as it may be). `wanted` is
+  /// Goes on by `dt_s` (above 0, at most kMaxReactionFrame_s, uneven as it may be). `wanted` is
   /// where the motion that the character protects itself with is by then, `returning` where the one
   /// is that it returns to; they may be the same. Bad input leaves things as they were.
   ReactionStatus advance(double dt_s, const motion::Pose& wanted,

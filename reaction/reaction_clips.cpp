@@ -12,19 +12,20 @@ namespace {
 using motion::Body;
 
 constexpr float kRate_hz = 30;
-constexpr float kLeastLeft_s = 0.3F;
-constexpr float kVelocityTime_s = 0.1F;
+constexpr float kMinRemaining_s = 0.3F;
+constexpr float kVelocityWeight_s = 0.1F;
 constexpr float kDifference_s = 1.0F / 60;
 
 }  // namespace
 
-motion::Pose pose_of(const motion::Clip& clip, const ReactionMatch& match, float since_s) noexcept {
-  return motion::placed(motion::sample(clip.motion, match.time_s + since_s), match.yaw,
+motion::Pose pose_of(const motion::Clip& clip, const ReactionMatch& match,
+                     float time_since_match_s) noexcept {
+  return motion::placed(motion::sample(clip.motion, match.time_s + time_since_match_s), match.yaw,
                         match.translation);
 }
 
-ReactionClips::ReactionClips(const motion::Character& character,
-                             std::span<const motion::Clip> clips, motion::Purpose purpose)
+ReactionClips::ReactionClips(const motion::Physique& character, std::span<const motion::Clip> clips,
+                             motion::Purpose purpose)
     : skeleton_(character.skeleton), model_(make_body_model(character)), order_(motion::kBodies) {
   std::stable_sort(order_.begin(), order_.end(), [this](Body first, Body second) {
     return model_[first].mass_kg > model_[second].mass_kg;
@@ -35,7 +36,7 @@ ReactionClips::ReactionClips(const motion::Character& character,
   for (std::size_t i = 0; i < clips.size(); ++i) {
     const motion::Motion& motion = clips[i].motion;
     if (clips[i].purpose != purpose) continue;
-    const float last_s = motion.duration_s() - kLeastLeft_s;
+    const float last_s = motion.duration_s() - kMinRemaining_s;
     for (int k = 0; static_cast<float>(k) / kRate_hz <= last_s; ++k) {
       const float time_s = static_cast<float>(k) / kRate_hz;
       // At the very beginning there is no pose before: the next difference stands in.
@@ -57,7 +58,7 @@ ReactionClips::Frame ReactionClips::frame_of(const motion::Pose& before, const m
   frame.facing = facing(now);
   frame.pelvis = now.root_position.head<2>();
   const Eigen::Quaternionf into_facing =
-      motion::turn_about(Eigen::Vector3f::UnitZ(), -frame.facing);
+      motion::rotation_about(Eigen::Vector3f::UnitZ(), -frame.facing);
   const Eigen::Vector3f origin(frame.pelvis.x(), frame.pelvis.y(), 0);
   for (int column = 0; column < motion::kBodyCount; ++column) {
     const Body body = order_[static_cast<std::size_t>(column)];
@@ -66,7 +67,7 @@ ReactionClips::Frame ReactionClips::frame_of(const motion::Pose& before, const m
     const Eigen::Vector3f offset = place - origin;
     frame.features.col(column).head<3>() = weight_[body] * (into_facing * offset);
     frame.features.col(column).tail<3>() =
-        weight_[body] * kVelocityTime_s * (into_facing * velocity);
+        weight_[body] * kVelocityWeight_s * (into_facing * velocity);
   }
   return frame;
 }
@@ -74,10 +75,10 @@ ReactionClips::Frame ReactionClips::frame_of(const motion::Pose& before, const m
 // A frame is given up as soon as its first bodies, the heaviest, are farther than the best.
 std::optional<ReactionMatch> ReactionClips::find(const motion::Pose& before,
                                                  const motion::Pose& now, float dt_s,
-                                                 float most_m) const noexcept {
+                                                 float max_distance_m) const noexcept {
   if (!(dt_s > 0) || !std::isfinite(dt_s) || !is_sound(before) || !is_sound(now)) return {};
   const Frame wanted = frame_of(before, now, dt_s);
-  float best = most_m * most_m;
+  float best = max_distance_m * max_distance_m;
   const Frame* nearest = nullptr;
   for (const Frame& frame : frames_) {
     float squared = 0;

@@ -19,8 +19,9 @@ struct ReactionMatch {
   float distance_m = 0;                                   ///< see ReactionClips
 };
 
-/// The pose of a matched clip `since_s` after the match; its last one when it is over.
-motion::Pose pose_of(const motion::Clip& clip, const ReactionMatch& match, float since_s) noexcept;
+/// The pose of a matched clip `time_since_match_s` after the match; its last one when it is over.
+motion::Pose pose_of(const motion::Clip& clip, const ReactionMatch& match,
+                     float time_since_match_s) noexcept;
 
 /// Finds the clip that goes on from a simulated pose, as Zordan et al. 2005 do: the frame whose
 /// bodies are nearest, each weighted by its mass, and move most alike. In the frame of the facing,
@@ -34,19 +35,19 @@ class ReactionClips {
  public:
   /// Looks at 30 frames a second of the clips of `purpose`, but for the last 0.3 s of each, which
   /// would be over at once. Allocates, throws std::bad_alloc; the clips need not be kept.
-  ReactionClips(const motion::Character& character, std::span<const motion::Clip> clips,
+  ReactionClips(const motion::Physique& character, std::span<const motion::Clip> clips,
                 motion::Purpose purpose = motion::Purpose::push);
 
-  /// The nearest frame to the character at `now`, `dt_s` after `before`; none if D exceeds `most_m`
-  /// everywhere (then return to idle), if there are no clips, or for poses that are not sound and
-  /// times that are not finite and above 0. Ties go to the earlier frame. Costs about 10 ns a
-  /// frame; allocates nothing.
+  /// The nearest frame to the character at `now`, `dt_s` after `before`; none if D exceeds
+  /// `max_distance_m` everywhere (then return to idle), if there are no clips, or for poses that
+  /// are not sound and times that are not finite and above 0. Ties go to the earlier frame. Costs
+  /// about 10 ns a frame; allocates nothing.
   std::optional<ReactionMatch> find(const motion::Pose& before, const motion::Pose& now, float dt_s,
-                                    float most_m = kNear_m) const noexcept;
+                                    float max_distance_m = kMaxMatchDistance_m) const noexcept;
 
   /// Within which a clip is near enough, m. Blended over half a second, a body that is 0.15 m off
   /// moves by 0.3 m/s more than it would: less than what bodies differ by in one's own motion.
-  static constexpr float kNear_m = 0.15F;
+  static constexpr float kMaxMatchDistance_m = 0.15F;
 
   std::size_t size() const { return frames_.size(); }  ///< frames that are looked at
 

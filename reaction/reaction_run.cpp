@@ -17,11 +17,11 @@ using motion::Role;
 // twice the trainer's, as a frame must end.
 constexpr double kFreeStep_s = 1.0 / 120;
 constexpr double kContactStep_s = 1.0 / 1000;
-constexpr double kMostSteps_hz = 180;
-constexpr double kMostStepsSaved = 2;
-constexpr double kSliver_s = 1e-6;  // not worth a step
-constexpr double kDuringBlow = 1e-4;
-constexpr double kPelvisGrip = 0.7;  // share of the figure's weight that pulls it back
+constexpr double kMaxStepRate_hz = 180;
+constexpr double kMaxSavedSteps = 2;
+constexpr double kNegligibleStep_s = 1e-6;  // not worth a step
+constexpr double kImpactStiffnessShare = 1e-4;
+constexpr double kPelvisForceShare = 0.7;  // share of the figure's weight that pulls it back
 
 sim::SimulationOptions simulation_options() {
   sim::SimulationOptions options;
@@ -39,37 +39,40 @@ sim::BodyState between(const sim::BodyState& from, const sim::BodyState& to, dou
 
 }  // namespace
 
-ReactionRun::ReactionRun(const sim::FigurePlan& plan, const ReactionOptions& options,
-                         const motion::Pose& before, const motion::Pose& now, double dt_s,
-                         const sim::Ball* ball)
-    : plan_(plan),
-      struck_{options.stiffness, options.stiffness,
-              kPelvisGrip * simulation_options().gravity_mps2 * plan.mass_kg},
-      encounter_(plan, simulation_options(), LiveReference(plan, before, now, dt_s).at(0), ball),
-      feet_(plan, encounter_.world(), encounter_.figure()),
-      wanted_(plan, before, now, dt_s),
-      carried_(wanted_.at(0)),
-      before_(moment()),
+ReactionSimulation::ReactionSimulation(const sim::FigureModel& figure_model,
+                                       const ReactionOptions& options, const motion::Pose& before,
+                                       const motion::Pose& now, double dt_s, const sim::Ball* ball)
+    : figure_model_(figure_model),
+      struck_strength_{
+          options.stiffness, options.stiffness,
+          kPelvisForceShare * simulation_options().gravity_mps2 * figure_model.mass_kg},
+      encounter_(figure_model, simulation_options(),
+                 LiveReference(figure_model, before, now, dt_s).at(0), ball),
+      feet_(figure_model, encounter_.world(), encounter_.figure()),
+      wanted_(figure_model, before, now, dt_s),
+      feedforward_(wanted_.at(0)),
+      before_(snapshot()),
       after_(before_),
-      steps_left_(kMostStepsSaved) {}
+      step_budget_(kMaxSavedSteps) {}
 
-void ReactionRun::advance(double dt_s, const motion::Pose& wanted) {
+void ReactionSimulation::advance(double dt_s, const motion::Pose& wanted) {
   wanted_.add(wanted, dt_s, after_.time_s);
   shown_s_ += dt_s;
-  while (after_.time_s < shown_s_ - kSliver_s) step();
+  while (after_.time_s < shown_s_ - kNegligibleStep_s) step();
 }
 
 // Steps cost, so there is a budget of them: a rate, and some saved up for the first touches. Beyond
 // it steps are as long as the rate allows, whatever is touched.
-void ReactionRun::step() {
+void ReactionSimulation::step() {
   const sim::ReferenceState now = wanted_.at(encounter_.time_s());
-  const double step_s = encounter_.begin_step(now, kFreeStep_s, (1 - steps_left_) / kMostSteps_hz);
-  steps_left_ = std::min(steps_left_ + kMostSteps_hz * step_s - 1, kMostStepsSaved);
+  const double step_s =
+      encounter_.begin_step(now, kFreeStep_s, (1 - step_budget_) / kMaxStepRate_hz);
+  step_budget_ = std::min(step_budget_ + kMaxStepRate_hz * step_s - 1, kMaxSavedSteps);
   const sim::ReferenceState target = wanted_.at(encounter_.time_s() + step_s);
-  drive(target, step_s);
+  set_motors(target, step_s);
   encounter_.end_step(now, target, step_s);
   before_ = after_;
-  after_ = moment();
+  after_ = snapshot();
   for (const sim::BodyState& body : after_.body) {
     if (!body.position.allFinite() || !body.orientation.coeffs().allFinite()) {
       throw Error("reaction", "the simulated figure is nowhere");
@@ -79,46 +82,47 @@ void ReactionRun::step() {
 
 // A blow lasts no time: what holds the figure to the ground has none to answer it, while gains set
 // for the velocity before it would.
-void ReactionRun::drive(const sim::ReferenceState& target, double step_s) {
-  const double to_ground = encounter_.is_blow() ? kDuringBlow : 1;
-  sim::Drive drive = std::isfinite(encounter_.first_contact_s()) ? struck_ : sim::Drive{};
-  drive.pelvis *= to_ground;
+void ReactionSimulation::set_motors(const sim::ReferenceState& target, double step_s) {
+  const double to_ground = encounter_.is_ball_hit() ? kImpactStiffnessShare : 1;
+  sim::MotorStrength strength =
+      std::isfinite(encounter_.first_contact_s()) ? struck_strength_ : sim::MotorStrength{};
+  strength.pelvis *= to_ground;
   sim::Figure& figure = encounter_.figure();
   if (!figure.is_fallen()) {
-    figure.carry(carried_, target, step_s);
-    feet_.hold(target, step_s, to_ground);
+    figure.add_feedforward(feedforward_, target, step_s);
+    feet_.lock(target, step_s, to_ground);
   }
-  carried_ = target;
-  figure.drive(target, step_s, drive);
+  feedforward_ = target;
+  figure.set_motors(target, step_s, strength);
 }
 
-void ReactionRun::advance_ball(double dt_s) {
+void ReactionSimulation::advance_ball(double dt_s) {
   shown_s_ += dt_s;
-  while (after_.time_s < shown_s_ - kSliver_s) step_ball();
+  while (after_.time_s < shown_s_ - kNegligibleStep_s) step_ball();
 }
 
-void ReactionRun::step_ball() {
+void ReactionSimulation::step_ball() {
   encounter_.step_ball_alone();
   before_ = after_;
-  after_ = moment();
+  after_ = snapshot();
 }
 
-ReactionRun::Moment ReactionRun::moment() const {
-  Moment moment;
-  moment.time_s = encounter_.time_s();
+ReactionSimulation::Snapshot ReactionSimulation::snapshot() const {
+  Snapshot snapshot;
+  snapshot.time_s = encounter_.time_s();
   for (Body body : motion::kBodies) {
-    moment.body[body] = sim::state_of(encounter_.figure().body(body));
+    snapshot.body[body] = sim::state_of(encounter_.figure().body(body));
   }
-  if (encounter_.ball()) moment.ball = sim::state_of(encounter_.ball()->body());
-  return moment;
+  if (encounter_.ball()) snapshot.ball = sim::state_of(encounter_.ball()->body());
+  return snapshot;
 }
 
-double ReactionRun::share_of_last_step() const {
+double ReactionSimulation::share_of_last_step() const {
   const double length_s = after_.time_s - before_.time_s;
   return length_s > 0 ? std::clamp((shown_s_ - before_.time_s) / length_s, 0.0, 1.0) : 1;
 }
 
-motion::Pose ReactionRun::pose(const motion::Pose& motion) const {
+motion::Pose ReactionSimulation::pose(const motion::Pose& motion) const {
   const double share = share_of_last_step();
   motion::JointFrames frames;
   for (Role role : motion::kRoles) {
@@ -136,13 +140,13 @@ motion::Pose ReactionRun::pose(const motion::Pose& motion) const {
       between(before_.body[Body::pelvis], after_.body[Body::pelvis], share);
   const Eigen::Vector3d joint =
       pelvis.position -
-      pelvis.orientation * plan_.model[Body::pelvis].centre_of_mass.cast<double>();
+      pelvis.orientation * figure_model_.model[Body::pelvis].centre_of_mass.cast<double>();
   frames.position[Role::pelvis] = joint.cast<float>();
   return pose_from_frames(frames);
 }
 
-sim::Ball ReactionRun::ball(const sim::Ball& given) const {
-  sim::Ball ball = given;
+sim::Ball ReactionSimulation::ball(const sim::Ball& initial_ball) const {
+  sim::Ball ball = initial_ball;
   if (!encounter_.ball()) return ball;
   const double share = share_of_last_step();
   const sim::BodyState state = between(before_.ball, after_.ball, share);
@@ -151,15 +155,15 @@ sim::Ball ReactionRun::ball(const sim::Ball& given) const {
   return ball;
 }
 
-bool ReactionRun::is_beyond_recovery() const {
+bool ReactionSimulation::is_beyond_recovery() const {
   const sim::ReferenceState wanted = wanted_.at(after_.time_s);
-  const double out_m = out_of_balance_m(plan_, after_.body);
-  return is_beyond_a_step(plan_, out_m - out_of_balance_m(plan_, wanted.body));
+  const double out_m = out_of_balance_m(figure_model_, after_.body);
+  return is_beyond_a_step(figure_model_, out_m - out_of_balance_m(figure_model_, wanted.body));
 }
 
-void ReactionRun::let_fall() {
-  encounter_.figure().let_fall();
-  feet_.let_go();
+void ReactionSimulation::start_falling() {
+  encounter_.figure().start_falling();
+  feet_.unlock();
 }
 
 }  // namespace flinch::reaction

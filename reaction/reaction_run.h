@@ -13,12 +13,12 @@ namespace flinch::reaction {
 /// Steps are the simulation's own, whatever the frames: it runs ahead of the time shown by less
 /// than one step, toward the motion as it goes on, and what is shown lies between the last two
 /// states.
-class ReactionRun {
+class ReactionSimulation {
  public:
-  /// `plan` must outlive this. Throws Error if the physics engine fails.
-  ReactionRun(const sim::FigurePlan& plan, const ReactionOptions& options,
-              const motion::Pose& before, const motion::Pose& now, double dt_s,
-              const sim::Ball* ball);
+  /// `figure_model` must outlive this. Throws Error if the physics engine fails.
+  ReactionSimulation(const sim::FigureModel& figure_model, const ReactionOptions& options,
+                     const motion::Pose& before, const motion::Pose& now, double dt_s,
+                     const sim::Ball* ball);
 
   /// Simulates for `dt_s` more, by which time the motion is at `wanted`. Throws Error as above, and
   /// if the figure's state is no longer finite.
@@ -28,36 +28,37 @@ class ReactionRun {
 
   /// The simulated figure at the time shown; `motion` gives clavicles and toes.
   motion::Pose pose(const motion::Pose& motion) const;
-  sim::Ball ball(const sim::Ball& given) const;
-  const sim::Encounter& encounter() const { return encounter_; }
+  sim::Ball ball(const sim::Ball& initial_ball) const;
+  const sim::OdeEncounter& encounter() const { return encounter_; }
 
   /// Whether the blow has put the figure out of balance beyond a step, more than the motion itself.
   bool is_beyond_recovery() const;
-  void let_fall();
+  void start_falling();
 
  private:
-  struct Moment {
+  struct Snapshot {
     double time_s = 0;
     motion::PerBody<sim::BodyState> body;
     sim::BodyState ball;
   };
   void step();
-  void drive(const sim::ReferenceState& target, double step_s);
+  void set_motors(const sim::ReferenceState& target, double step_s);
   void step_ball();
-  Moment moment() const;
+  Snapshot snapshot() const;
   double share_of_last_step() const;
 
-  const sim::FigurePlan& plan_;
-  sim::Drive
-      struck_;  // from the first contact on; until then the figure is as stiff as the trainer's
-  sim::Encounter encounter_;
-  FootHold feet_;
+  const sim::FigureModel& figure_model_;
+  sim::MotorStrength struck_strength_;  // from the first contact on; until then the figure is as
+                                        // stiff as the trainer's
+  sim::OdeEncounter encounter_;
+  FootLock feet_;
   LiveReference wanted_;
-  sim::ReferenceState carried_;  // where the forces of Figure::carry have brought the reference
-  Moment before_;                // the last step's beginning and end
-  Moment after_;
+  sim::ReferenceState
+      feedforward_;  // where the forces of Figure::add_feedforward have brought the reference
+  Snapshot before_;  // the last step's beginning and end
+  Snapshot after_;
   double shown_s_ = 0;
-  double steps_left_ = 0;  // see step
+  double step_budget_ = 0;  // see step
 };
 
 }  // namespace flinch::reaction

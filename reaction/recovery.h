@@ -20,7 +20,7 @@ namespace flinch::reaction {
 /// lies before the contact. Both weights begin and end with no velocity, so that what is shown is
 /// as smooth as the simulation and the motions are.
 struct RecoverySchedule {
-  double alone_s = 0.075;  ///< A: the paper leaves 0.05 to 0.1 s to the animator
+  double simulation_only_s = 0.075;  ///< A: the paper leaves 0.05 to 0.1 s to the animator
 };
 
 struct RecoveryWeights {

@@ -15,8 +15,9 @@ namespace {
 using motion::Pose;
 using motion::Role;
 
-constexpr float kVelocity_s = 1.0F / 240;  // over which velocities of responses are measured
-constexpr float kLeastStep_s = 1e-4F;      // nearer poses say nothing of velocities
+constexpr float kVelocityInterval_s =
+    1.0F / 240;                              // over which velocities of responses are measured
+constexpr float kMinPoseInterval_s = 1e-4F;  // nearer poses say nothing of velocities
 
 bool is_usable(const features::Threat& threat) {
   return threat.position.allFinite() && threat.velocity.allFinite() &&
@@ -28,7 +29,7 @@ bool is_positive(float time_s) {
 }
 
 bool is_time_to_impact(float time_s) {
-  return time_s > 0 && time_s <= features::kMostHorizon;
+  return time_s > 0 && time_s <= features::kMaxHorizon_s;
 }
 
 }  // namespace
@@ -88,7 +89,7 @@ motion::PerRole<float> Mask::whole_body() {
 Character::Character(const Library& library) noexcept : library_(&library) {}
 
 Status Character::place(const Eigen::Vector2f& position, float facing, float idle_time_s) noexcept {
-  const auto is_near = [](float x) { return std::abs(x) <= features::kMostExtent; };
+  const auto is_near = [](float x) { return std::abs(x) <= features::kMaxExtent; };
   if (!is_near(position.x()) || !is_near(position.y()) || !is_near(facing) ||
       !is_near(idle_time_s)) {
     return Status::bad_placement;
@@ -96,17 +97,17 @@ Status Character::place(const Eigen::Vector2f& position, float facing, float idl
   state_ = {idle_time_s, position, facing};
   time_s_ = 0;
   response_ = {};
-  origin_ = {};
+  inertialization_ = {};
   delayed_clip_.reset();
   return Status::ok;
 }
 
-Status Character::stand_in(const Pose& before, const Pose& now, float dt_s) noexcept {
+Status Character::set_pose(const Pose& before, const Pose& now, float dt_s) noexcept {
   if (!library_->is_loaded()) return Status::not_loaded;
-  if (!is_positive(dt_s) || dt_s < kLeastStep_s) return Status::bad_time;
+  if (!is_positive(dt_s) || dt_s < kMinPoseInterval_s) return Status::bad_time;
   if (!is_usable(before) || !is_usable(now)) return Status::bad_pose;
-  state_ = state_under(library_->prepared(), now);
-  origin_ = make_origin(library_->prepared(), state_, before, now, dt_s);
+  state_ = idle_state_at(library_->prepared(), now);
+  inertialization_ = make_inertialization(library_->prepared(), state_, before, now, dt_s);
   time_s_ = 0;
   response_ = {};
   return Status::ok;
@@ -116,7 +117,7 @@ Status Character::settle() noexcept {
   if (!library_->is_loaded()) return Status::not_loaded;
   if (!is_responding() && !is_settling()) return Status::ok;
   delayed_clip_.reset();
-  to_impact_s_ = std::numeric_limits<double>::infinity();
+  time_to_impact_s_ = std::numeric_limits<double>::infinity();
   return begin(library_->prepared().library->idle, 1);
 }
 
@@ -137,12 +138,12 @@ Status Character::perceive(const features::Threat& threat, Workspace& workspace)
   const features::PredictedImpact impact =
       is_responding() || is_settling()
           ? features::predict_impact(seen.threat, library.figure(), now)
-          : features::predict_impact(seen.threat, library.figure(), library.idle(), library.sway,
-                                     state_now());
+          : features::predict_impact(seen.threat, library.figure(), library.idle(),
+                                     library.motion_bounds, current_state());
   if (impact.outcome == features::Outcome::unusable) return Status::bad_threat;
   if (impact.outcome == features::Outcome::miss) return Status::misses;
   const float time_s = std::max(impact.time_to_impact_s, 1e-3F);
-  return answer({seen.threat, impact.aimed_at, time_s, state_now()}, seen.delay_s, workspace);
+  return answer({seen.threat, impact.aimed_at, time_s, current_state()}, seen.delay_s, workspace);
 }
 
 Status Character::perceive(const features::Threat& threat, motion::Target target,
@@ -153,7 +154,7 @@ Status Character::perceive(const features::Threat& threat, motion::Target target
       motion::forward_kinematics(library_->prepared().skeleton(), pose()).position[Role::head];
   const Perceived seen = runtime::perceive(threat, eye, limits_, seed_, threats_++);
   if (!seen.noticed) return Status::unnoticed;
-  return answer({seen.threat, target, time_to_impact_s, state_now()}, seen.delay_s, workspace);
+  return answer({seen.threat, target, time_to_impact_s, current_state()}, seen.delay_s, workspace);
 }
 
 Status Character::answer(const features::Scenario& scenario, float delay_s,
@@ -165,7 +166,7 @@ Status Character::answer(const features::Scenario& scenario, float delay_s,
   if (selection.status != SelectStatus::ok) return Status::other_workspace;
   candidate_count_ = selection.count;
   target_ = scenario.target;
-  to_impact_s_ = double{scenario.time_to_impact_s};
+  time_to_impact_s_ = double{scenario.time_to_impact_s};
   if (delay_s > 0) {
     delayed_clip_ = selection.clip;
     delay_s_ = double{delay_s};
@@ -178,39 +179,41 @@ Status Character::respond(int clip, float time_to_impact_s) noexcept {
   if (!library_->is_loaded()) return Status::not_loaded;
   if (!is_time_to_impact(time_to_impact_s)) return Status::bad_threat;
   const Status status = begin(clip, time_to_impact_s);
-  if (status == Status::ok) to_impact_s_ = double{time_to_impact_s};
+  if (status == Status::ok) time_to_impact_s_ = double{time_to_impact_s};
   return status;
 }
 
 // The state of a character that idles moves on in its idle clip; one that does not stands where its
 // feet say.
-features::CharacterState Character::state_now() const noexcept {
+features::CharacterState Character::current_state() const noexcept {
   if (is_responding()) {
-    if (time_s_ < double{kLeastStep_s}) return response_.state;
-    return state_under(library_->prepared(), pose());
+    if (time_s_ < double{kMinPoseInterval_s}) return response_.state;
+    return idle_state_at(library_->prepared(), pose());
   }
   features::CharacterState state = state_;
   state.idle_time_s += static_cast<float>(time_s_);
   return state;
 }
 
-Origin Character::origin_now(const features::CharacterState& state) const noexcept {
-  if (!is_responding() && origin_.idles) return origin_;
-  if (time_s_ < double{kLeastStep_s}) return is_responding() ? response_.origin : origin_;
+Inertialization Character::current_inertialization(
+    const features::CharacterState& state) const noexcept {
+  if (!is_responding() && inertialization_.is_zero) return inertialization_;
+  if (time_s_ < double{kMinPoseInterval_s})
+    return is_responding() ? response_.inertialization : inertialization_;
   const float now_s = static_cast<float>(time_s_);
-  const float before_s = std::max(now_s - kVelocity_s, 0.0F);
-  return make_origin(library_->prepared(), state, pose_after(before_s), pose_after(now_s),
-                     now_s - before_s);
+  const float before_s = std::max(now_s - kVelocityInterval_s, 0.0F);
+  return make_inertialization(library_->prepared(), state, pose_after(before_s), pose_after(now_s),
+                              now_s - before_s);
 }
 
 Status Character::begin(int clip, float time_to_impact_s) noexcept {
-  const features::CharacterState state = state_now();
-  const Response response =
-      make_response(library_->prepared(), state, clip, time_to_impact_s, origin_now(state));
+  const features::CharacterState state = current_state();
+  const Response response = make_response(library_->prepared(), state, clip, time_to_impact_s,
+                                          current_inertialization(state));
   if (!is_valid(response)) return Status::bad_clip;
   response_ = response;
   state_ = state;
-  origin_ = {};
+  inertialization_ = {};
   time_s_ = 0;
   delayed_clip_.reset();
   return Status::ok;
@@ -218,7 +221,7 @@ Status Character::begin(int clip, float time_to_impact_s) noexcept {
 
 void Character::finish() noexcept {
   state_ = response_.state;
-  state_.position += response_.travel.head<2>();
+  state_.position += response_.idle_displacement.head<2>();
   response_ = {};
 }
 
@@ -227,14 +230,14 @@ Status Character::update(float dt_s) noexcept {
   if (!library_->is_loaded()) return Status::not_loaded;
   const double dt = double{dt_s};
   time_s_ += dt;
-  to_impact_s_ -= dt;
+  time_to_impact_s_ -= dt;
   if (delayed_clip_) {
     delay_s_ -= dt;
     // What hits before the delay is over is not answered any more.
-    if (to_impact_s_ <= 0) {
+    if (time_to_impact_s_ <= 0) {
       delayed_clip_.reset();
     } else if (delay_s_ <= 0) {
-      begin(*delayed_clip_, static_cast<float>(to_impact_s_));
+      begin(*delayed_clip_, static_cast<float>(time_to_impact_s_));
     }
   }
   if (is_responding() && time_s_ >= double{duration_s(response_)}) finish();
@@ -253,7 +256,7 @@ Pose Character::pose() const noexcept {
 
 Pose Character::pose_after(float time_s) const noexcept {
   if (is_responding()) return pose_at(response_, time_s);
-  return pose_from(library_->prepared(), state_, origin_, time_s);
+  return inertialized_pose(library_->prepared(), state_, inertialization_, time_s);
 }
 
 Pose Character::pose_over(const Pose& game, const Mask& mask) const noexcept {
@@ -277,7 +280,7 @@ bool Character::is_responding() const noexcept {
 }
 
 bool Character::is_settling() const noexcept {
-  return !is_responding() && !origin_.idles;
+  return !is_responding() && !inertialization_.is_zero;
 }
 
 Phase Character::phase() const noexcept {
@@ -285,9 +288,9 @@ Phase Character::phase() const noexcept {
   if (!is_responding()) return Phase::idle;
   const float t = response_time_s();
   if (response_.clip == library_->prepared().library->idle) return Phase::returning;
-  if (t < response_.start_s) return Phase::waiting;
+  if (t < response_.first_motion_s) return Phase::waiting;
   if (t < response_.begin_s) return Phase::shifting;
-  if (t < response_.begin_s + response_.blend_s) return Phase::blending;
+  if (t < response_.begin_s + response_.blend_duration_s) return Phase::blending;
   return t < response_.end_s ? Phase::protecting : Phase::returning;
 }
 
@@ -301,7 +304,7 @@ std::span<const models::Candidate> Character::candidates() const noexcept {
 }
 
 float Character::time_to_impact_s() const noexcept {
-  return static_cast<float>(to_impact_s_);
+  return static_cast<float>(time_to_impact_s_);
 }
 
 }  // namespace flinch::runtime

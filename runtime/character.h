@@ -60,14 +60,14 @@ class Character {
   explicit Character(const Library& library) noexcept;
 
   /// Where it stands and which way it faces, radians; `idle_time_s` into its idle clip. Ends any
-  /// response. All of them within features::kMostExtent.
+  /// response. All of them within features::kMaxExtent.
   Status place(const Eigen::Vector2f& position, float facing, float idle_time_s) noexcept;
 
   /// Tells it that it does not idle but is in a motion of the game's: its pose now and `dt_s` ago
   /// (at least 1e-4 s), world. The next response starts from there with these velocities. Ends any
   /// response; call it in each frame before `perceive` for as long as the game moves the character
   /// itself.
-  Status stand_in(const motion::Pose& before, const motion::Pose& now, float dt_s) noexcept;
+  Status set_pose(const motion::Pose& before, const motion::Pose& now, float dt_s) noexcept;
 
   /// Goes back to idle from what it is doing, feet and all.
   Status settle() noexcept;
@@ -81,7 +81,7 @@ class Character {
   Status perceive(const features::Threat& threat, Workspace& workspace) noexcept;
 
   /// A threat that the game knows to aim at `target` and to be there in `time_to_impact_s`, at most
-  /// features::kMostHorizon.
+  /// features::kMaxHorizon_s.
   Status perceive(const features::Threat& threat, motion::Target target, float time_to_impact_s,
                   Workspace& workspace) noexcept;
 
@@ -100,7 +100,7 @@ class Character {
   Phase phase() const noexcept;
   /// Index in the library of the clip that answers; of the idle clip where none does.
   int clip() const noexcept;
-  /// What the selector considered for the last threat, best first; at most kMostCandidates.
+  /// What the selector considered for the last threat, best first; at most kMaxCandidates.
   std::span<const models::Candidate> candidates() const noexcept;
   /// Until the impact that is being answered, s; negative after it; infinity where there is none.
   float time_to_impact_s() const noexcept;
@@ -111,14 +111,14 @@ class Character {
   const Response& response() const noexcept { return response_; }
   float response_time_s() const noexcept { return static_cast<float>(time_s_); }
 
-  static constexpr std::size_t kMostCandidates = 8;
+  static constexpr std::size_t kMaxCandidates = 8;
 
  private:
   bool is_responding() const noexcept;
   bool is_settling() const noexcept;
   motion::Pose pose_after(float time_s) const noexcept;
-  features::CharacterState state_now() const noexcept;
-  Origin origin_now(const features::CharacterState& state) const noexcept;
+  features::CharacterState current_state() const noexcept;
+  Inertialization current_inertialization(const features::CharacterState& state) const noexcept;
   Status answer(const features::Scenario& scenario, float delay_s, Workspace& workspace) noexcept;
   Status begin(int clip, float time_to_impact_s) noexcept;
   void finish() noexcept;
@@ -127,13 +127,13 @@ class Character {
   features::CharacterState state_;  ///< as it was at `time_s_` 0
   double time_s_ = 0;               ///< of idling, or of the response while it plays
   Response response_;
-  Origin origin_;  ///< of the next response, if the game has said so
+  Inertialization inertialization_;  ///< of the next response, if the game has said so
   PerceptionLimits limits_;
   std::uint64_t seed_ = 0;
   std::uint64_t threats_ = 0;  ///< perceived so far
-  double to_impact_s_ = std::numeric_limits<double>::infinity();
+  double time_to_impact_s_ = std::numeric_limits<double>::infinity();
   motion::Target target_ = motion::Target::head;
-  std::array<models::Candidate, kMostCandidates> candidates_{};
+  std::array<models::Candidate, kMaxCandidates> candidates_{};
   std::size_t candidate_count_ = 0;
   std::optional<int> delayed_clip_;  ///< the answer that waits for the reaction's delay
   double delay_s_ = 0;               ///< that is left of it

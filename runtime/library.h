@@ -27,7 +27,7 @@ class Library {
   /// Whether anything was loaded; what follows is for loaded libraries only.
   bool is_loaded() const { return contents_ != nullptr; }
 
-  const database::Library& clips() const { return contents_->clips; }
+  const database::ClipLibrary& clip_library() const { return contents_->clips; }
   const models::Selector& selector() const { return contents_->selector; }
   const PreparedLibrary& prepared() const { return contents_->prepared; }
   /// What a Workspace needs for this selector, bytes.
@@ -35,7 +35,7 @@ class Library {
 
  private:
   struct Contents {
-    database::Library clips;
+    database::ClipLibrary clips;
     models::Selector selector;
     PreparedLibrary prepared;  // refers to `clips`
     std::size_t selection_bytes = 0;

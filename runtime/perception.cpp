@@ -11,8 +11,8 @@
 namespace flinch::runtime {
 namespace {
 
-constexpr float kSimpleReaction = 0.22F;    // s
-constexpr float kDelayPerDoubling = 0.15F;  // s
+constexpr float kSimpleReactionTime_s = 0.22F;  // s
+constexpr float kDelayPerDoubling_s = 0.15F;    // s
 
 bool is_at_least_zero(float number) {
   return number >= 0 && std::isfinite(number);
@@ -29,7 +29,7 @@ struct Draws {
 
 // Always all, in one order, so that no limit moves another's.
 Draws draw(std::uint64_t seed, std::uint64_t number) {
-  features::Random random(seed, features::Purpose::perception, number);
+  features::Random random(seed, features::RandomStream::perception, number);
   const auto normal = [&] { return static_cast<float>(random.normal()); };
   Draws draws{};
   draws.chance = random.uniform();
@@ -47,7 +47,8 @@ Eigen::Vector3f turned(const Eigen::Vector3f& vector, const std::array<float, 2>
   if (!(noise > 0 && length > 0)) return vector;
   const Eigen::Vector3f first = vector.unitOrthogonal();
   const Eigen::Vector3f second = vector.cross(first) / length;
-  return motion::rotation_by<float>(noise * (normals[0] * first + normals[1] * second)) * vector;
+  return motion::rotation_from_vector<float>(noise * (normals[0] * first + normals[1] * second)) *
+         vector;
 }
 
 /// exp(sigma n): exactly 1 without noise.
@@ -65,9 +66,9 @@ bool is_valid(const PerceptionLimits& limits) noexcept {
 }
 
 // Hick: delay = a + b log2(choices).
-PerceptionLimits human(int choices) noexcept {
+PerceptionLimits human_limits(int choices) noexcept {
   const float doublings = std::log2(static_cast<float>(std::max(choices, 1)));
-  return {.reaction_delay_s = kSimpleReaction + kDelayPerDoubling * doublings,
+  return {.reaction_delay_s = kSimpleReactionTime_s + kDelayPerDoubling_s * doublings,
           .bearing_noise = motion::radians(0.1F),
           .distance_noise = 0.05F,
           .heading_noise = motion::radians(0.2F),

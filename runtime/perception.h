@@ -42,7 +42,7 @@ bool is_valid(const PerceptionLimits& limits) noexcept;
 /// for the direction and speed of motion in depth"). Failures: 3 %, the middle of the rates at
 /// which observers lapse (0 to 6 %, Wichmann and Hill 2001, "The psychometric function I"). Bearing
 /// (0.1 degrees) and distance (5 %) are estimates.
-PerceptionLimits human(int choices = 1) noexcept;
+PerceptionLimits human_limits(int choices = 1) noexcept;
 
 /// What a character makes of a threat.
 struct Perceived {

@@ -7,7 +7,7 @@ namespace flinch::runtime {
 
 bool is_usable(const motion::Pose& pose) noexcept {
   constexpr float kUnit = 1e-2F;  // by which a rotation's length may differ from 1
-  return is_sound(pose, kUnit) && (pose.root_position.array().abs() <= features::kMostExtent).all();
+  return is_sound(pose, kUnit) && (pose.root_position.array().abs() <= features::kMaxExtent).all();
 }
 
 }  // namespace flinch::runtime

@@ -5,7 +5,7 @@
 
 namespace flinch::runtime {
 
-/// Whether a pose that comes from outside can be used: a place within features::kMostExtent of the
+/// Whether a pose that comes from outside can be used: a place within features::kMaxExtent of the
 /// origin, rotations that are unit to 1 %, which is more than what float arithmetic loses in games.
 bool is_usable(const motion::Pose& pose) noexcept;
 

@@ -41,9 +41,9 @@ bool is_sound(const models::ClipSummary& clip) {
 }
 
 bool is_sound(const features::Scaling& scaling, std::size_t feature_count) {
-  return scaling.least.size() == feature_count && scaling.most.size() == feature_count &&
-         all_finite(scaling.least) && all_finite(scaling.most) &&
-         std::equal(scaling.least.begin(), scaling.least.end(), scaling.most.begin(),
+  return scaling.min.size() == feature_count && scaling.max.size() == feature_count &&
+         all_finite(scaling.min) && all_finite(scaling.max) &&
+         std::equal(scaling.min.begin(), scaling.min.end(), scaling.max.begin(),
                     [](double least, double most) { return least <= most; });
 }
 
@@ -128,14 +128,14 @@ bool is_sound(const models::KnnModel& model, std::size_t clip_count, std::size_t
 // overflow their product.
 bool is_sound(const models::NetworkModel& model, std::size_t clip_count,
               std::size_t feature_count) {
-  constexpr int kMost = 1 << 12;
+  constexpr int kMaxCount = 1 << 12;
   const auto is_weight = [](float weight) {
-    return std::abs(weight) <= models::kMostNetworkWeight;  // not so where it is not a number
+    return std::abs(weight) <= models::kMaxNetworkWeight;  // not so where it is not a number
   };
   return static_cast<std::size_t>(model.feature_count) == feature_count &&
-         model.hidden_count >= 1 && model.hidden_count <= kMost &&
+         model.hidden_count >= 1 && model.hidden_count <= kMaxCount &&
          model.hidden_count % models::kNetworkBlock == 0 && model.member_count >= 1 &&
-         model.member_count <= kMost && !model.clip.empty() &&
+         model.member_count <= kMaxCount && !model.clip.empty() &&
          are_rising_clips(model.clip, clip_count) && is_weight(model.mean_root) &&
          is_weight(model.scale_root) && model.scale_root > 0 && is_weight(model.variance_ns) &&
          model.variance_ns >= 0 &&
@@ -153,7 +153,7 @@ bool is_sound(const models::PairwiseModel& model, std::size_t clip_count,
   const auto has_room = [row_size](const std::int16_t* row) {
     return std::accumulate(row, row + row_size, std::int64_t{0},
                            [](std::int64_t sum, std::int16_t w) { return sum + std::abs(w); }) <=
-           models::PairwiseModel::kMostWeightSum;
+           models::PairwiseModel::kMaxWeightSum;
   };
   for (std::size_t i = 0; i < machines; ++i) {
     if (!has_room(model.weights.data() + i * row_size)) return false;
@@ -183,7 +183,7 @@ bool is_sound(const models::Selector& selector) {
                     selector.model);
 }
 
-bool are_of_one_kind(const models::Selector& selector, const database::Library& library) {
+bool is_compatible(const models::Selector& selector, const database::ClipLibrary& library) {
   const auto is_same = [](const models::ClipSummary& summary, const motion::Clip& clip) {
     return summary.name == clip.name && (clip.annotation || !summary.annotation);
   };

@@ -132,8 +132,8 @@ bool read_stored(const schema::Selector& stored, models::Selector& selector) {
     return false;
   }
   if (!is_sound(selector)) return false;
-  if (auto* knn = std::get_if<models::KnnModel>(&selector.model)) models::index(*knn);
-  if (auto* svm = std::get_if<models::SvmModel>(&selector.model)) models::complete(*svm);
+  if (auto* knn = std::get_if<models::KnnModel>(&selector.model)) models::build_leaves(*knn);
+  if (auto* svm = std::get_if<models::SvmModel>(&selector.model)) models::update_derived(*svm);
   return true;
 }
 
@@ -142,10 +142,10 @@ LoadStatus read_clips(const schema::Selector& stored, SelectorFile& file) {
   if (stored.library() == nullptr) return LoadStatus::ok;
   const std::span<const std::byte> bytes =
       std::as_bytes(std::span(stored.library()->data(), stored.library()->size()));
-  const LoadStatus status = database::read_enclosed_library(bytes, file.library.emplace());
+  const LoadStatus status = database::read_embedded_library(bytes, file.library.emplace());
   if (status == LoadStatus::out_of_memory) return status;
   // Whatever else is wrong with it: it is this file that cannot be used.
-  return status == LoadStatus::ok && are_of_one_kind(file.selector, *file.library)
+  return status == LoadStatus::ok && is_compatible(file.selector, *file.library)
              ? LoadStatus::ok
              : LoadStatus::damaged;
 }
@@ -154,8 +154,8 @@ LoadStatus read_clips(const schema::Selector& stored, SelectorFile& file) {
 
 LoadStatus read_selector_file(std::span<const std::byte> bytes, SelectorFile& file) noexcept try {
   std::vector<std::byte> storage;
-  const database::Unsealed unsealed =
-      database::unseal(database::kSelectorKind, database::aligned(bytes, storage));
+  const database::VerifiedFile unsealed =
+      database::verify_file(database::kSelectorFormat, database::aligned(bytes, storage));
   if (unsealed.status != LoadStatus::ok) return unsealed.status;
   flatbuffers::Verifier verifier(reinterpret_cast<const std::uint8_t*>(unsealed.content.data()),
                                  unsealed.content.size());

@@ -15,12 +15,12 @@ namespace flinch::runtime {
 struct SelectorFile {
   models::Selector selector;
   /// Of the selector's `library_hash`; none where the file was written without clips.
-  std::optional<database::Library> library;
+  std::optional<database::ClipLibrary> library;
 };
 
 /// Reads a selector file's bytes: verified against the content hash, the schemas, the features
 /// that this build computes, is_sound() and, where it has clips, the library's invariants
-/// and are_of_one_kind() before anything is used. On failure `file` is left as it was. Throws
+/// and is_compatible() before anything is used. On failure `file` is left as it was. Throws
 /// nothing.
 database::LoadStatus read_selector_file(std::span<const std::byte> bytes,
                                         SelectorFile& file) noexcept;
@@ -37,6 +37,6 @@ bool is_sound(const models::Selector& selector);
 
 /// Whether what the selector chooses can be played from the library: the hash that the selector
 /// names, the same clips by name, the same idle clip, and all clips annotated that it takes for so.
-bool are_of_one_kind(const models::Selector& selector, const database::Library& library);
+bool is_compatible(const models::Selector& selector, const database::ClipLibrary& library);
 
 }  // namespace flinch::runtime

@@ -10,14 +10,14 @@ namespace {
 
 /// Adds up what is taken from it, as a monotonic_buffer_resource does: what is given back is not
 /// used again.
-class Meter : public std::pmr::memory_resource {
+class AllocationMeter : public std::pmr::memory_resource {
  public:
-  std::size_t taken() const { return taken_; }
+  std::size_t byte_count() const { return byte_count_; }
 
  private:
   void* do_allocate(std::size_t bytes, std::size_t alignment) override {
     // Each at its worst alignment, so that the sum holds wherever the memory begins.
-    taken_ += bytes + alignment - 1;
+    byte_count_ += bytes + alignment - 1;
     return std::pmr::new_delete_resource()->allocate(bytes, alignment);
   }
   void do_deallocate(void* memory, std::size_t bytes, std::size_t alignment) override {
@@ -27,22 +27,22 @@ class Meter : public std::pmr::memory_resource {
     return this == &other;
   }
 
-  std::size_t taken_ = 0;
+  std::size_t byte_count_ = 0;
 };
 
 }  // namespace
 
 std::size_t selection_bytes(const models::Selector& selector) {
-  std::size_t most = 0;
+  std::size_t max_bytes = 0;
   for (int target = 0; target < motion::kTargetCount; ++target) {
-    Meter meter;
+    AllocationMeter meter;
     models::candidates(selector, {}, static_cast<motion::Target>(target), &meter);
-    most = std::max(most, meter.taken());
+    max_bytes = std::max(max_bytes, meter.byte_count());
   }
-  return most;
+  return max_bytes;
 }
 
-database::LoadStatus Workspace::make_room(std::size_t bytes) noexcept try {
+database::LoadStatus Workspace::reserve_memory(std::size_t bytes) noexcept try {
   std::vector<std::byte> memory(bytes);
   memory_ = std::move(memory);
   return database::LoadStatus::ok;

@@ -16,12 +16,12 @@ std::size_t selection_bytes(const models::Selector& selector);
 
 enum class SelectStatus : std::uint8_t {
   ok,
-  no_room,  ///< the workspace was made for a selector that takes less
+  too_small,  ///< the workspace was made for a selector that takes less
 };
 
 /// What a selector chose.
 struct Selection {
-  SelectStatus status = SelectStatus::no_room;
+  SelectStatus status = SelectStatus::too_small;
   int clip = 0;           ///< the library's index; 0 unless ok
   std::size_t count = 0;  ///< of candidates written
 };
@@ -32,7 +32,7 @@ class Workspace {
  public:
   /// Makes room for every selection by a selector of this many selection_bytes(). Allocates. On
   /// failure, out_of_memory, it is left as it was.
-  database::LoadStatus make_room(std::size_t bytes) noexcept;
+  database::LoadStatus reserve_memory(std::size_t bytes) noexcept;
 
   /// models::candidates(): the first of them are written to `best`, best first, as many as there
   /// are or as it holds. Neither allocates nor throws.

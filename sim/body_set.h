@@ -18,7 +18,7 @@ constexpr BodySet set_of(motion::Body body) {
 }
 
 /// The bodies that come after `body`.
-constexpr BodySet after(motion::Body body) {
+constexpr BodySet bodies_after(motion::Body body) {
   return kAllBodies & ~(2 * set_of(body) - 1);
 }
 

@@ -94,11 +94,12 @@ double work_along(const Path<CentresOfMass>& path, Eigen::Index body, double mas
 
 }  // namespace
 
-std::vector<Eigen::Vector3d> low_passed(const std::vector<Eigen::Vector3d>& path, double rate_hz) {
+std::vector<Eigen::Vector3d> low_pass_filtered(const std::vector<Eigen::Vector3d>& path,
+                                               double rate_hz) {
   return smoothed(path, rate_hz);
 }
 
-motion::PerBody<double> mechanical_work(const motion::Character& character,
+motion::PerBody<double> mechanical_work(const motion::Physique& character,
                                         const motion::Motion& motion) {
   motion::PerBody<double> work;
   if (motion.poses.size() < 4) return work;

@@ -11,16 +11,17 @@ namespace flinch::sim {
 /// A path of positions (m, at `rate_hz`) through a second-order Butterworth low-pass at 12 Hz,
 /// forwards and backwards: no phase shift, -6 dB at 12 Hz. Beyond its ends the path is taken to go
 /// on as its reflection about the end point. A rate too low to carry 12 Hz leaves it as it is.
-std::vector<Eigen::Vector3d> low_passed(const std::vector<Eigen::Vector3d>& path, double rate_hz);
+std::vector<Eigen::Vector3d> low_pass_filtered(const std::vector<Eigen::Vector3d>& path,
+                                               double rate_hz);
 
 /// Mechanical work of each body over a motion, J (Zordan et al. 2007, section 4):
 ///
 ///     W_i = sum over poses |m_i a_i . ds_i|
 ///
-/// with a_i and ds_i by central differences of the body's centre of mass after low_passed. Signed,
-/// the sum would telescope to the change of kinetic energy, which is nothing from rest to rest.
-/// Motions of fewer than four poses do no work.
-motion::PerBody<double> mechanical_work(const motion::Character& character,
+/// with a_i and ds_i by central differences of the body's centre of mass after low_pass_filtered.
+/// Signed, the sum would telescope to the change of kinetic energy, which is nothing from rest to
+/// rest. Motions of fewer than four poses do no work.
+motion::PerBody<double> mechanical_work(const motion::Physique& character,
                                         const motion::Motion& motion);
 
 }  // namespace flinch::sim

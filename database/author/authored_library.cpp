@@ -33,7 +33,7 @@ constexpr std::array<std::string_view, 5> kDirectionNames{"front", "front_left",
 constexpr float kUrgency = 0.9F;
 constexpr float kDistance = 5;  // m, at which the authored threats begin
 
-struct Author {
+struct AuthoringContext {
   motion::Figure figure;
   Pose start;
   JointFrames frames;
@@ -43,15 +43,15 @@ struct Author {
 };
 
 // A threat from a direction, a little from above, at the middle of a target.
-Danger danger_from(const Author& author, Target target, float azimuth) {
+AimedThreat threat_from(const AuthoringContext& context, Target target, float azimuth) {
   constexpr float kElevation = radians(12);
-  Danger danger;
-  danger.target_point = motion::target_centre(author.figure.bodies, author.frames, target);
+  AimedThreat threat;
+  threat.target_point = motion::target_centre(context.figure.bodies, context.frames, target);
   const Eigen::Vector3f from(std::cos(kElevation) * std::cos(azimuth),
                              std::cos(kElevation) * std::sin(azimuth), std::sin(kElevation));
-  danger.position = danger.target_point + kDistance * from;
-  danger.speed_mps = 25;
-  return danger;
+  threat.position = threat.target_point + kDistance * from;
+  threat.speed_mps = 25;
+  return threat;
 }
 
 RuleControls controls_of(Degree degree) {
@@ -59,8 +59,8 @@ RuleControls controls_of(Degree degree) {
   return {0.75F, 0.7F, 0.9F, {0.85F, 0.85F}, {0.8F, 0.8F}};
 }
 
-Clip make_clip(const Author& author, std::string_view kind, Target target, std::size_t direction,
-               Degree degree, const Pose& sustained, float pace,
+Clip make_clip(const AuthoringContext& context, std::string_view kind, Target target,
+               std::size_t direction, Degree degree, const Pose& sustained, float pace,
                const std::optional<Pose>& startled = std::nullopt) {
   const float azimuth = radians(kDirections[direction]);
   ProtectiveTiming timing;
@@ -70,8 +70,8 @@ Clip make_clip(const Author& author, std::string_view kind, Target target, std::
               std::string(kDirectionNames[direction]) + "_" + std::string(motion::name_of(degree));
   clip.kind = kind;
   clip.source = "authored by rule";
-  clip.motion =
-      protective_motion(author.figure, author.start, startled, sustained, timing, author.rate_hz);
+  clip.motion = protective_motion(context.figure, context.start, startled, sustained, timing,
+                                  context.rate_hz);
   motion::Annotation annotation;
   annotation.target = target;
   annotation.direction = azimuth;
@@ -86,39 +86,40 @@ Clip make_clip(const Author& author, std::string_view kind, Target target, std::
 // From the side a chest that turns away has the threat behind it, and hands would go to the head.
 // That is right for the head; trunk and pelvis are met by arms across them, the chest still facing
 // the threat a little.
-Clip block_clip(const Author& author, Target target, std::size_t direction, Degree degree) {
+Clip block_clip(const AuthoringContext& context, Target target, std::size_t direction,
+                Degree degree) {
   constexpr float kBeforeTheShoulders = 75;  // degrees
   const bool across = target != Target::head && kDirections[direction] == 90;
   const float azimuth = across ? kBeforeTheShoulders : kDirections[direction];
   RuleControls controls = controls_of(degree);
   if (across) controls.turn = 0;
-  const ProtectivePoses poses =
-      protective_poses(author.figure, author.idle, 0, danger_from(author, target, radians(azimuth)),
-                       controls, author.with_startle);
-  return make_clip(author, "block", target, direction, degree, poses.sustained.pose, 1,
+  const ProtectivePoses poses = protective_poses(context.figure, context.idle, 0,
+                                                 threat_from(context, target, radians(azimuth)),
+                                                 controls, context.with_startle);
+  return make_clip(context, "block", target, direction, degree, poses.sustained.pose, 1,
                    poses.startled);
 }
 
-Clip evasive_clip(const Author& author, std::string_view kind, Target target, std::size_t direction,
-                  Degree degree, const Evasion& evasion, float pace) {
-  return make_clip(author, kind, target, direction, degree,
-                   evasive_pose(author.figure, author.start, evasion), pace);
+Clip evasive_clip(const AuthoringContext& context, std::string_view kind, Target target,
+                  std::size_t direction, Degree degree, const Evasion& evasion, float pace) {
+  return make_clip(context, kind, target, direction, degree,
+                   evasive_pose(context.figure, context.start, evasion), pace);
 }
 
-Clip idle_clip(const Author& author) {
+Clip idle_clip(const AuthoringContext& context) {
   Clip clip;
   clip.name = "idle";
   clip.purpose = motion::Purpose::idle;
   clip.kind = "idle";
   clip.source = "authored by rule";
-  clip.motion = author.idle;
+  clip.motion = context.idle;
   return clip;
 }
 
 // The clips against threats from one direction. Hands do not reach behind the back, so a pelvis is
 // blocked only from the front half; mild ducks, dodges and lifts are left out where the exaggerated
 // ones or a neighbour's do the same.
-std::vector<Clip> clips_from(const Author& author, std::size_t direction) {
+std::vector<Clip> clips_from(const AuthoringContext& context, std::size_t direction) {
   const float azimuth = radians(kDirections[direction]);
   const bool from_behind = kDirections[direction] > 90;
   constexpr Degree kMild = Degree::mild;
@@ -126,12 +127,12 @@ std::vector<Clip> clips_from(const Author& author, std::size_t direction) {
   std::vector<Clip> clips;
   for (Target target : {Target::head, Target::trunk, Target::pelvis}) {
     if (target == Target::pelvis && from_behind) continue;
-    clips.push_back(block_clip(author, target, direction, kMild));
-    clips.push_back(block_clip(author, target, direction, kExaggerated));
+    clips.push_back(block_clip(context, target, direction, kMild));
+    clips.push_back(block_clip(context, target, direction, kExaggerated));
   }
   const auto evade = [&](std::string_view kind, Target target, Degree degree,
                          const Evasion& evasion, float pace) {
-    clips.push_back(evasive_clip(author, kind, target, direction, degree, evasion, pace));
+    clips.push_back(evasive_clip(context, kind, target, direction, degree, evasion, pace));
   };
   if (!from_behind) evade("duck", Target::head, kMild, duck(azimuth, 0.6F), 1);
   evade("duck", Target::head, kExaggerated, duck(azimuth, 0.95F), 1.1F);
@@ -149,18 +150,18 @@ std::vector<Clip> clips_from(const Author& author, std::size_t direction) {
 
 }  // namespace
 
-Library authored_library(const motion::Character& character, bool with_startle, float rate_hz) {
-  Author author{motion::make_figure(character), {}, {}, {}, with_startle, rate_hz};
-  author.start = standing_pose(author.figure);
-  author.idle = idle_motion(author.figure, rate_hz);
-  author.frames = motion::forward_kinematics(character.skeleton, author.start);
-  Library library;
+ClipLibrary authored_library(const motion::Physique& character, bool with_startle, float rate_hz) {
+  AuthoringContext context{motion::make_figure(character), {}, {}, {}, with_startle, rate_hz};
+  context.start = standing_pose(context.figure);
+  context.idle = idle_motion(context.figure, rate_hz);
+  context.frames = motion::forward_kinematics(character.skeleton, context.start);
+  ClipLibrary library;
   library.name = "authored";
   library.character = character;
   library.rate_hz = rate_hz;
-  library.clips.push_back(idle_clip(author));
+  library.clips.push_back(idle_clip(context));
   for (std::size_t direction = 0; direction < kDirections.size(); ++direction) {
-    for (Clip& clip : clips_from(author, direction)) {
+    for (Clip& clip : clips_from(context, direction)) {
       Clip mirror = motion::mirrored(clip);
       library.clips.push_back(std::move(clip));
       library.clips.push_back(std::move(mirror));

@@ -11,7 +11,7 @@ namespace flinch::database {
 /// has blocks, ducks, dodges, sidesteps and leg lifts, mild and exaggerated, each fully annotated.
 /// With startle, blocks begin with a flinch. The same character gives the same bits. Throws Error
 /// where the figure cannot stand or move as the rules need.
-Library authored_library(const motion::Character& character, bool with_startle = false,
-                         float rate_hz = 60);
+ClipLibrary authored_library(const motion::Physique& character, bool with_startle = false,
+                             float rate_hz = 60);
 
 }  // namespace flinch::database

@@ -31,14 +31,14 @@ constexpr std::array<NamedProportion, 9> kProportions{{{"legs", &Proportions::le
                                                        {"hips", &Proportions::hips}}};
 
 struct Range {
-  float least, most;
+  float min, max;
 };
 constexpr Range kHeight{0.9F, 2.5F};
 constexpr Range kMassIndex{10, 60};  // kg/m^2
 constexpr Range kProportion{0.6F, 1.6F};
 
 bool is_in(float value, const Range& range) {
-  return value >= range.least && value <= range.most;  // false for what is not a number
+  return value >= range.min && value <= range.max;  // false for what is not a number
 }
 
 std::string shown(float value) {
@@ -52,7 +52,7 @@ void check(bool possible, const std::string& where, std::string_view name, float
            const Range& range) {
   if (possible) return;
   throw Error(where, std::string(name) + " " + shown(value) + " is not a person's: give one from " +
-                         shown(range.least) + " to " + shown(range.most));
+                         shown(range.min) + " to " + shown(range.max));
 }
 
 void scale(Skeleton& skeleton, Role role, float factor) {
@@ -125,18 +125,18 @@ void stand_on_ground(Skeleton& skeleton, float ankle_height_m) {
 
 }  // namespace
 
-motion::Character make_character(float height_m, float mass_kg, motion::Sex sex,
-                                 const Proportions& proportions, const std::string& where) {
+motion::Physique make_character(float height_m, float mass_kg, motion::Sex sex,
+                                const Proportions& proportions, const std::string& where) {
   check(is_in(height_m, kHeight), where, "height_m", height_m, kHeight);
   const float square = height_m * height_m;
-  const Range masses{kMassIndex.least * square, kMassIndex.most * square};
+  const Range masses{kMassIndex.min * square, kMassIndex.max * square};
   check(is_in(mass_kg, masses), where, "mass_kg", mass_kg, masses);
   for (const NamedProportion& named : kProportions) {
     const float factor = proportions.*named.factor;
     check(is_in(factor, kProportion), where, named.name, factor, kProportion);
   }
-  const motion::Character mean = motion::default_character();
-  motion::Character character{shaped(mean.skeleton, proportions), mass_kg, sex};
+  const motion::Physique mean = motion::default_character();
+  motion::Physique character{shaped(mean.skeleton, proportions), mass_kg, sex};
   Skeleton& skeleton = character.skeleton;
   const float mean_ankle = motion::measure_foot(mean.skeleton, motion::Side::left).ankle_height;
   stand_on_ground(skeleton, proportions.feet * mean_ankle);
@@ -147,11 +147,11 @@ motion::Character make_character(float height_m, float mass_kg, motion::Sex sex,
   return character;
 }
 
-motion::Character read_character(const std::string& path) {
+motion::Physique read_character(const std::string& path) {
   const toml::table table = read_toml(path);
   const TomlReader reader(table, path, "the character");
   reader.expect_keys({"height_m", "mass_kg", "sex", "proportions"});
-  const motion::Character mean = motion::default_character();
+  const motion::Physique mean = motion::default_character();
   motion::Sex sex = mean.sex;
   if (const std::optional<std::string> name = reader.text("sex")) {
     const std::optional<motion::Sex> known = motion::sex_named(*name);

@@ -23,12 +23,12 @@ struct Proportions {
 /// A person of this height with these proportions, soles on the ground in the rest pose. Throws
 /// Error, with `where`, for what no person is: a height not in 0.9 to 2.5 m, a body mass index not
 /// in 10 to 60 kg/m^2, or a proportion not in 0.6 to 1.6.
-motion::Character make_character(float height_m, float mass_kg, motion::Sex sex,
-                                 const Proportions& proportions, const std::string& where = "");
+motion::Physique make_character(float height_m, float mass_kg, motion::Sex sex,
+                                const Proportions& proportions, const std::string& where = "");
 
 /// Reads a character from a TOML file (docs/authoring.md): height_m, mass_kg, sex and a table
 /// [proportions], all optional; the mean man of default_character() without. Throws Error
 /// "FILE:LINE: …".
-motion::Character read_character(const std::string& path);
+motion::Physique read_character(const std::string& path);
 
 }  // namespace flinch::database

@@ -15,13 +15,13 @@ using motion::JointFrames;
 using motion::Pose;
 using motion::radians;
 using motion::Role;
+using motion::rotation_about;
 using motion::Side;
-using motion::turn_about;
 
 Eigen::Quaternionf turn_of(const Eigen::Vector3f& angles) {
-  return turn_about(Eigen::Vector3f::UnitZ(), angles.z()) *
-         turn_about(Eigen::Vector3f::UnitX(), angles.x()) *
-         turn_about(Eigen::Vector3f::UnitY(), angles.y());
+  return rotation_about(Eigen::Vector3f::UnitZ(), angles.z()) *
+         rotation_about(Eigen::Vector3f::UnitX(), angles.x()) *
+         rotation_about(Eigen::Vector3f::UnitY(), angles.y());
 }
 
 void turn_joint(Pose& pose, Role role, const Eigen::Vector3f& angles) {
@@ -37,19 +37,19 @@ Eigen::Vector3f tilt(float azimuth, float angle) {
   return {-std::sin(azimuth) * angle, std::cos(azimuth) * angle, 0};
 }
 
-Pose with_arms(const motion::Figure& figure, const Pose& pose, ArmManner manner) {
-  if (manner == ArmManner::cover) return cover_head(figure, pose);
+Pose with_arms(const motion::Figure& figure, const Pose& pose, ArmPosture manner) {
+  if (manner == ArmPosture::cover) return cover_head(figure, pose);
   Pose result = pose;
   for (Side side : motion::kSides) {
     switch (manner) {
-      case ArmManner::guard:
+      case ArmPosture::guard:
         set_arm(result, side, {radians(38), radians(16), radians(-6), radians(112)});
         break;
-      case ArmManner::balance:
+      case ArmPosture::balance:
         set_arm(result, side, {radians(14), radians(42), radians(-8), radians(48)});
         break;
-      case ArmManner::hang:
-      case ArmManner::cover:
+      case ArmPosture::hang:
+      case ArmPosture::cover:
         break;
     }
   }
@@ -57,14 +57,14 @@ Pose with_arms(const motion::Figure& figure, const Pose& pose, ArmManner manner)
 }
 
 // Moves the pelvis by what the centre of mass lacks to be above the soles, until it is.
-Pose balanced(const motion::Figure& figure, const motion::PerSide<motion::FootPlace>& feet,
-              Pose pose, ArmManner arms) {
+Pose balanced(const motion::Figure& figure, const motion::PerSide<motion::FootPose>& feet,
+              Pose pose, ArmPosture arms) {
   constexpr float kMargin = 0.03F;
   constexpr int kRounds = 12;
   for (int round = 0;; ++round) {
     const JointFrames trunk = motion::forward_kinematics(figure.skeleton(), pose);
     pose.root_position.z() =
-        std::min(pose.root_position.z(), highest_pelvis(figure.skeleton(), trunk, feet));
+        std::min(pose.root_position.z(), max_pelvis_height(figure.skeleton(), trunk, feet));
     const Pose standing = with_feet(figure.skeleton(), pose, feet);
     const Pose result = with_arms(figure, standing, arms);
     const JointFrames frames = motion::forward_kinematics(figure.skeleton(), result);
@@ -89,14 +89,14 @@ Pose evasive_pose(const motion::Figure& figure, const Pose& start, const Evasion
   const motion::Skeleton& skeleton = figure.skeleton();
   const float leg = motion::limb_length(skeleton, motion::Limb::left_leg);
   const JointFrames frames = motion::forward_kinematics(skeleton, start);
-  const Eigen::Quaternionf facing = turn_about(Eigen::Vector3f::UnitZ(), motion::facing(start));
-  motion::PerSide<motion::FootPlace> feet;
+  const Eigen::Quaternionf facing = rotation_about(Eigen::Vector3f::UnitZ(), motion::facing(start));
+  motion::PerSide<motion::FootPose> feet;
   for (Side side : motion::kSides) {
     const std::size_t i = index_of(side);
-    feet[i] = foot_place(frames, side);
+    feet[i] = foot_pose(frames, side);
     feet[i].ankle += facing * (leg * evasion.foot_shift[i]);
     feet[i].orientation =
-        feet[i].orientation * turn_about(Eigen::Vector3f::UnitY(), evasion.foot_pitch[i]);
+        feet[i].orientation * rotation_about(Eigen::Vector3f::UnitY(), evasion.foot_pitch[i]);
   }
   Pose pose = recoil(start, evasion.shrug);
   pose.root_position += facing * (leg * evasion.pelvis_shift);
@@ -119,7 +119,7 @@ Evasion duck(float azimuth, float amount) {
   evasion.back_turn = {-0.6F * aside, 0.30F * bow, 0};
   evasion.neck_turn = {0, radians(18) * amount, 0};
   evasion.shrug = 0.6F * amount;
-  evasion.arms = amount > 0.7F ? ArmManner::cover : ArmManner::guard;
+  evasion.arms = amount > 0.7F ? ArmPosture::cover : ArmPosture::guard;
   return evasion;
 }
 
@@ -132,7 +132,7 @@ Evasion dodge(float azimuth, float sense, float amount) {
   evasion.back_turn = tilt(way, radians(17) * amount);
   evasion.neck_turn = tilt(way, radians(14) * amount);
   evasion.shrug = 0.3F * amount;
-  evasion.arms = ArmManner::guard;
+  evasion.arms = ArmPosture::guard;
   return evasion;
 }
 
@@ -152,7 +152,7 @@ Evasion sidestep(float azimuth, float sense, float amount) {
   } else {
     evasion.foot_shift[lead] *= 1.5F;
   }
-  evasion.arms = ArmManner::guard;
+  evasion.arms = ArmPosture::guard;
   return evasion;
 }
 
@@ -168,7 +168,7 @@ Evasion lift_leg(float azimuth, float amount) {
   evasion.foot_shift[near] = {from_front ? -0.10F * amount : 0.22F * amount, -0.02F * near_sign,
                               (from_front ? 0.36F : 0.30F) * amount};
   evasion.foot_pitch[near] = radians(from_front ? 38 : 15) * amount;
-  evasion.arms = ArmManner::balance;
+  evasion.arms = ArmPosture::balance;
   return evasion;
 }
 

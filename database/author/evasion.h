@@ -6,7 +6,7 @@
 namespace flinch::database {
 
 /// What the arms do while the body goes out of the way.
-enum class ArmManner : std::uint8_t {
+enum class ArmPosture : std::uint8_t {
   hang,     ///< stay with the body
   guard,    ///< bent before the chest
   balance,  ///< out to the sides
@@ -26,7 +26,7 @@ struct Evasion {
   float shrug = 0;  ///< amount of recoil, in [0, 1]
   motion::PerSide<Eigen::Vector3f> foot_shift{Eigen::Vector3f::Zero(), Eigen::Vector3f::Zero()};
   motion::PerSide<float> foot_pitch{};  ///< toes down, of a raised foot
-  ArmManner arms = ArmManner::hang;
+  ArmPosture arms = ArmPosture::hang;
 };
 
 /// The pose of an evasion. The pelvis comes down until both legs reach their feet, and moves until

@@ -13,27 +13,27 @@
 namespace flinch::database {
 namespace {
 
+using motion::clamp_arm_to_limits;
+using motion::clamp_to_limits;
 using motion::degrees;
 using motion::joint_limits_named;
 using motion::JointFrames;
 using motion::JointLimits;
-using motion::limit_arm;
 using motion::limit_excess;
 using motion::Pose;
 using motion::radians;
 using motion::Role;
+using motion::rotation_about;
 using motion::Side;
-using motion::turn_about;
-using motion::within_limits;
 
 // Table 3.2, degrees. The thesis' neck is one joint: here neck and head share it evenly.
-struct Maxima {
+struct MaxAngles {
   float x, y, z;
 };
-constexpr Maxima kNeck{50, 50, 65};
-constexpr Maxima kBack{25, 25, 8};
-constexpr Maxima kWaist{10, 10, 12};
-constexpr Maxima kPelvis{15, 15, 20};
+constexpr MaxAngles kNeck{50, 50, 65};
+constexpr MaxAngles kBack{25, 25, 8};
+constexpr MaxAngles kWaist{10, 10, 12};
+constexpr MaxAngles kPelvis{15, 15, 20};
 constexpr float kClavicleX = 35;
 constexpr float kClavicleY = 25;
 constexpr float kShoulderX = 30;
@@ -45,16 +45,16 @@ struct Reach {
 };
 constexpr Reach kHeadReach{0.9F, 0.3F};
 constexpr Reach kPelvisReach{0.5F, 0.4F};
-constexpr float kMostSwivel = 70;
-constexpr float kLeastSwivel = 10;
+constexpr float kMaxSwivel = 70;
+constexpr float kMinSwivel = 10;
 
 void turn_joint(Pose& pose, Role role, const Eigen::Quaternionf& turn) {
   pose.rotation[role] = (pose.rotation[role] * turn).normalized();
 }
 
 void turn_neck(Pose& pose, const Eigen::Vector3f& axis, float angle) {
-  turn_joint(pose, Role::neck, turn_about(axis, angle / 2));
-  turn_joint(pose, Role::head, turn_about(axis, angle / 2));
+  turn_joint(pose, Role::neck, rotation_about(axis, angle / 2));
+  turn_joint(pose, Role::head, rotation_about(axis, angle / 2));
 }
 
 // Neck and head within the human limits, which table 3.2 exceeds by 5 degrees sideways.
@@ -63,7 +63,7 @@ void limit_neck(Pose& pose) {
   const Eigen::Quaternionf head = pose.rotation[Role::neck] * pose.rotation[Role::head];
   if (limit_excess(limits, head) <= 0) return;
   pose.rotation[Role::head] =
-      (pose.rotation[Role::neck].conjugate() * within_limits(limits, head)).normalized();
+      (pose.rotation[Role::neck].conjugate() * clamp_to_limits(limits, head)).normalized();
 }
 
 // What the hands do in `block`: where the palms go and how they look.
@@ -75,14 +75,14 @@ struct Guard {
   Eigen::Vector3f fingers;                  // where fingers tend to point
 };
 
-// The point of the line p + s u, s >= least, at a distance from a shoulder; the nearest if none is.
+// The point of the line p + s u, s >= min_s, at a distance from a shoulder; the nearest if none is.
 Eigen::Vector3f point_at_reach(const Eigen::Vector3f& on_line, const Eigen::Vector3f& direction,
-                               const Eigen::Vector3f& shoulder, float reach, float least) {
+                               const Eigen::Vector3f& shoulder, float reach, float min_s) {
   const Eigen::Vector3f to_line = on_line - shoulder;
   const float along = to_line.dot(direction);
   const float squared = along * along - to_line.squaredNorm() + reach * reach;
   const float s = -along + std::sqrt(std::max(squared, 0.0F));
-  return on_line + std::max(s, least) * direction;
+  return on_line + std::max(s, min_s) * direction;
 }
 
 float hand_length(const motion::Figure& figure) {
@@ -102,9 +102,9 @@ float farthest_reach(const motion::Figure& figure, const TargetWeights& weights)
          weights.pelvis * std::min(scale * kPelvisReach.farthest, straight);
 }
 
-Guard guard_in_front(const motion::Figure& figure, const JointFrames& frames, const Aim& aim,
-                     const RuleControls& controls) {
-  const Eigen::Vector3f& to_threat = aim.to_threat;
+Guard guard_in_front(const motion::Figure& figure, const JointFrames& frames,
+                     const ThreatGeometry& geometry, const RuleControls& controls) {
+  const Eigen::Vector3f& to_threat = geometry.to_threat;
   const Eigen::Vector3f chest_up = frames.orientation[Role::chest] * Eigen::Vector3f::UnitZ();
   const Eigen::Vector3f leftward = chest_up.cross(to_threat);
   const Eigen::Vector3f aside =
@@ -118,17 +118,17 @@ Guard guard_in_front(const motion::Figure& figure, const JointFrames& frames, co
     const std::size_t i = index_of(side);
     const float control = std::clamp(controls.reach[i], 0.0F, 1.0F);
     const float reach =
-        farthest_reach(figure, aim.weights) - control * reach_range(figure, aim.weights);
+        farthest_reach(figure, geometry.weights) - control * reach_range(figure, geometry.weights);
     const Eigen::Vector3f& shoulder =
         frames.position[side == Side::left ? Role::left_upper_arm : Role::right_upper_arm];
     const Eigen::Vector3f beside =
-        aim.target_point + sign_of(side) * 0.25F * hand_length(figure) * aside;
+        geometry.target_point + sign_of(side) * 0.25F * hand_length(figure) * aside;
     const float clear =
         clearance_along(figure, frames, beside, to_threat) + 0.68F * hand_length(figure);
     guard.palm[i] = point_at_reach(beside, to_threat, shoulder, reach, clear);
     guard.pole[i] = -chest_up;
-    guard.swivel[i] = radians(kMostSwivel + std::clamp(controls.swivel[i], 0.0F, 1.0F) *
-                                                (kLeastSwivel - kMostSwivel));
+    guard.swivel[i] = radians(kMaxSwivel + std::clamp(controls.swivel[i], 0.0F, 1.0F) *
+                                               (kMinSwivel - kMaxSwivel));
     guard.facing[i] = to_threat;
   }
   return guard;
@@ -167,8 +167,8 @@ Eigen::Quaternionf hand_facing(Side side, const Eigen::Vector3f& palm_normal,
 
 // Brings the palms to their places: the wrist depends on how the hand is held, which the wrist's
 // limits and so the forearm decide, so a few rounds settle both.
-void put_palms(const motion::Figure& figure, const JointFrames& trunk, const Guard& guard,
-               Pose& pose) {
+void place_palms(const motion::Figure& figure, const JointFrames& trunk, const Guard& guard,
+                 Pose& pose) {
   constexpr int kRounds = 3;
   for (Side side : motion::kSides) {
     const std::size_t i = index_of(side);
@@ -178,28 +178,28 @@ void put_palms(const motion::Figure& figure, const JointFrames& trunk, const Gua
     Eigen::Vector3f to_palm = 0.4F * hand_length(figure) * guard.fingers;  // to begin with
     for (int round = 0; round < kRounds; ++round) {
       const Eigen::Quaternionf forearm =
-          put_hand(figure.skeleton(), trunk, side,
-                   {guard.palm[i] - to_palm, guard.pole[i], guard.swivel[i]}, pose);
+          solve_arm(figure.skeleton(), trunk, side,
+                    {guard.palm[i] - to_palm, guard.pole[i], guard.swivel[i]}, pose);
       const Eigen::Vector3f along = (forearm * figure.skeleton().offset[roles.end]).normalized();
       const Eigen::Quaternionf wanted =
           hand_facing(side, guard.facing[i], along + 0.6F * guard.fingers);
-      pose.rotation[roles.end] = within_limits(wrist, forearm.conjugate() * wanted);
+      pose.rotation[roles.end] = clamp_to_limits(wrist, forearm.conjugate() * wanted);
       to_palm = forearm * (pose.rotation[roles.end] * (0.5F * figure.skeleton().tip[roles.end]));
     }
-    limit_arm(pose, side);
+    clamp_arm_to_limits(pose, side);
   }
 }
 
 }  // namespace
 
-float normalised(float value, float least, float most) {
-  return std::clamp((value - least) / (most - least), 0.0F, 1.0F);
+float normalised(float value, float min, float max) {
+  return std::clamp((value - min) / (max - min), 0.0F, 1.0F);
 }
 
-RuleControls rule_controls(const Danger& danger, const DangerRange& range) {
-  const float size = normalised(danger.radius_m, range.least_radius_m, range.most_radius_m);
+RuleControls rule_controls(const AimedThreat& threat, const ThreatRange& range) {
+  const float size = normalised(threat.radius_m, range.min_radius_m, range.max_radius_m);
   RuleControls controls;
-  controls.lean = normalised(danger.speed_mps, range.least_speed_mps, range.most_speed_mps);
+  controls.lean = normalised(threat.speed_mps, range.min_speed_mps, range.max_speed_mps);
   controls.turn = size;
   controls.recoil = size;
   controls.reach = {size, size};
@@ -213,19 +213,19 @@ TargetWeights target_weights(float distance_to_head_m, float distance_to_pelvis_
   return {distance_to_pelvis_m / total, distance_to_head_m / total};
 }
 
-void check_danger(const motion::Figure& figure, const Pose& pose, const Danger& danger) {
-  if (!(danger.speed_mps > 0) || !std::isfinite(danger.speed_mps)) {
+void check_threat(const motion::Figure& figure, const Pose& pose, const AimedThreat& threat) {
+  if (!(threat.speed_mps > 0) || !std::isfinite(threat.speed_mps)) {
     throw Error("", "the threat's speed must be a positive number of metres a second");
   }
-  if (!danger.position.allFinite() || !danger.target_point.allFinite() || !(danger.radius_m > 0) ||
-      !std::isfinite(danger.radius_m)) {
+  if (!threat.position.allFinite() || !threat.target_point.allFinite() || !(threat.radius_m > 0) ||
+      !std::isfinite(threat.radius_m)) {
     throw Error("", "the threat's position, target point and radius must be finite numbers");
   }
   const JointFrames frames = motion::forward_kinematics(figure.skeleton(), pose);
-  if (distance_to_body(figure, frames, danger.position) < danger.radius_m) {
+  if (distance_to_figure(figure, frames, threat.position) < threat.radius_m) {
     throw Error("", "the threat begins inside the body: perceive it earlier, farther away");
   }
-  if ((danger.position - danger.target_point).norm() < 1e-3F) {
+  if ((threat.position - threat.target_point).norm() < 1e-3F) {
     throw Error("", "the threat begins at its target: it must come from somewhere");
   }
 }
@@ -233,15 +233,15 @@ void check_danger(const motion::Figure& figure, const Pose& pose, const Danger& 
 Pose lean_away(const Pose& pose, const Eigen::Vector3f& travel, float lean,
                const TargetWeights& weights) {
   const float amount = std::clamp(lean, 0.0F, 1.0F);
-  const auto angles = [&](const Maxima& maxima, float weight) {
+  const auto angles = [&](const MaxAngles& maxima, float weight) {
     const float share = amount * weight;
     return Eigen::Vector2f(-travel.y() * share * radians(maxima.x),
                            travel.x() * share * radians(maxima.y));
   };
   const auto lean_joint = [](Pose& leaned, Role role, const Eigen::Vector2f& angle) {
     turn_joint(leaned, role,
-               turn_about(Eigen::Vector3f::UnitX(), angle.x()) *
-                   turn_about(Eigen::Vector3f::UnitY(), angle.y()));
+               rotation_about(Eigen::Vector3f::UnitX(), angle.x()) *
+                   rotation_about(Eigen::Vector3f::UnitY(), angle.y()));
   };
   Pose result = pose;
   lean_joint(result, Role::pelvis, angles(kPelvis, weights.head - weights.pelvis));
@@ -254,15 +254,15 @@ Pose lean_away(const Pose& pose, const Eigen::Vector3f& travel, float lean,
 
 Pose turn_away(const Pose& pose, float azimuth, float turn) {
   const float amount = std::clamp(turn, 0.0F, 1.0F);
-  const float from = motion::wrapped(azimuth);
+  const float from = motion::wrapped_to_pi(azimuth);
   // Facing away is half a turn from the threat, to the side that it does not come from.
   const float sense = from >= 0 ? -1.0F : 1.0F;
   const float needed = std::numbers::pi_v<float> - std::abs(from);
   const float of_neck = std::min(needed, radians(kNeck.z));
   const float remainder = needed - of_neck;
-  const auto turn_by = [&](float share, const Maxima& maxima) {
-    return turn_about(Eigen::Vector3f::UnitZ(),
-                      sense * amount * std::min(share * remainder, radians(maxima.z)));
+  const auto turn_by = [&](float share, const MaxAngles& maxima) {
+    return rotation_about(Eigen::Vector3f::UnitZ(),
+                          sense * amount * std::min(share * remainder, radians(maxima.z)));
   };
   Pose result = pose;
   turn_neck(result, Eigen::Vector3f::UnitZ(), sense * amount * of_neck);
@@ -275,32 +275,34 @@ Pose turn_away(const Pose& pose, float azimuth, float turn) {
 Pose recoil(const Pose& pose, float amount) {
   const float share = std::clamp(amount, 0.0F, 1.0F);
   const Eigen::Quaternionf left =
-      turn_about(Eigen::Vector3f::UnitX(), share * radians(kClavicleX)) *
-      turn_about(Eigen::Vector3f::UnitY(), -share * radians(kClavicleY));
+      rotation_about(Eigen::Vector3f::UnitX(), share * radians(kClavicleX)) *
+      rotation_about(Eigen::Vector3f::UnitY(), -share * radians(kClavicleY));
   Pose result = pose;
   turn_joint(result, Role::left_clavicle, left);
   turn_joint(result, Role::right_clavicle, motion::mirrored(left));
   return result;
 }
 
-Aim aim_of(const motion::Figure& figure, const Pose& pose, const Danger& danger) {
+ThreatGeometry threat_geometry(const motion::Figure& figure, const Pose& pose,
+                               const AimedThreat& threat) {
   const JointFrames frames = motion::forward_kinematics(figure.skeleton(), pose);
   const auto distance = [&](Role role) {
-    return (danger.target_point - frames.position[role]).norm();
+    return (threat.target_point - frames.position[role]).norm();
   };
-  Aim aim;
-  aim.target_point = danger.target_point;
-  aim.to_threat = (danger.position - danger.target_point).normalized();
-  aim.travel = turn_about(Eigen::Vector3f::UnitZ(), -motion::facing(pose)) * -aim.to_threat;
-  aim.azimuth = motion::wrapped(motion::yaw_of(aim.to_threat) -
-                                motion::yaw_of(frames.orientation[Role::head]));
-  aim.weights = target_weights(distance(Role::head), distance(Role::pelvis));
-  return aim;
+  ThreatGeometry geometry;
+  geometry.target_point = threat.target_point;
+  geometry.to_threat = (threat.position - threat.target_point).normalized();
+  geometry.travel =
+      rotation_about(Eigen::Vector3f::UnitZ(), -motion::facing(pose)) * -geometry.to_threat;
+  geometry.azimuth = motion::wrapped_to_pi(motion::yaw_of(geometry.to_threat) -
+                                           motion::yaw_of(frames.orientation[Role::head]));
+  geometry.weights = target_weights(distance(Role::head), distance(Role::pelvis));
+  return geometry;
 }
 
-bool guards_head_from_behind(const JointFrames& trunk, const Aim& aim) {
+bool guards_head_from_behind(const JointFrames& trunk, const ThreatGeometry& geometry) {
   const Eigen::Vector3f forward = trunk.orientation[Role::chest] * Eigen::Vector3f::UnitX();
-  return aim.to_threat.dot(forward) < 0;
+  return geometry.to_threat.dot(forward) < 0;
 }
 
 float reach_range(const motion::Figure& figure, const TargetWeights& weights) {
@@ -309,46 +311,47 @@ float reach_range(const motion::Figure& figure, const TargetWeights& weights) {
              (weights.head * kHeadReach.nearest + weights.pelvis * kPelvisReach.nearest);
 }
 
-void block(const motion::Figure& figure, const JointFrames& trunk, const Aim& aim,
+void block(const motion::Figure& figure, const JointFrames& trunk, const ThreatGeometry& geometry,
            const RuleControls& controls, Pose& pose) {
-  put_palms(figure, trunk,
-            guards_head_from_behind(trunk, aim) ? guard_behind_head(figure, trunk)
-                                                : guard_in_front(figure, trunk, aim, controls),
-            pose);
+  place_palms(figure, trunk,
+              guards_head_from_behind(trunk, geometry)
+                  ? guard_behind_head(figure, trunk)
+                  : guard_in_front(figure, trunk, geometry, controls),
+              pose);
 }
 
 Pose cover_head(const motion::Figure& figure, const Pose& pose) {
   const JointFrames frames = motion::forward_kinematics(figure.skeleton(), pose);
   Pose result = pose;
-  put_palms(figure, frames, guard_behind_head(figure, frames), result);
+  place_palms(figure, frames, guard_behind_head(figure, frames), result);
   return result;
 }
 
-Pose apply_rules(const motion::Figure& figure, const Pose& pose, const Aim& aim,
-                 const RuleControls& controls, const motion::PerSide<motion::FootPlace>& feet,
+Pose apply_rules(const motion::Figure& figure, const Pose& pose, const ThreatGeometry& geometry,
+                 const RuleControls& controls, const motion::PerSide<motion::FootPose>& feet,
                  bool* feet_reach) {
-  Pose result = lean_away(pose, aim.travel, controls.lean, aim.weights);
-  result = turn_away(result, aim.azimuth, controls.turn);
+  Pose result = lean_away(pose, geometry.travel, controls.lean, geometry.weights);
+  result = turn_away(result, geometry.azimuth, controls.turn);
   result = recoil(result, controls.recoil);
   limit_neck(result);
   JointFrames trunk = motion::forward_kinematics(figure.skeleton(), result);
   const float lower = std::min(
-      highest_pelvis(figure.skeleton(), trunk, feet) - trunk.position[Role::pelvis].z(), 0.0F);
+      max_pelvis_height(figure.skeleton(), trunk, feet) - trunk.position[Role::pelvis].z(), 0.0F);
   for (Eigen::Vector3f& position : trunk.position) position.z() += lower;
   result.root_position.z() += lower;
-  const bool reached = put_feet(figure.skeleton(), trunk, feet, result);
+  const bool reached = solve_legs(figure.skeleton(), trunk, feet, result);
   if (feet_reach != nullptr) *feet_reach = reached;
-  block(figure, trunk, aim, controls, result);
+  block(figure, trunk, geometry, controls, result);
   return result;
 }
 
-Pose startle(const motion::Figure& figure, const Pose& pose, const Danger& danger) {
+Pose startle(const motion::Figure& figure, const Pose& pose, const AimedThreat& threat) {
   Pose drawn_up = recoil(pose, 1);
   for (Side side : motion::kSides) {
     set_arm(drawn_up, side, {0, radians(kShoulderX), 0, radians(kElbowY)});
   }
   Pose result = motion::blend(pose, drawn_up, 0.2F);
-  turn_neck(result, Eigen::Vector3f::UnitZ(), 0.4F * aim_of(figure, pose, danger).azimuth);
+  turn_neck(result, Eigen::Vector3f::UnitZ(), 0.4F * threat_geometry(figure, pose, threat).azimuth);
   limit_neck(result);
   return result;
 }

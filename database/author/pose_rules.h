@@ -6,7 +6,7 @@
 namespace flinch::database {
 
 /// A threat as the rules see it (Hermens 2006, section 3.1). World frame.
-struct Danger {
+struct AimedThreat {
   Eigen::Vector3f position = Eigen::Vector3f::Zero();  ///< of its centre, when perceived, m
   float speed_mps = 0;
   float radius_m = 0.105F;                                 ///< its size
@@ -15,11 +15,11 @@ struct Danger {
 
 /// What counts as slow and fast, small and large: the ends of normalisation. Speeds are those of
 /// spiked volleyballs (Hermens 2006, section 3.1); radii those of a tennis ball and of a gym ball.
-struct DangerRange {
-  float least_speed_mps = 22.8F;
-  float most_speed_mps = 29.7F;
-  float least_radius_m = 0.033F;
-  float most_radius_m = 0.2F;
+struct ThreatRange {
+  float min_speed_mps = 22.8F;
+  float max_speed_mps = 29.7F;
+  float min_radius_m = 0.033F;
+  float max_radius_m = 0.2F;
 };
 
 /// How much of each rule is used, each in [0, 1] (table 3.1).
@@ -31,11 +31,11 @@ struct RuleControls {
   motion::PerSide<float> swivel{};  ///< 0 lifts the elbow farthest out
 };
 
-/// The value's place between `least` and `most`, clamped to [0, 1].
-float normalised(float value, float least, float most);
+/// The value's place between `min` and `max`, clamped to [0, 1].
+float normalised(float value, float min, float max);
 
 /// Table 3.1. Speeds and sizes beyond the range are clamped.
-RuleControls rule_controls(const Danger& danger, const DangerRange& range = {});
+RuleControls rule_controls(const AimedThreat& threat, const ThreatRange& range = {});
 
 /// Equation 3.4: how much of the responses for head and for pelvis answers a threat at a point.
 /// W_i = (D_total - D_i) / D_total; they add up to 1.
@@ -47,7 +47,8 @@ TargetWeights target_weights(float distance_to_head_m, float distance_to_pelvis_
 
 /// Throws Error for a speed that is not positive and finite, or a position that is not finite, or
 /// inside the body in this pose, or at the target point.
-void check_danger(const motion::Figure& figure, const motion::Pose& pose, const Danger& danger);
+void check_threat(const motion::Figure& figure, const motion::Pose& pose,
+                  const AimedThreat& threat);
 
 /// The rules, to be used in this order. `travel` is the unit direction in which the threat travels,
 /// in the frame of the character's facing. Angles are in degrees in table 3.2, radians here.
@@ -67,17 +68,18 @@ motion::Pose turn_away(const motion::Pose& pose, float azimuth, float turn);
 motion::Pose recoil(const motion::Pose& pose, float amount);
 
 /// What the rules need to know of a threat, as the character stands when it perceives.
-struct Aim {
+struct ThreatGeometry {
   Eigen::Vector3f target_point = Eigen::Vector3f::Zero();  ///< world, m
   Eigen::Vector3f to_threat = Eigen::Vector3f::UnitX();    ///< from there, unit, world
   Eigen::Vector3f travel = -Eigen::Vector3f::UnitX();      ///< as lean_away wants it
   float azimuth = 0;                                       ///< as turn_away wants it
   TargetWeights weights;
 };
-Aim aim_of(const motion::Figure& figure, const motion::Pose& pose, const Danger& danger);
+ThreatGeometry threat_geometry(const motion::Figure& figure, const motion::Pose& pose,
+                               const AimedThreat& threat);
 
 /// Whether the threat comes from behind the shoulders, so that hands go to the back of the head.
-bool guards_head_from_behind(const motion::JointFrames& trunk, const Aim& aim);
+bool guards_head_from_behind(const motion::JointFrames& trunk, const ThreatGeometry& geometry);
 
 /// By how much a reach control of 1 brings a hand nearer to its shoulder than one of 0, m.
 float reach_range(const motion::Figure& figure, const TargetWeights& weights);
@@ -87,21 +89,21 @@ float reach_range(const motion::Figure& figure, const TargetWeights& weights);
 /// at 70 to 10 degrees from down; side by side, so that palms do not coincide. A threat behind the
 /// shoulders is met by both hands on the back of the head. Out of reach, hands stop short. `trunk`
 /// are the pose's joints.
-void block(const motion::Figure& figure, const motion::JointFrames& trunk, const Aim& aim,
-           const RuleControls& controls, motion::Pose& pose);
+void block(const motion::Figure& figure, const motion::JointFrames& trunk,
+           const ThreatGeometry& geometry, const RuleControls& controls, motion::Pose& pose);
 
 /// Both palms on the back of the head, elbows forward beside the face.
 motion::Pose cover_head(const motion::Figure& figure, const motion::Pose& pose);
 
 /// All four rules, with the feet put to `feet` and the pelvis as low as they need: the sustained
 /// pose before balance. `feet_reach` tells whether they came there.
-motion::Pose apply_rules(const motion::Figure& figure, const motion::Pose& pose, const Aim& aim,
-                         const RuleControls& controls,
-                         const motion::PerSide<motion::FootPlace>& feet,
-                         bool* feet_reach = nullptr);
+motion::Pose apply_rules(const motion::Figure& figure, const motion::Pose& pose,
+                         const ThreatGeometry& geometry, const RuleControls& controls,
+                         const motion::PerSide<motion::FootPose>& feet, bool* feet_reach = nullptr);
 
 /// The first flinch (section 3.2.6): 0.2 of the way from `pose` to fully drawn up shoulders and
 /// arms, the head turned 40 % of the way toward the threat.
-motion::Pose startle(const motion::Figure& figure, const motion::Pose& pose, const Danger& danger);
+motion::Pose startle(const motion::Figure& figure, const motion::Pose& pose,
+                     const AimedThreat& threat);
 
 }  // namespace flinch::database

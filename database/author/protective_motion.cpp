@@ -15,15 +15,15 @@ float time_to_contact_s(float normalised_speed, float cos_angle) {
 }
 
 ProtectivePoses protective_poses(const motion::Figure& figure, const motion::Motion& motion,
-                                 float time_s, const Danger& danger, const RuleControls& controls,
-                                 bool with_startle) {
+                                 float time_s, const AimedThreat& threat,
+                                 const RuleControls& controls, bool with_startle) {
   ProtectivePoses poses;
   poses.start = sample(motion, time_s);
   if (with_startle) {
-    poses.startled = startle(figure, sample(motion, time_s + kStartleLookAhead), danger);
+    poses.startled = startle(figure, sample(motion, time_s + kStartleLookAhead), threat);
   }
   poses.sustained =
-      balanced_pose(figure, sample(motion, time_s + kSustainedLookAhead), danger, controls);
+      balanced_pose(figure, sample(motion, time_s + kSustainedLookAhead), threat, controls);
   return poses;
 }
 

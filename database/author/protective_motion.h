@@ -30,10 +30,10 @@ inline constexpr float kStartleLookAhead = 1.0F / 12;
 inline constexpr float kSustainedLookAhead = 1.0F / 6;
 
 /// The poses that answer a threat perceived `time_s` into a motion (section 4.2); beyond its end
-/// the motion stands still. Throws Error for a danger that check_danger refuses.
+/// the motion stands still. Throws Error for a danger that check_threat refuses.
 ProtectivePoses protective_poses(const motion::Figure& figure, const motion::Motion& motion,
-                                 float time_s, const Danger& danger, const RuleControls& controls,
-                                 bool with_startle);
+                                 float time_s, const AimedThreat& threat,
+                                 const RuleControls& controls, bool with_startle);
 
 /// How long each part lasts, s (section 4.2).
 struct ProtectiveTiming {

@@ -12,19 +12,19 @@ using motion::JointFrames;
 using motion::Pose;
 using motion::radians;
 using motion::Role;
+using motion::rotation_about;
 using motion::Side;
-using motion::turn_about;
 
 constexpr float kTurnOut = radians(8);
 constexpr float kIdle = 8;  // s, a whole number of breaths
 
-motion::PerSide<motion::FootPlace> feet_at(const motion::Figure& figure, float forward_m,
-                                           float half_between_m) {
+motion::PerSide<motion::FootPose> feet_at(const motion::Figure& figure, float forward_m,
+                                          float half_between_m) {
   const float ankle_height = motion::measure_foot(figure.skeleton(), Side::left).ankle_height;
-  motion::PerSide<motion::FootPlace> feet;
+  motion::PerSide<motion::FootPose> feet;
   for (Side side : motion::kSides) {
     feet[index_of(side)] = {{forward_m, sign_of(side) * half_between_m, ankle_height},
-                            turn_about(Eigen::Vector3f::UnitZ(), sign_of(side) * kTurnOut)};
+                            rotation_about(Eigen::Vector3f::UnitZ(), sign_of(side) * kTurnOut)};
   }
   return feet;
 }
@@ -50,9 +50,9 @@ Pose standing_pose(const motion::Figure& figure) {
   const float height = stature(skeleton);
   Pose pose = motion::rest_pose(skeleton);
   pose.root_position.z() -= 0.008F * height;  // bends the knees a little
-  pose.rotation[Role::abdomen] = turn_about(Eigen::Vector3f::UnitY(), radians(2));
-  pose.rotation[Role::neck] = turn_about(Eigen::Vector3f::UnitY(), radians(4));
-  pose.rotation[Role::head] = turn_about(Eigen::Vector3f::UnitY(), radians(-5));
+  pose.rotation[Role::abdomen] = rotation_about(Eigen::Vector3f::UnitY(), radians(2));
+  pose.rotation[Role::neck] = rotation_about(Eigen::Vector3f::UnitY(), radians(4));
+  pose.rotation[Role::head] = rotation_about(Eigen::Vector3f::UnitY(), radians(-5));
   for (Side side : motion::kSides) {
     set_arm(pose, side, {radians(2), radians(9), radians(-10), radians(18)});
   }
@@ -70,8 +70,8 @@ motion::Motion idle_motion(const motion::Figure& figure, float rate_hz) {
   const float height = stature(skeleton);
   const Pose standing = standing_pose(figure);
   const JointFrames frames = motion::forward_kinematics(skeleton, standing);
-  const motion::PerSide<motion::FootPlace> feet{foot_place(frames, Side::left),
-                                                foot_place(frames, Side::right)};
+  const motion::PerSide<motion::FootPose> feet{foot_pose(frames, Side::left),
+                                               foot_pose(frames, Side::right)};
 
   motion::Motion idle;
   idle.rate_hz = rate_hz;
@@ -83,14 +83,16 @@ motion::Motion idle_motion(const motion::Figure& figure, float rate_hz) {
         height * Eigen::Vector3f(0.003F * sway.forward, 0.005F * sway.sideways, 0);
     const float lift = radians(1.2F) * sway.breath;
     pose.rotation[Role::chest] =
-        pose.rotation[Role::chest] * turn_about(Eigen::Vector3f::UnitY(), -lift);
+        pose.rotation[Role::chest] * rotation_about(Eigen::Vector3f::UnitY(), -lift);
     pose.rotation[Role::neck] =
-        pose.rotation[Role::neck] * turn_about(Eigen::Vector3f::UnitY(), 0.8F * lift);
-    pose.rotation[Role::abdomen] = pose.rotation[Role::abdomen] *
-                                   turn_about(Eigen::Vector3f::UnitX(), radians(1) * sway.sideways);
+        pose.rotation[Role::neck] * rotation_about(Eigen::Vector3f::UnitY(), 0.8F * lift);
+    pose.rotation[Role::abdomen] =
+        pose.rotation[Role::abdomen] *
+        rotation_about(Eigen::Vector3f::UnitX(), radians(1) * sway.sideways);
     for (Side side : motion::kSides) {
       const Role clavicle = side == Side::left ? Role::left_clavicle : Role::right_clavicle;
-      pose.rotation[clavicle] = turn_about(Eigen::Vector3f::UnitX(), sign_of(side) * 1.5F * lift);
+      pose.rotation[clavicle] =
+          rotation_about(Eigen::Vector3f::UnitX(), sign_of(side) * 1.5F * lift);
     }
     idle.poses.push_back(with_feet(skeleton, pose, feet));
   }

@@ -14,13 +14,13 @@ namespace flinch::database {
 using motion::JointFrames;
 using motion::Pose;
 using motion::Role;
+using motion::rotation_about;
 using motion::Side;
-using motion::turn_about;
 
 namespace {
 
 constexpr float kOffset = 0.01F;  // of the midpoint differences, as in the thesis
-constexpr int kMostIterations = 7;
+constexpr int kMaxIterations = 7;
 // The optimiser works in these units, so that one unit of each matters about alike.
 constexpr std::array<float, 10> kUnits{0.1F,  0.1F,  0.1F,  0.25F, 0.25F,
                                        0.25F, 0.25F, 0.25F, 0.25F, 0.25F};
@@ -31,14 +31,14 @@ float angle_between(const Eigen::Quaternionf& a, const Eigen::Quaternionf& b) {
 }
 
 // Both feet flat on the ground below where they are.
-motion::PerSide<motion::FootPlace> planted_feet(const motion::Figure& figure,
-                                                const JointFrames& frames) {
-  motion::PerSide<motion::FootPlace> feet;
+motion::PerSide<motion::FootPose> planted_feet(const motion::Figure& figure,
+                                               const JointFrames& frames) {
+  motion::PerSide<motion::FootPose> feet;
   for (Side side : motion::kSides) {
-    motion::FootPlace& place = feet[index_of(side)];
-    place = foot_place(frames, side);
+    motion::FootPose& place = feet[index_of(side)];
+    place = foot_pose(frames, side);
     place.ankle.z() = motion::measure_foot(figure.skeleton(), side).ankle_height;
-    place.orientation = turn_about(Eigen::Vector3f::UnitZ(), motion::yaw_of(place.orientation));
+    place.orientation = rotation_about(Eigen::Vector3f::UnitZ(), motion::yaw_of(place.orientation));
   }
   return feet;
 }
@@ -46,37 +46,37 @@ motion::PerSide<motion::FootPlace> planted_feet(const motion::Figure& figure,
 // The hip too high for the leg to reach the ground: the foot is left in the air (section 3.3).
 Pose planted(const motion::Figure& figure, const Pose& pose) {
   const JointFrames frames = motion::forward_kinematics(figure.skeleton(), pose);
-  motion::PerSide<motion::FootPlace> feet = planted_feet(figure, frames);
+  motion::PerSide<motion::FootPose> feet = planted_feet(figure, frames);
   for (Side side : motion::kSides) {
     const motion::LimbRoles roles = motion::roles_of(leg_of(side));
-    const motion::FootPlace& place = feet[index_of(side)];
+    const motion::FootPose& place = feet[index_of(side)];
     const float needed = (place.ankle - frames.position[roles.upper]).norm();
     const float length = motion::limb_length(figure.skeleton(), leg_of(side));
-    if (needed > length) feet[index_of(side)] = foot_place(frames, side);
+    if (needed > length) feet[index_of(side)] = foot_pose(frames, side);
   }
   return with_feet(figure.skeleton(), pose, feet);
 }
 
-struct Run {
+struct OptimiserState {
   const BalanceProblem* problem;
   int iterations = 0;
 };
 
 lbfgsfloatval_t evaluate(void* instance, const lbfgsfloatval_t* x, lbfgsfloatval_t* gradient,
                          const int /*n*/, const lbfgsfloatval_t /*step*/) {
-  const BalanceProblem& problem = *static_cast<Run*>(instance)->problem;
+  const BalanceProblem& problem = *static_cast<OptimiserState*>(instance)->problem;
   std::array<float, 10> values{};
   for (std::size_t i = 0; i < values.size(); ++i) values[i] = static_cast<float>(x[i]) * kUnits[i];
   const BalanceVariables variables = from_array(values);
   const std::array<float, 10> slope = problem.gradient(variables, kOffset);
   for (std::size_t i = 0; i < slope.size(); ++i) gradient[i] = slope[i] * kUnits[i];
-  return problem.error_of(problem.pose_of(variables), kRounding).total();
+  return problem.error_of(problem.pose_of(variables), kSmoothing).total();
 }
 
 int count_iterations(void* instance, const lbfgsfloatval_t*, const lbfgsfloatval_t*,
                      const lbfgsfloatval_t, const lbfgsfloatval_t, const lbfgsfloatval_t,
                      const lbfgsfloatval_t, int, int iteration, int) {
-  static_cast<Run*>(instance)->iterations = iteration;
+  static_cast<OptimiserState*>(instance)->iterations = iteration;
   return 0;
 }
 
@@ -97,19 +97,22 @@ BalanceVariables from_array(const std::array<float, 10>& values) {
   return variables;
 }
 
-BalanceProblem::BalanceProblem(const motion::Figure& figure, const Pose& pose, const Danger& danger,
-                               const RuleControls& controls, float brace_m)
-    : figure_(figure), start_(planted(figure, pose)), aim_(aim_of(figure, start_, danger)) {
+BalanceProblem::BalanceProblem(const motion::Figure& figure, const Pose& pose,
+                               const AimedThreat& threat, const RuleControls& controls,
+                               float brace_m)
+    : figure_(figure),
+      start_(planted(figure, pose)),
+      geometry_(threat_geometry(figure, start_, threat)) {
   const motion::Skeleton& skeleton = figure.skeleton();
   const JointFrames frames = motion::forward_kinematics(skeleton, start_);
-  feet_ = {foot_place(frames, Side::left), foot_place(frames, Side::right)};
+  feet_ = {foot_pose(frames, Side::left), foot_pose(frames, Side::right)};
   const Pose unbalanced = pose_of({Eigen::Vector3f::Zero(), controls});
   reference_ = motion::forward_kinematics(skeleton, unbalanced);
-  hands_on_head_ = guards_head_from_behind(reference_, aim_);
+  hands_on_head_ = guards_head_from_behind(reference_, geometry_);
   const Eigen::Vector2f centre = motion::centre_of_mass(figure.bodies, reference_).head<2>();
-  Eigen::Vector2f toward = (danger.position - danger.target_point).head<2>();
+  Eigen::Vector2f toward = (threat.position - threat.target_point).head<2>();
   if (toward.norm() > 0) toward.normalize();  // straight from above there is nothing to lean into
-  wanted_ = centre + brace_m * toward;
+  goal_ = centre + brace_m * toward;
   balanced_before_ =
       motion::signed_distance_inside(motion::support_polygon(skeleton, reference_), centre) >= 0;
 }
@@ -117,30 +120,30 @@ BalanceProblem::BalanceProblem(const motion::Figure& figure, const Pose& pose, c
 Pose BalanceProblem::pose_of(const BalanceVariables& variables, bool* feet_reach) const {
   Pose moved = start_;
   moved.root_position += variables.pelvis_shift;
-  return apply_rules(figure_, moved, aim_, variables.controls, feet_, feet_reach);
+  return apply_rules(figure_, moved, geometry_, variables.controls, feet_, feet_reach);
 }
 
-BalanceError BalanceProblem::error_of(const Pose& pose, float rounding) const {
+BalanceError BalanceProblem::error_of(const Pose& pose, float smoothing) const {
   const JointFrames frames = motion::forward_kinematics(figure_.skeleton(), pose);
-  const auto rounded = [rounding](float distance) {
-    return std::sqrt(distance * distance + rounding * rounding) - rounding;
+  const auto smoothed = [smoothing](float distance) {
+    return std::sqrt(distance * distance + smoothing * smoothing) - smoothing;
   };
   const auto moved = [&](Role role) {
-    return rounded((frames.position[role] - reference_.position[role]).norm());
+    return smoothed((frames.position[role] - reference_.position[role]).norm());
   };
   const auto hand = [&](Role role) {
     if (!hands_on_head_) return moved(role);
     const Eigen::Vector3f now = frames.position[role] - frames.position[Role::head];
     const Eigen::Vector3f then = reference_.position[role] - reference_.position[Role::head];
-    return rounded((now - then).norm());
+    return smoothed((now - then).norm());
   };
   const auto turned = [&](Role role) {
-    return rounded(angle_between(frames.orientation[role], reference_.orientation[role]));
+    return smoothed(angle_between(frames.orientation[role], reference_.orientation[role]));
   };
   const Eigen::Vector2f centre = motion::centre_of_mass(figure_.bodies, frames).head<2>();
   const float rise = frames.position[Role::pelvis].z() - reference_.position[Role::pelvis].z();
-  return {rounded((centre - wanted_).norm()), hand(Role::left_hand) + hand(Role::right_hand),
-          turned(Role::pelvis) + turned(Role::abdomen) + turned(Role::chest), rounded(rise),
+  return {smoothed((centre - goal_).norm()), hand(Role::left_hand) + hand(Role::right_hand),
+          turned(Role::pelvis) + turned(Role::abdomen) + turned(Role::chest), smoothed(rise),
           moved(Role::left_foot) + moved(Role::right_foot)};
 }
 
@@ -152,7 +155,7 @@ std::array<float, 10> BalanceProblem::gradient(const BalanceVariables& variables
     const auto error_at = [&](float value) {
       std::array<float, 10> values = middle;
       values[i] = value;
-      return error_of(pose_of(from_array(values)), kRounding).total();
+      return error_of(pose_of(from_array(values)), kSmoothing).total();
     };
     slope[i] = (error_at(middle[i] + offset) - error_at(middle[i] - offset)) / (2 * offset);
   }
@@ -162,17 +165,18 @@ std::array<float, 10> BalanceProblem::gradient(const BalanceVariables& variables
 // The pelvis goes by what the centre of mass lacks, a sixth more for the parts that stay, and hands
 // on the threat's line are drawn in by what it takes them along. Where that is no better than to
 // stay, to stay.
-BalanceVariables BalanceProblem::first_guess(const RuleControls& controls) const {
+BalanceVariables BalanceProblem::initial_guess(const RuleControls& controls) const {
   const BalanceVariables stay{Eigen::Vector3f::Zero(), controls};
   const Eigen::Vector2f centre = motion::centre_of_mass(figure_.bodies, reference_).head<2>();
-  const Eigen::Vector2f shift = 1.17F * (wanted_ - centre);
+  const Eigen::Vector2f shift = 1.17F * (goal_ - centre);
   BalanceVariables guess{{shift.x(), shift.y(), 0}, controls};
   if (!hands_on_head_) {
-    const float closer = shift.dot(aim_.to_threat.head<2>()) / reach_range(figure_, aim_.weights);
+    const float closer =
+        shift.dot(geometry_.to_threat.head<2>()) / reach_range(figure_, geometry_.weights);
     for (float& reach : guess.controls.reach) reach = std::clamp(reach + closer, 0.0F, 1.0F);
   }
   const auto error = [this](const BalanceVariables& variables) {
-    return error_of(pose_of(variables), kRounding).total();
+    return error_of(pose_of(variables), kSmoothing).total();
   };
   return error(guess) < error(stay) ? guess : stay;
 }
@@ -188,22 +192,22 @@ BalanceCase BalanceProblem::balance_of(const Pose& pose) const {
 
 // liblbfgs (Okazaki's C port of Nocedal's L-BFGS): small, quasi-Newton as in the thesis, and the
 // same steps every time.
-BalancedPose balanced_pose(const motion::Figure& figure, const Pose& pose, const Danger& danger,
-                           const RuleControls& controls, float brace_m) {
-  check_danger(figure, pose, danger);
-  const BalanceProblem problem(figure, pose, danger, controls, brace_m);
+BalancedPose balanced_pose(const motion::Figure& figure, const Pose& pose,
+                           const AimedThreat& threat, const RuleControls& controls, float brace_m) {
+  check_threat(figure, pose, threat);
+  const BalanceProblem problem(figure, pose, threat, controls, brace_m);
   std::array<lbfgsfloatval_t, 10> x{};
-  const std::array<float, 10> start = to_array(problem.first_guess(controls));
+  const std::array<float, 10> start = to_array(problem.initial_guess(controls));
   for (std::size_t i = 0; i < x.size(); ++i) x[i] = start[i] / kUnits[i];
 
   lbfgs_parameter_t parameters;
   lbfgs_parameter_init(&parameters);
-  parameters.max_iterations = kMostIterations;
+  parameters.max_iterations = kMaxIterations;
   parameters.max_linesearch = 10;
   parameters.epsilon = 1e-3;
   parameters.past = 3;
   parameters.delta = 2e-3;
-  Run run{&problem, 0};
+  OptimiserState run{&problem, 0};
   // Stopping at the last iteration or for want of progress still leaves the best point in x.
   lbfgs(static_cast<int>(x.size()), x.data(), nullptr, evaluate, count_iterations, &run,
         &parameters);

@@ -46,37 +46,38 @@ inline constexpr float kBraceDistance = 0.10F;  // m, toward the threat
 /// applied, the centre of mass `brace_m` toward the threat. Minimises equation 3.3 over the ten
 /// degrees of freedom by L-BFGS with midpoint differences of 0.01, starting over from `pose` at
 /// every evaluation. A raised foot is first put down where it is, if the leg reaches the ground.
-/// Throws Error for a danger that check_danger refuses. About a millisecond.
+/// Throws Error for a danger that check_threat refuses. About a millisecond.
 BalancedPose balanced_pose(const motion::Figure& figure, const motion::Pose& pose,
-                           const Danger& danger, const RuleControls& controls,
+                           const AimedThreat& threat, const RuleControls& controls,
                            float brace_m = kBraceDistance);
 
-inline constexpr float kRounding = 0.02F;  // m and radians, where distances turn round
+inline constexpr float kSmoothing = 0.02F;  // m and radians, where distances turn round
 
 /// The error of some variables and its gradient by midpoint differences, for the optimiser and for
 /// tests. Of the gradient, 0 to 2 belong to the pelvis and 3 to 9 to the controls in their order.
 class BalanceProblem {
  public:
-  BalanceProblem(const motion::Figure& figure, const motion::Pose& pose, const Danger& danger,
+  BalanceProblem(const motion::Figure& figure, const motion::Pose& pose, const AimedThreat& threat,
                  const RuleControls& controls, float brace_m);
 
   motion::Pose pose_of(const BalanceVariables& variables, bool* feet_reach = nullptr) const;
-  /// With `rounding` each distance d becomes sqrt(d^2 + r^2) - r, so that there is a gradient at 0.
-  BalanceError error_of(const motion::Pose& pose, float rounding = 0) const;
-  /// Of the total with kRounding.
+  /// With `smoothing` each distance d becomes sqrt(d^2 + r^2) - r, so that there is a gradient at
+  /// 0.
+  BalanceError error_of(const motion::Pose& pose, float smoothing = 0) const;
+  /// Of the total with kSmoothing.
   std::array<float, 10> gradient(const BalanceVariables& variables, float offset) const;
   /// Where the search begins.
-  BalanceVariables first_guess(const RuleControls& controls) const;
+  BalanceVariables initial_guess(const RuleControls& controls) const;
   /// Whether the centre of mass was balanced before bracing, and where it is wanted.
   BalanceCase balance_of(const motion::Pose& pose) const;
 
  private:
   const motion::Figure& figure_;
   motion::Pose start_;
-  Aim aim_;
-  motion::PerSide<motion::FootPlace> feet_;
+  ThreatGeometry geometry_;
+  motion::PerSide<motion::FootPose> feet_;
   motion::JointFrames reference_;
-  Eigen::Vector2f wanted_;
+  Eigen::Vector2f goal_;
   bool balanced_before_ = true;
   bool hands_on_head_ = false;
 };

@@ -12,9 +12,9 @@
 namespace flinch::database {
 namespace {
 
+using motion::clamp_arm_to_limits;
 using motion::JointFrames;
 using motion::LimbRoles;
-using motion::limit_arm;
 using motion::Pose;
 using motion::radians;
 using motion::Role;
@@ -29,7 +29,7 @@ float eased_between(float s, float begin, float end) {
   return motion::ease_in_ease_out((s - begin) / (end - begin));
 }
 
-Eigen::Vector3f mix(const Eigen::Vector3f& a, const Eigen::Vector3f& b, float weight) {
+Eigen::Vector3f lerp(const Eigen::Vector3f& a, const Eigen::Vector3f& b, float weight) {
   return a + weight * (b - a);
 }
 
@@ -39,25 +39,25 @@ Eigen::Vector3f arm_pole(const JointFrames& frames) {
   return frames.orientation[Role::chest] * Eigen::Vector3f(-1, 0, -1).normalized();
 }
 
-bool differ(const motion::FootPlace& a, const motion::FootPlace& b) {
+bool differ(const motion::FootPose& a, const motion::FootPose& b) {
   constexpr float kNear = 0.005F;  // m
   return (a.ankle - b.ankle).norm() > kNear ||
          a.orientation.angularDistance(b.orientation) > radians(1);
 }
 
-float lift_of(const Step& step) {
+float lift_of(const FootStep& step) {
   const bool lands = std::abs(step.from.ankle.z() - step.to.ankle.z()) < 0.01F;
   const float length = (step.to.ankle - step.from.ankle).norm();
   return lands ? std::clamp(0.25F * length, 0.03F, 0.09F) : 0;
 }
 
-motion::PerSide<Step> steps_of(const JointFrames& from, const JointFrames& to,
-                               const Eigen::Vector3f& travel) {
-  motion::PerSide<Step> steps;
+motion::PerSide<FootStep> steps_of(const JointFrames& from, const JointFrames& to,
+                                   const Eigen::Vector3f& travel) {
+  motion::PerSide<FootStep> steps;
   for (Side side : motion::kSides) {
-    Step& step = steps[index_of(side)];
-    step.from = foot_place(from, side);
-    step.to = foot_place(to, side);
+    FootStep& step = steps[index_of(side)];
+    step.from = foot_pose(from, side);
+    step.to = foot_pose(to, side);
     step.moves = differ(step.from, step.to);
     if (!step.moves) step.to = step.from;
     step.lift_m = step.moves ? lift_of(step) : 0;
@@ -66,8 +66,8 @@ motion::PerSide<Step> steps_of(const JointFrames& from, const JointFrames& to,
   }
   if (steps[0].moves && steps[1].moves) {
     const bool left_leads = (steps[0].from.ankle - steps[1].from.ankle).dot(travel) > 0;
-    Step& first = steps[left_leads ? 0 : 1];
-    Step& second = steps[left_leads ? 1 : 0];
+    FootStep& first = steps[left_leads ? 0 : 1];
+    FootStep& second = steps[left_leads ? 1 : 0];
     first.begin = 0.02F;
     first.end = 0.5F;
     second.begin = 0.5F;
@@ -76,11 +76,12 @@ motion::PerSide<Step> steps_of(const JointFrames& from, const JointFrames& to,
   return steps;
 }
 
-std::optional<Side> support_of(const motion::PerSide<Step>& steps, const Eigen::Vector3f& centre) {
+std::optional<Side> support_of(const motion::PerSide<FootStep>& steps,
+                               const Eigen::Vector3f& centre) {
   std::optional<Side> support;
   float nearest = 0;
   for (Side side : motion::kSides) {
-    const Step& step = steps[index_of(side)];
+    const FootStep& step = steps[index_of(side)];
     if (step.moves) continue;
     const float distance = (step.from.ankle - centre).head<2>().norm();
     if (!support || distance < nearest) {
@@ -91,20 +92,20 @@ std::optional<Side> support_of(const motion::PerSide<Step>& steps, const Eigen::
   return support;
 }
 
-motion::FootPlace place_in_step(const Step& step, float s) {
+motion::FootPose foot_pose_in_step(const FootStep& step, float s) {
   if (!step.moves) return step.from;
   const float u = std::clamp((s - step.begin) / (step.end - step.begin), 0.0F, 1.0F);
   // It is lifted before it travels, and has arrived before it is put down.
   constexpr float kOnlyLift = 0.1F;
   const float weight = eased_between(u, kOnlyLift, 1 - kOnlyLift);
-  motion::FootPlace place = blend(step.from, step.to, weight);
+  motion::FootPose place = blend(step.from, step.to, weight);
   // 16 u^2 (1-u)^2 leaves and meets the ground without a jolt.
   place.ankle.z() += step.lift_m * 16 * u * u * (1 - u) * (1 - u);
   return place;
 }
 
 // Where the pelvis is, hung from a foot by the rotations of its leg.
-void hang_from_foot(const Skeleton& skeleton, Side side, const motion::FootPlace& place,
+void hang_from_foot(const Skeleton& skeleton, Side side, const motion::FootPose& place,
                     Pose& pose) {
   const LimbRoles leg = motion::roles_of(leg_of(side));
   const Eigen::Quaternionf shin = place.orientation * pose.rotation[leg.end].conjugate();
@@ -135,22 +136,22 @@ Pose first_pass(const motion::Figure& figure, const Transition& transition, floa
     }
   }
   if (transition.support) {
-    const Step& step = transition.steps[index_of(*transition.support)];
+    const FootStep& step = transition.steps[index_of(*transition.support)];
     hang_from_foot(figure.skeleton(), *transition.support, step.from, pose);
   }
   return pose;
 }
 
-motion::PerSide<motion::HandPlace> hands_at(const Transition& transition, const JointFrames& frames,
-                                            float s) {
+motion::PerSide<motion::HandGoal> hands_at(const Transition& transition, const JointFrames& frames,
+                                           float s) {
   const float weight = eased_between(s, kHandLag, 1);
-  motion::PerSide<motion::HandPlace> hands;
+  motion::PerSide<motion::HandGoal> hands;
   for (Side side : motion::kSides) {
     const std::size_t i = index_of(side);
     const Role hand = motion::roles_of(arm_of(side)).end;
-    const float turn = motion::wrapped(transition.to_swivel[i] - transition.from_swivel[i]);
+    const float turn = motion::wrapped_to_pi(transition.to_swivel[i] - transition.from_swivel[i]);
     hands[i] = {
-        mix(transition.from_frames.position[hand], transition.to_frames.position[hand], weight),
+        lerp(transition.from_frames.position[hand], transition.to_frames.position[hand], weight),
         arm_pole(frames), transition.from_swivel[i] + weight * turn};
   }
   return hands;
@@ -214,24 +215,24 @@ Pose pose_at(const motion::Figure& figure, const Transition& transition, float s
   const Skeleton& skeleton = figure.skeleton();
   const float part = std::clamp(s, 0.0F, 1.0F);
   const float weight = motion::ease_in_ease_out(part);
-  const motion::PerSide<motion::FootPlace> feet{place_in_step(transition.steps[0], part),
-                                                place_in_step(transition.steps[1], part)};
-  const Eigen::Vector3f centre = mix(transition.from_centre, transition.to_centre, weight);
-  const Eigen::Vector3f neck = mix(transition.from_frames.position[Role::neck],
-                                   transition.to_frames.position[Role::neck], weight);
+  const motion::PerSide<motion::FootPose> feet{foot_pose_in_step(transition.steps[0], part),
+                                               foot_pose_in_step(transition.steps[1], part)};
+  const Eigen::Vector3f centre = lerp(transition.from_centre, transition.to_centre, weight);
+  const Eigen::Vector3f neck = lerp(transition.from_frames.position[Role::neck],
+                                    transition.to_frames.position[Role::neck], weight);
   Pose pose = first_pass(figure, transition, part);
   for (int round = 0; round < kRounds; ++round) {
     JointFrames trunk = motion::forward_kinematics(skeleton, pose);
     const float lower =
-        std::min(highest_pelvis(skeleton, trunk, feet) - pose.root_position.z(), 0.0F);
+        std::min(max_pelvis_height(skeleton, trunk, feet) - pose.root_position.z(), 0.0F);
     pose.root_position.z() += lower;
     for (Eigen::Vector3f& position : trunk.position) position.z() += lower;
-    put_feet(skeleton, trunk, feet, pose);
-    const motion::PerSide<motion::HandPlace> hands = hands_at(transition, trunk, part);
+    solve_legs(skeleton, trunk, feet, pose);
+    const motion::PerSide<motion::HandGoal> hands = hands_at(transition, trunk, part);
     for (Side side : motion::kSides) {
       const std::size_t i = index_of(side);
-      if (!transition.hand_swings[i]) put_hand(skeleton, trunk, side, hands[i], pose);
-      limit_arm(pose, side);
+      if (!transition.hand_swings[i]) solve_arm(skeleton, trunk, side, hands[i], pose);
+      clamp_arm_to_limits(pose, side);
     }
     if (round + 1 == kRounds) break;
     const JointFrames frames = motion::forward_kinematics(skeleton, pose);

@@ -6,9 +6,9 @@
 namespace flinch::database {
 
 /// A foot's way through a transition: still, or in a step between two parts of it.
-struct Step {
-  motion::FootPlace from;
-  motion::FootPlace to;
+struct FootStep {
+  motion::FootPose from;
+  motion::FootPose to;
   bool moves = false;
   float begin = 0;  ///< in [0, 1], parts of the transition
   float end = 1;
@@ -20,7 +20,7 @@ struct Step {
 struct Transition {
   motion::Pose from;
   motion::Pose to;
-  motion::PerSide<Step> steps;
+  motion::PerSide<FootStep> steps;
   /// The foot that the figure hangs from in the first pass: the one nearer to the centre of mass
   /// that stays. None where both step: then the pelvis goes straight.
   std::optional<motion::Side> support;

@@ -80,7 +80,7 @@ void append_frame(const motion::Pose& pose, motion::PerRole<Eigen::Vector3d>& an
 
 }  // namespace
 
-std::string bvh_text(const motion::Character& character, const motion::Motion& motion) {
+std::string bvh_text(const motion::Physique& character, const motion::Motion& motion) {
   check_exportable(character, motion);
   std::string text = "HIERARCHY\n";
   append_joint(character.skeleton, Role::pelvis, "", text);
@@ -98,7 +98,7 @@ std::string bvh_text(const motion::Character& character, const motion::Motion& m
   return text;
 }
 
-void write_bvh(const std::string& path, const motion::Character& character,
+void write_bvh(const std::string& path, const motion::Physique& character,
                const motion::Motion& motion) {
   write_file_atomically(path, bvh_text(character, motion));
 }

@@ -21,10 +21,10 @@ namespace flinch::database {
 /// Numbers have six decimals: what is read back is the motion to 0.001 degrees and 0.01 mm. The
 /// same input gives the same text. Throws Error when the motion cannot be written (see
 /// export_check.h).
-std::string bvh_text(const motion::Character& character, const motion::Motion& motion);
+std::string bvh_text(const motion::Physique& character, const motion::Motion& motion);
 
 /// Writes it to a file, whole or not at all. Throws Error.
-void write_bvh(const std::string& path, const motion::Character& character,
+void write_bvh(const std::string& path, const motion::Physique& character,
                const motion::Motion& motion);
 
 }  // namespace flinch::database

@@ -9,7 +9,7 @@
 
 namespace flinch::database {
 
-void check_exportable(const motion::Character& character, const motion::Motion& motion) {
+void check_exportable(const motion::Physique& character, const motion::Motion& motion) {
   if (const char* what = fault_of(character)) throw Error("", what);
   if (!std::isfinite(motion.rate_hz) || motion.rate_hz <= 0) {
     throw Error("", "the motion's rate is not above 0");

@@ -62,16 +62,16 @@ Part joint_ball(const BodyModel& model, Body body) {
     return shape.kind == Shape::Kind::capsule ? shape.radius
                                               : std::numeric_limits<float>::infinity();
   };
-  const float least = std::min(thickness(body), thickness(*motion::parent_of(body)));
-  return {rounded_solid(Vector3f::Zero(), kJointSize * least, kSegments)};
+  const float min_thickness = std::min(thickness(body), thickness(*motion::parent_of(body)));
+  return {rounded_solid(Vector3f::Zero(), kJointSize * min_thickness, kSegments)};
 }
 
 // Between two boxes of the trunk, as broad and deep as the lesser.
 Part waist(const BodyModel& model, Body body) {
-  const Vector3f least = kJointSize * model[body].shape.half_extents.cwiseMin(
-                                          model[*motion::parent_of(body)].shape.half_extents);
-  const float radius = least.minCoeff();
-  return {rounded_solid({least.x() - radius, least.y() - radius, 0}, radius, kSegments)};
+  const Vector3f extents = kJointSize * model[body].shape.half_extents.cwiseMin(
+                                            model[*motion::parent_of(body)].shape.half_extents);
+  const float radius = extents.minCoeff();
+  return {rounded_solid({extents.x() - radius, extents.y() - radius, 0}, radius, kSegments)};
 }
 
 void add(const Part& part, Role joint, const Vector3f& joint_position, SkinnedMesh& whole) {
@@ -81,7 +81,7 @@ void add(const Part& part, Role joint, const Vector3f& joint_position, SkinnedMe
 
 }  // namespace
 
-FigureMesh figure_mesh(const motion::Character& character) {
+FigureMesh figure_mesh(const motion::Physique& character) {
   const BodyModel model = motion::make_body_model(character);
   const motion::JointFrames rest =
       forward_kinematics(character.skeleton, motion::rest_pose(character.skeleton));

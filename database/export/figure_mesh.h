@@ -22,6 +22,6 @@ struct FigureMesh {
 /// boxes with rounded edges. Balls at the joints of the limbs and a disc above and below the waist
 /// keep a bent figure together, and a visor shows where the head looks. Throws Error when a size is
 /// not finite.
-FigureMesh figure_mesh(const motion::Character& character);
+FigureMesh figure_mesh(const motion::Physique& character);
 
 }  // namespace flinch::database

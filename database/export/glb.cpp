@@ -48,13 +48,13 @@ void pad(std::byte with, std::vector<std::byte>& bytes) {
 // Least and greatest of each component.
 std::pair<std::vector<float>, std::vector<float>> bounds(std::span<const float> numbers,
                                                          std::size_t components) {
-  std::vector<float> least(numbers.begin(), numbers.begin() + components);
-  std::vector<float> most = least;
+  std::vector<float> min(numbers.begin(), numbers.begin() + components);
+  std::vector<float> max = min;
   for (std::size_t i = 0; i < numbers.size(); ++i) {
-    least[i % components] = std::min(least[i % components], numbers[i]);
-    most[i % components] = std::max(most[i % components], numbers[i]);
+    min[i % components] = std::min(min[i % components], numbers[i]);
+    max[i % components] = std::max(max[i % components], numbers[i]);
   }
-  return {least, most};
+  return {min, max};
 }
 
 void append_chunk(std::string_view type, std::span<const std::byte> chunk,
@@ -85,9 +85,9 @@ int GltfBuffer::add(std::span<const float> numbers, GltfElement element, GltfTar
                     bool with_bounds) {
   Json& accessor = add_accessor(numbers, element, target);
   if (with_bounds) {
-    const auto [least, most] = bounds(numbers, kComponents[static_cast<std::size_t>(element)]);
-    accessor["min"] = least;
-    accessor["max"] = most;
+    const auto [min, max] = bounds(numbers, kComponents[static_cast<std::size_t>(element)]);
+    accessor["min"] = min;
+    accessor["max"] = max;
   }
   return static_cast<int>(accessors_.size()) - 1;
 }

@@ -226,8 +226,8 @@ void check(const BallTrack& ball, std::size_t pose_count) {
 
 }  // namespace
 
-std::vector<std::byte> glb_of(const motion::Character& character, const motion::Motion& motion,
-                              const std::optional<BallTrack>& ball) {
+std::vector<std::byte> make_glb(const motion::Physique& character, const motion::Motion& motion,
+                                const std::optional<BallTrack>& ball) {
   check_exportable(character, motion);
   if (ball) check(*ball, motion.poses.size());
   const motion::Skeleton& skeleton = character.skeleton;
@@ -271,9 +271,9 @@ std::vector<std::byte> glb_of(const motion::Character& character, const motion::
        {"animations", Json::array({animation.json()})}});
 }
 
-void write_glb(const std::string& path, const motion::Character& character,
+void write_glb(const std::string& path, const motion::Physique& character,
                const motion::Motion& motion, const std::optional<BallTrack>& ball) {
-  const std::vector<std::byte> bytes = glb_of(character, motion, ball);
+  const std::vector<std::byte> bytes = make_glb(character, motion, ball);
   write_file_atomically(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
 }
 

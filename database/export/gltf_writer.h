@@ -34,11 +34,11 @@ struct BallTrack {
 /// The same input gives the same bytes. Throws Error when the motion cannot be written (see
 /// export_check.h), or when the ball's radius is not above 0, its positions are not finite or are
 /// not as many as the poses.
-std::vector<std::byte> glb_of(const motion::Character& character, const motion::Motion& motion,
-                              const std::optional<BallTrack>& ball = std::nullopt);
+std::vector<std::byte> make_glb(const motion::Physique& character, const motion::Motion& motion,
+                                const std::optional<BallTrack>& ball = std::nullopt);
 
 /// Writes it to a file, whole or not at all. Throws Error.
-void write_glb(const std::string& path, const motion::Character& character,
+void write_glb(const std::string& path, const motion::Physique& character,
                const motion::Motion& motion, const std::optional<BallTrack>& ball = std::nullopt);
 
 }  // namespace flinch::database

@@ -15,15 +15,15 @@ namespace flinch::database {
 namespace {
 
 // Far above any figure, far below what would harm code that walks the tree.
-constexpr std::size_t kMostJoints = 4096;
-constexpr std::size_t kDeepest = 256;
+constexpr std::size_t kMaxJoints = 4096;
+constexpr std::size_t kMaxDepth = 256;
 
 constexpr std::array<std::string_view, 6> kChannelNames{"Xposition", "Yposition", "Zposition",
                                                         "Xrotation", "Yrotation", "Zrotation"};
 
 std::optional<BvhChannel> channel_named(std::string_view name) {
   for (std::size_t i = 0; i < kChannelNames.size(); ++i) {
-    if (same_word(name, kChannelNames[i])) return static_cast<BvhChannel>(i);
+    if (equals_ignoring_case(name, kChannelNames[i])) return static_cast<BvhChannel>(i);
   }
   return std::nullopt;
 }
@@ -59,21 +59,21 @@ class HierarchyParser {
 
   void parse_opening() {
     const std::string_view first = lexer_.next_word();
-    if (!same_word(first, "HIERARCHY")) {
+    if (!equals_ignoring_case(first, "HIERARCHY")) {
       lexer_.fail("is not BVH: expected HIERARCHY, found " + quoted(first));
     }
     const std::string_view second = lexer_.next_word();
-    if (!same_word(second, "ROOT")) {
+    if (!equals_ignoring_case(second, "ROOT")) {
       lexer_.fail("expected ROOT after HIERARCHY, found " + quoted(second));
     }
   }
 
   void parse_closing() {
     const std::string_view word = lexer_.next_word();
-    if (same_word(word, "ROOT")) {
+    if (equals_ignoring_case(word, "ROOT")) {
       lexer_.fail("a second ROOT: a file must hold one figure; split it into one file each");
     }
-    if (!same_word(word, "MOTION")) {
+    if (!equals_ignoring_case(word, "MOTION")) {
       lexer_.fail("expected MOTION after the hierarchy, found " + quoted(word));
     }
   }
@@ -81,10 +81,11 @@ class HierarchyParser {
   void parse_item() {
     const std::string_view word = lexer_.next_word();
     if (word == "}") return end_joint();
-    if (same_word(word, "OFFSET")) return parse_offset();
-    if (same_word(word, "CHANNELS")) return parse_channels();
-    if (same_word(word, "JOINT")) return begin_joint();
-    if (same_word(word, "End") || same_word(word, "EndSite")) return parse_end_site();
+    if (equals_ignoring_case(word, "OFFSET")) return parse_offset();
+    if (equals_ignoring_case(word, "CHANNELS")) return parse_channels();
+    if (equals_ignoring_case(word, "JOINT")) return begin_joint();
+    if (equals_ignoring_case(word, "End") || equals_ignoring_case(word, "EndSite"))
+      return parse_end_site();
     if (word.empty()) {
       lexer_.fail("the file ends inside " + in_joint() + " of line " +
                   std::to_string(open_.back().line) + "; is it cut short?");
@@ -97,11 +98,11 @@ class HierarchyParser {
     const std::size_t line = lexer_.line();
     const std::string_view name = lexer_.rest_of_line();
     if (name.empty()) lexer_.fail("a joint without a name");
-    if (bvh_.joints.size() == kMostJoints) {
-      lexer_.fail("more than " + std::to_string(kMostJoints) + " joints");
+    if (bvh_.joints.size() == kMaxJoints) {
+      lexer_.fail("more than " + std::to_string(kMaxJoints) + " joints");
     }
-    if (open_.size() == kDeepest) {
-      lexer_.fail("joints nested more than " + std::to_string(kDeepest) + " deep");
+    if (open_.size() == kMaxDepth) {
+      lexer_.fail("joints nested more than " + std::to_string(kMaxDepth) + " deep");
     }
     BvhJoint joint;
     joint.name = name;
@@ -164,7 +165,7 @@ class HierarchyParser {
   void parse_end_site() {
     lexer_.rest_of_line();  // "Site", and sometimes a name that nothing refers to
     expect("{", "an End Site");
-    if (!same_word(lexer_.peek_word(), "OFFSET")) {
+    if (!equals_ignoring_case(lexer_.peek_word(), "OFFSET")) {
       const std::string found = quoted(lexer_.peek_word());
       lexer_.fail("expected the OFFSET of an End Site, found " + found);
     }

@@ -61,7 +61,7 @@ std::string not_a_number(std::string_view of_what, std::string_view word) {
 
 }  // namespace
 
-bool same_word(std::string_view one, std::string_view other) {
+bool equals_ignoring_case(std::string_view one, std::string_view other) {
   return std::equal(one.begin(), one.end(), other.begin(), other.end(),
                     [](char a, char b) { return lower(a) == lower(b); });
 }
@@ -128,7 +128,7 @@ std::string_view BvhLexer::rest_of_line() {
 bool BvhLexer::accept_label(std::string_view letters) {
   skip_blanks();
   const char* const last = std::find_if(position_, end_, [](char c) { return !is_letter(c); });
-  if (!same_word(between(position_, last), letters)) return false;
+  if (!equals_ignoring_case(between(position_, last), letters)) return false;
   position_ = last;
   while (!at_end() && is_blank_on_line(*position_)) ++position_;
   if (!at_end() && *position_ == ':') ++position_;

@@ -52,7 +52,7 @@ class BvhLexer {
 };
 
 /// Whether two words are the same but for the case of ASCII letters.
-bool same_word(std::string_view one, std::string_view other);
+bool equals_ignoring_case(std::string_view one, std::string_view other);
 
 /// A word as a one-line message may show it: in back quotes, shortened, without control characters;
 /// "the end of the file" for an empty one.

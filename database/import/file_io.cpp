@@ -19,12 +19,12 @@ namespace flinch::database {
 namespace {
 
 /// An open file that closes itself.
-class Descriptor {
+class FileDescriptor {
  public:
-  explicit Descriptor(int number) : number_(number) {}
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  ~Descriptor() {
+  explicit FileDescriptor(int number) : number_(number) {}
+  FileDescriptor(const FileDescriptor&) = delete;
+  FileDescriptor& operator=(const FileDescriptor&) = delete;
+  ~FileDescriptor() {
     if (number_ >= 0) ::close(number_);
   }
   int number() const { return number_; }
@@ -67,7 +67,7 @@ bool write_all(int descriptor, std::string_view bytes) {
 
 /// 0, or the error number of what failed first.
 int write_and_sync(const std::string& path, std::string_view bytes) {
-  Descriptor file(::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
+  FileDescriptor file(::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
   if (file.number() < 0) return errno;
   if (!write_all(file.number(), bytes)) return errno;
   if (::fsync(file.number()) != 0) return errno;
@@ -78,7 +78,7 @@ int write_and_sync(const std::string& path, std::string_view bytes) {
 /// file is whole all the same, so that is no error.
 void sync_folder_of(const std::string& path) {
   const std::filesystem::path folder = std::filesystem::path(path).parent_path();
-  const Descriptor opened(
+  const FileDescriptor opened(
       ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   if (opened.number() >= 0) static_cast<void>(::fsync(opened.number()));
 }
@@ -91,7 +91,7 @@ void sync_folder_of(const std::string& path) {
 }  // namespace
 
 std::string read_file(const std::string& path) {
-  const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  const FileDescriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
   if (file.number() < 0) fail_to_read(path, errno);
   struct stat about {};
   if (::fstat(file.number(), &about) != 0) fail_to_read(path, errno);

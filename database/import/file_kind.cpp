@@ -10,22 +10,22 @@
 namespace flinch::database {
 namespace {
 
-struct Opening {
+struct FileSignature {
   std::string_view bytes;
   FileKind kind;
 };
 
-constexpr std::array kOpenings{
-    Opening{kLibraryKind.mark, FileKind::library},
-    Opening{kSelectorKind.mark, FileKind::selector},
-    Opening{std::string_view("SQLite format 3\0", 16), FileKind::store},
-    Opening{"HIERARCHY", FileKind::bvh},
-    Opening{"glTF", FileKind::gltf},
-    Opening{"PK\x03\x04", FileKind::archive},
-    Opening{"\x1F\x8B", FileKind::archive},
-    Opening{"\xFD"
-            "7zXZ",
-            FileKind::archive},
+constexpr std::array kSignatures{
+    FileSignature{kLibraryFormat.magic, FileKind::library},
+    FileSignature{kSelectorFormat.magic, FileKind::selector},
+    FileSignature{std::string_view("SQLite format 3\0", 16), FileKind::store},
+    FileSignature{"HIERARCHY", FileKind::bvh},
+    FileSignature{"glTF", FileKind::gltf},
+    FileSignature{"PK\x03\x04", FileKind::archive},
+    FileSignature{"\x1F\x8B", FileKind::archive},
+    FileSignature{"\xFD"
+                  "7zXZ",
+                  FileKind::archive},
 };
 
 bool is_text_byte(char c) {
@@ -37,10 +37,10 @@ bool is_text_byte(char c) {
 
 FileKind file_kind_of(std::string_view bytes) {
   if (bytes.empty()) return FileKind::empty;
-  const auto opening = std::find_if(kOpenings.begin(), kOpenings.end(), [&](const Opening& known) {
-    return bytes.starts_with(known.bytes);
-  });
-  if (opening != kOpenings.end()) return opening->kind;
+  const auto opening =
+      std::find_if(kSignatures.begin(), kSignatures.end(),
+                   [&](const FileSignature& known) { return bytes.starts_with(known.bytes); });
+  if (opening != kSignatures.end()) return opening->kind;
   const std::string_view start = bytes.substr(0, 512);
   return std::all_of(start.begin(), start.end(), is_text_byte) ? FileKind::text : FileKind::unknown;
 }

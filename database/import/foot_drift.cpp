@@ -20,13 +20,13 @@ constexpr float kPlantedTime = 0.1F;     // s
 
 // One point of a foot over the clip: on the ground in the source and as retargeted, and how high
 // above its planted height in the source.
-struct Track {
+struct PointTrajectory {
   std::vector<Vector2f> source, clip;
   std::vector<float> height;
 };
 
-void measure_plant(const Track& track, std::size_t begin, std::size_t end, float interval_s,
-                   FootDrift& drift) {
+void measure_plant(const PointTrajectory& track, std::size_t begin, std::size_t end,
+                   float interval_s, FootDrift& drift) {
   const float duration = static_cast<float>(end - begin - 1) * interval_s;
   if (end <= begin + 1 || duration < kPlantedTime) return;
   drift.planted_s += duration;
@@ -38,7 +38,7 @@ void measure_plant(const Track& track, std::size_t begin, std::size_t end, float
   }
 }
 
-void measure_track(const Track& track, float interval_s, FootDrift& drift) {
+void measure_track(const PointTrajectory& track, float interval_s, FootDrift& drift) {
   std::size_t begin = 0;
   for (std::size_t k = 0; k < track.source.size(); ++k) {
     const bool is_low = track.height[k] < kPlantedHeight;
@@ -78,7 +78,7 @@ FootDrift measure_foot_drift(const SourceMotion& source, const motion::Skeleton&
   const float scale = leg_ratio(source, skeleton);
   const Placement placement = placement_of(source, skeleton, segment);
   const Eigen::Rotation2Df turn(placement.yaw);
-  std::array<std::array<Track, 2>, 2> tracks;  // side, then ankle and ball
+  std::array<std::array<PointTrajectory, 2>, 2> tracks;  // side, then ankle and ball
   for (std::size_t k = 0; k < clip.poses.size(); ++k) {
     const double time_s =
         segment.start_s + static_cast<double>(k) / static_cast<double>(clip.rate_hz);
@@ -87,7 +87,8 @@ FootDrift measure_foot_drift(const SourceMotion& source, const motion::Skeleton&
     for (std::size_t side = 0; side < 2; ++side) {
       const motion::FootRoles roles =
           motion::roles_of(side == 0 ? motion::Side::left : motion::Side::right);
-      const auto add = [&](Track& track, const Vector3f& point, float planted_height, Role role) {
+      const auto add = [&](PointTrajectory& track, const Vector3f& point, float planted_height,
+                           Role role) {
         track.source.push_back(turn * (scale * point.head<2>()));
         track.clip.push_back(frames.position[role].head<2>());
         track.height.push_back(scale * (point.z() - planted_height));
@@ -100,7 +101,7 @@ FootDrift measure_foot_drift(const SourceMotion& source, const motion::Skeleton&
   }
   FootDrift drift;
   for (const auto& side : tracks) {
-    for (const Track& track : side) measure_track(track, 1 / clip.rate_hz, drift);
+    for (const PointTrajectory& track : side) measure_track(track, 1 / clip.rate_hz, drift);
   }
   drift.lowest_sole_m = lowest_sole(skeleton, clip);
   return drift;

@@ -24,9 +24,9 @@ float squared(float value) {
 // feet are A + w F and A + c + w f, apart by c - w g with g = F - f. They make the same way from
 // one frame to the next when dc = w dg. The foot turns about the fraction w at which it moves
 // least: 0 where the ankle rests, 1 where the ball does.
-class Follower {
+class AnkleTracker {
  public:
-  explicit Follower(float interval_s) : interval_s_(interval_s) {}
+  explicit AnkleTracker(float interval_s) : interval_s_(interval_s) {}
 
   Vector2f follow(const Vector3f& ankle, const Vector3f& ball, const Vector2f& to_ball,
                   float lift) {
@@ -42,7 +42,7 @@ class Follower {
       const float all = ankle_way + ball_way;
       if (all > 0) offset_ += ankle_way / all * (gap - gap_);
       const float slowest = std::sqrt(std::min(ankle_way, ball_way)) / interval_s_;
-      offset_ += coming_back(slowest, lift) * (middle - offset_);
+      offset_ += return_share(slowest, lift) * (middle - offset_);
     }
     is_first_ = false;
     ankle_ = at_ankle;
@@ -53,7 +53,7 @@ class Follower {
 
  private:
   // Share of the way back to the middle that a foot goes in one frame: none while it is planted.
-  float coming_back(float speed_mps, float lift_m) const {
+  float return_share(float speed_mps, float lift_m) const {
     constexpr float kTime = 0.1F;  // s, to come back by a factor e
     const float is_fast = motion::ease_in_ease_out((speed_mps - 0.2F) / 0.6F);
     const float is_up = motion::ease_in_ease_out((lift_m - 0.03F) / 0.05F);
@@ -97,13 +97,14 @@ float ankle_height(const Foot& foot, const Vector3f& to_ball, float ankle_lift, 
 
 }  // namespace
 
-std::vector<AnkleGoals> place_feet(const SourceMotion& source, const motion::Skeleton& skeleton,
-                                   const std::vector<SourceFrame>& frames, float interval_s,
-                                   float scale) {
+std::vector<AnkleGoals> compute_ankle_goals(const SourceMotion& source,
+                                            const motion::Skeleton& skeleton,
+                                            const std::vector<SourceFrame>& frames,
+                                            float interval_s, float scale) {
   std::vector<AnkleGoals> goals(frames.size());
   for (std::size_t side = 0; side < 2; ++side) {
     const Foot foot = foot_of(skeleton, side == 0 ? motion::Side::left : motion::Side::right);
-    Follower follower(interval_s);
+    AnkleTracker follower(interval_s);
     for (std::size_t k = 0; k < frames.size(); ++k) {
       const SourceFoot& from = frames[k].foot[side];
       const Quaternionf& orientation = frames[k].orientation[foot.roles.foot];
@@ -118,7 +119,7 @@ std::vector<AnkleGoals> place_feet(const SourceMotion& source, const motion::Ske
                                           std::min(ankle_lift, ball_lift));
         goal.z() = ankle_height(foot, to_ball, ankle_lift, ball_lift);
       }
-      goal.z() = std::max(goal.z(), -motion::lowest_point(foot.sole, orientation));
+      goal.z() = std::max(goal.z(), -motion::min_height(foot.sole, orientation));
     }
   }
   return goals;

@@ -19,8 +19,9 @@ using AnkleGoals = std::array<Eigen::Vector3f, 2>;  ///< left, right, m
 /// which the source's foot turns at the moment does. Where the foot has thus been led away from the
 /// source's, it comes back while it is in the air. Heights follow the ankle or the ball, whichever
 /// is nearer to the ground, and no point of the sole is under it.
-std::vector<AnkleGoals> place_feet(const SourceMotion& source, const motion::Skeleton& skeleton,
-                                   const std::vector<SourceFrame>& frames, float interval_s,
-                                   float scale);
+std::vector<AnkleGoals> compute_ankle_goals(const SourceMotion& source,
+                                            const motion::Skeleton& skeleton,
+                                            const std::vector<SourceFrame>& frames,
+                                            float interval_s, float scale);
 
 }  // namespace flinch::database

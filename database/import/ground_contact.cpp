@@ -26,7 +26,7 @@ struct Point {
 
 // Lowers `lifts` to the point's where it stands.
 void mark_standing(const Point& point, double frame_time_s, std::vector<float>& lifts) {
-  const auto least_way = static_cast<float>(kStandingSpeed * frame_time_s);
+  const auto min_displacement = static_cast<float>(kStandingSpeed * frame_time_s);
   const auto least_frames = static_cast<std::size_t>(std::ceil(kStandingTime / frame_time_s));
   std::size_t begin = 0;
   const auto close = [&](std::size_t end) {
@@ -36,7 +36,7 @@ void mark_standing(const Point& point, double frame_time_s, std::vector<float>& 
   for (std::size_t k = 0; k < point.position.size(); ++k) {
     const bool is_low = std::abs(point.lift(k)) < kStandingLift;
     const bool is_slow =
-        k == begin || (point.position[k] - point.position[k - 1]).norm() < least_way;
+        k == begin || (point.position[k] - point.position[k - 1]).norm() < min_displacement;
     if (is_low && is_slow) continue;
     close(k);
     begin = is_low ? k : k + 1;
@@ -92,7 +92,7 @@ std::vector<float> correction(const SourceMotion& motion, std::size_t side) {
 
 }  // namespace
 
-void settle_feet(SourceMotion& motion) {
+void snap_feet_to_ground(SourceMotion& motion) {
   const std::array<std::vector<float>, 2> down{correction(motion, 0), correction(motion, 1)};
   for (std::size_t k = 0; k < motion.frames.size(); ++k) {
     SourceFrame& frame = motion.frames[k];

@@ -12,6 +12,6 @@ namespace flinch::database {
 /// 6 cm of its planted height; the lower of both then belongs at that height. The correction is
 /// interpolated over the time in between and smoothed, so that steps and jumps keep their shape;
 /// the hips move by the mean of both feet's. Needs set_ground.
-void settle_feet(SourceMotion& motion);
+void snap_feet_to_ground(SourceMotion& motion);
 
 }  // namespace flinch::database

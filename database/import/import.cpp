@@ -38,7 +38,7 @@ class SourceSet {
   // Throws Error.
   void add(const std::string& path, const SourceOptions& options) {
     if (index_.contains(path)) return;
-    loaded_.push_back({understand(read_bvh(path), options), {}});
+    loaded_.push_back({analyse_source(read_bvh(path), options), {}});
     index_[path] = loaded_.size() - 1;
   }
 
@@ -134,7 +134,7 @@ motion::Annotation annotation_in(const ManifestEntry& entry, const Segment& segm
 }
 
 void add_clip(const ManifestEntry& entry, const LoadedSource& loaded, ImportResult& result) {
-  Library& library = result.library;
+  ClipLibrary& library = result.library;
   const motion::Skeleton& skeleton = library.character.skeleton;
   const Segment segment = segment_of(entry, loaded.motion);
   motion::Clip clip;
@@ -318,7 +318,7 @@ ImportResult import_library(const std::vector<std::string>& paths,
 }
 
 SourceReport inspect_bvh(const std::string& path, const SourceOptions& options) {
-  return understand(read_bvh(path), options).report;
+  return analyse_source(read_bvh(path), options).report;
 }
 
 }  // namespace flinch::database

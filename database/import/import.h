@@ -44,7 +44,7 @@ struct ImportReport {
 };
 
 struct ImportResult {
-  Library library;
+  ClipLibrary library;
   ImportReport report;
 };
 

@@ -24,14 +24,14 @@ void append(const Eigen::Vector3f& vector, std::vector<float>& floats) {
 
 std::vector<float> floats_of(const motion::PerRole<Eigen::Vector3f>& vectors) {
   std::vector<float> floats;
-  floats.reserve(kFloatsASkeletonVector);
+  floats.reserve(kFloatsPerSkeletonVector);
   for (const Eigen::Vector3f& vector : vectors) append(vector, floats);
   return floats;
 }
 
 std::vector<float> floats_of(const std::vector<motion::Pose>& poses) {
   std::vector<float> floats;
-  floats.reserve(poses.size() * kFloatsAPose);
+  floats.reserve(poses.size() * kFloatsPerPose);
   for (const motion::Pose& pose : poses) {
     append(pose.root_position, floats);
     for (const Eigen::Quaternionf& rotation : pose.rotation) {
@@ -63,14 +63,14 @@ Offset<schema::Clip> store(FlatBufferBuilder& builder, const motion::Clip& clip)
                             mirrored_from, annotation, poses);
 }
 
-Offset<schema::Character> store(FlatBufferBuilder& builder, const motion::Character& character) {
+Offset<schema::Character> store(FlatBufferBuilder& builder, const motion::Physique& character) {
   const auto offsets = builder.CreateVector(floats_of(character.skeleton.offset));
   const auto tips = builder.CreateVector(floats_of(character.skeleton.tip));
   return schema::CreateCharacter(builder, offsets, tips, character.mass_kg,
                                  static_cast<std::uint8_t>(character.sex));
 }
 
-void store(FlatBufferBuilder& builder, const Library& library) {
+void store(FlatBufferBuilder& builder, const ClipLibrary& library) {
   const auto name = builder.CreateString(library.name);
   const auto character = store(builder, library.character);
   std::vector<Offset<schema::Clip>> stored;
@@ -82,15 +82,15 @@ void store(FlatBufferBuilder& builder, const Library& library) {
 }
 
 // FlatBuffers cannot go beyond 2 GiB; half of that leaves room for all that is not poses.
-constexpr std::size_t kMostPoses = (std::size_t{1} << 30) / (kFloatsAPose * sizeof(float));
+constexpr std::size_t kMaxPoses = (std::size_t{1} << 30) / (kFloatsPerPose * sizeof(float));
 
-std::size_t poses_in(const Library& library) {
+std::size_t poses_in(const ClipLibrary& library) {
   std::size_t count = 0;
   for (const motion::Clip& clip : library.clips) count += clip.motion.poses.size();
   return count;
 }
 
-std::string text_of(const Library& library, const LibraryFault& fault) {
+std::string text_of(const ClipLibrary& library, const LibraryFault& fault) {
   if (!fault.clip) return fault.what;
   return "clip " + std::to_string(*fault.clip) + " (" + library.clips[*fault.clip].name + ") " +
          fault.what;
@@ -102,35 +102,35 @@ std::span<const std::byte> bytes_of(std::string_view text) {
 
 }  // namespace
 
-std::string library_bytes(const Library& library) {
+std::string library_bytes(const ClipLibrary& library) {
   const std::string where = "library " + library.name;
   if (const auto fault = fault_of(library)) {
     throw Error(where, "cannot be written: " + text_of(library, *fault));
   }
-  if (poses_in(library) > kMostPoses) {
-    throw Error(where, "cannot be written: holds more than " + std::to_string(kMostPoses) +
+  if (poses_in(library) > kMaxPoses) {
+    throw Error(where, "cannot be written: holds more than " + std::to_string(kMaxPoses) +
                            " poses; split it");
   }
   FlatBufferBuilder builder;
   store(builder, library);
   const std::string_view content(reinterpret_cast<const char*>(builder.GetBufferPointer()),
                                  builder.GetSize());
-  const auto seal = make_seal(kLibraryKind, bytes_of(content));
+  const auto seal = make_file_header(kLibraryFormat, bytes_of(content));
   std::string bytes(seal.size(), '\0');
   std::transform(seal.begin(), seal.end(), bytes.begin(),
                  [](std::byte byte) { return static_cast<char>(byte); });
   return bytes.append(content);
 }
 
-std::uint64_t write_library(const Library& library, const std::string& path) {
+std::uint64_t write_library(const ClipLibrary& library, const std::string& path) {
   const std::string bytes = library_bytes(library);
   write_file_atomically(path, bytes);
-  return content_hash(bytes_of(bytes).subspan(kSealSize));
+  return content_hash(bytes_of(bytes).subspan(kFileHeaderSize));
 }
 
-Library load_library(const std::string& path) {
+ClipLibrary load_library(const std::string& path) {
   const std::string bytes = read_file(path);
-  Library library;
+  ClipLibrary library;
   const LoadStatus status = read_library(bytes_of(bytes), library);
   if (status == LoadStatus::ok) return library;
   if (status == LoadStatus::not_a_library) {

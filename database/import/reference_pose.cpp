@@ -191,19 +191,19 @@ ReferencePose find_reference_pose(const Bvh& bvh, const SourceFigure& figure, Up
   if (stands_like_human(figure, standing)) return reference_from(figure, standing, -1);
 
   const int step = std::max(1, bvh.frame_count / kFramesLookedAt);
-  double least_doubt = std::numeric_limits<double>::infinity();
+  double min_doubt = std::numeric_limits<double>::infinity();
   int best = 0;
   for (int number = 0; number < bvh.frame_count; number += step) {
     const FigureFrame frame = figure_frame(figure, forward_kinematics(bvh, number), to_world(up));
     const double doubt = doubt_of(frame);
-    if (doubt >= least_doubt) continue;
-    least_doubt = doubt;
+    if (doubt >= min_doubt) continue;
+    min_doubt = doubt;
     best = number;
   }
   const FigureFrame frame =
       facing_x(figure, forward_kinematics(bvh, best), direction_of(up), false);
   ReferencePose reference = reference_from(figure, frame, best);
-  reference.doubt = least_doubt;
+  reference.doubt = min_doubt;
   return reference;
 }
 

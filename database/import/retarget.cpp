@@ -32,7 +32,7 @@ constexpr std::array<Leg, 2> kLegs{
       motion::Side::right}}};
 
 // All that does not change from frame to frame.
-struct Target {
+struct RetargetContext {
   const SourceMotion& source;
   const Skeleton& skeleton;
   float scale;
@@ -40,7 +40,7 @@ struct Target {
   std::array<motion::SoleOutline, 2> sole;
 };
 
-Target make_target(const SourceMotion& source, const Skeleton& skeleton) {
+RetargetContext make_retarget_context(const SourceMotion& source, const Skeleton& skeleton) {
   return {source,
           skeleton,
           leg_ratio(source, skeleton),
@@ -58,57 +58,57 @@ float planted_ankle_height(const SourceMotion& source) {
   return 0.5F * (source.ankle_height_m[0] + source.ankle_height_m[1]);
 }
 
-Pose transferred(const Target& target, const SourceFrame& frame) {
+Pose transferred(const RetargetContext& context, const SourceFrame& frame) {
   JointFrames frames;
   frames.orientation = frame.orientation;
-  Vector3f hips = target.scale * frame.hip_centre;
-  hips.z() = target.scale * (frame.hip_centre.z() - planted_ankle_height(target.source)) +
-             target.rest.position[Role::left_foot].z();
+  Vector3f hips = context.scale * frame.hip_centre;
+  hips.z() = context.scale * (frame.hip_centre.z() - planted_ankle_height(context.source)) +
+             context.rest.position[Role::left_foot].z();
   frames.position[Role::pelvis] =
-      hips - frame.orientation[Role::pelvis] * between_hips(target.skeleton);
+      hips - frame.orientation[Role::pelvis] * between_hips(context.skeleton);
   return motion::pose_from_frames(frames);
 }
 
 // How much lower the pelvis must be for a leg to reach, m. A hip at horizontal distance d from the
 // ankle can be at most sqrt(L^2 - d^2) above it.
-float sinking_needed(const Target& target, const Vector3f& hip, const Vector3f& ankle,
+float sinking_needed(const RetargetContext& context, const Vector3f& hip, const Vector3f& ankle,
                      std::size_t side) {
   constexpr float kNearlyStraight = 0.99998F;  // of the leg's length: within the hinge's limit
-  const float reach = kNearlyStraight * motion::limb_length(target.skeleton, kLegs[side].limb);
+  const float reach = kNearlyStraight * motion::limb_length(context.skeleton, kLegs[side].limb);
   const float across = (ankle - hip).head<2>().norm();
   if (across >= reach) return 0;  // sinking does not help
-  return std::max(0.0F, hip.z() - motion::highest_upper(hip, ankle, reach));
+  return std::max(0.0F, hip.z() - motion::max_upper_height(hip, ankle, reach));
 }
 
 // 1 while a foot is down, going over to 0 while it is lifted: only feet that carry pull the pelvis.
-float groundedness(const Target& target, const Vector3f& ankle, std::size_t side) {
+float groundedness(const RetargetContext& context, const Vector3f& ankle, std::size_t side) {
   constexpr float kDown = 0.05F;  // m above the planted height
   constexpr float kUp = 0.20F;
-  const float lift = ankle.z() - target.rest.position[kLegs[side].foot].z();
+  const float lift = ankle.z() - context.rest.position[kLegs[side].foot].z();
   return 1 - motion::ease_in_ease_out((lift - kDown) / (kUp - kDown));
 }
 
-void sink_pelvis(const Target& target, const AnkleGoals& goals, Pose& pose) {
-  const JointFrames frames = forward_kinematics(target.skeleton, pose);
+void sink_pelvis(const RetargetContext& context, const AnkleGoals& goals, Pose& pose) {
+  const JointFrames frames = forward_kinematics(context.skeleton, pose);
   float sinking = 0;
   for (std::size_t side = 0; side < 2; ++side) {
-    sinking = std::max(
-        sinking, groundedness(target, goals[side], side) *
-                     sinking_needed(target, frames.position[kLegs[side].thigh], goals[side], side));
+    sinking = std::max(sinking, groundedness(context, goals[side], side) *
+                                    sinking_needed(context, frames.position[kLegs[side].thigh],
+                                                   goals[side], side));
   }
   pose.root_position.z() -= sinking;
 }
 
 // Toes that would go under the ground bend up about the foot's width instead.
-void keep_toes_up(const Target& target, std::size_t side, Pose& pose) {
+void keep_toes_up(const RetargetContext& context, std::size_t side, Pose& pose) {
   const Leg& leg = kLegs[side];
-  const JointFrames frames = forward_kinematics(target.skeleton, pose);
+  const JointFrames frames = forward_kinematics(context.skeleton, pose);
   const float ball = frames.position[leg.toes].z();
   const float depth =
-      -motion::lowest_point(target.sole[side].toes, frames.orientation[leg.toes]) - ball;
+      -motion::min_height(context.sole[side].toes, frames.orientation[leg.toes]) - ball;
   if (depth <= 0) return;
-  const float length = target.skeleton.tip[leg.toes].norm();
-  const Vector3f tip = frames.orientation[leg.toes] * target.skeleton.tip[leg.toes];
+  const float length = context.skeleton.tip[leg.toes].norm();
+  const Vector3f tip = frames.orientation[leg.toes] * context.skeleton.tip[leg.toes];
   const float slope = std::asin(std::clamp(tip.z() / length, -1.0F, 1.0F));
   const float needed = std::asin(std::clamp((tip.z() + depth) / length, -1.0F, 1.0F)) - slope;
   const Eigen::AngleAxisf bend(-needed, Vector3f::UnitY());
@@ -127,22 +127,22 @@ void straighten_bow_leg(Limb limb, Pose& pose) {
   knee = motion::slerp(about_hinge, knee, weight);
 }
 
-Pose retargeted(const Target& target, const SourceFrame& frame, const AnkleGoals& goals) {
-  Pose pose = transferred(target, frame);
+Pose retargeted(const RetargetContext& context, const SourceFrame& frame, const AnkleGoals& goals) {
+  Pose pose = transferred(context, frame);
   for (const Leg& leg : kLegs) straighten_bow_leg(leg.limb, pose);
-  sink_pelvis(target, goals, pose);
+  sink_pelvis(context, goals, pose);
   for (std::size_t side = 0; side < 2; ++side) {
     const Leg& leg = kLegs[side];
-    pose = motion::with_limb_end(target.skeleton, pose, leg.limb, goals[side],
+    pose = motion::with_limb_end(context.skeleton, pose, leg.limb, goals[side],
                                  frame.orientation[leg.foot]);
-    keep_toes_up(target, side, pose);
+    keep_toes_up(context, side, pose);
   }
   // The ends of the arms stay where they are; what the elbows did besides bending goes to shoulder
   // and wrist.
-  const JointFrames frames = forward_kinematics(target.skeleton, pose);
+  const JointFrames frames = forward_kinematics(context.skeleton, pose);
   for (Limb arm : {Limb::left_arm, Limb::right_arm}) {
     const Role hand = motion::roles_of(arm).end;
-    pose = motion::with_limb_end(target.skeleton, pose, arm, frames.position[hand],
+    pose = motion::with_limb_end(context.skeleton, pose, arm, frames.position[hand],
                                  frames.orientation[hand]);
   }
   return pose;
@@ -196,7 +196,7 @@ SourceFrame sample(const SourceMotion& source, double time_s) {
 Placement placement_of(const SourceMotion& source, const Skeleton& skeleton,
                        const Segment& segment) {
   const SourceFrame first = sample(source, segment.start_s);
-  const Pose pose = transferred(make_target(source, skeleton), first);
+  const Pose pose = transferred(make_retarget_context(source, skeleton), first);
   Placement placement;
   placement.yaw = -(pelvis_facing(first) + static_cast<float>(segment.heading));
   Vector3f start = pose.root_position;
@@ -207,7 +207,7 @@ Placement placement_of(const SourceMotion& source, const Skeleton& skeleton,
 
 motion::Motion retarget(const SourceMotion& source, const Skeleton& skeleton,
                         const Segment& segment, float rate_hz) {
-  const Target target = make_target(source, skeleton);
+  const RetargetContext context = make_retarget_context(source, skeleton);
   const Placement placement = placement_of(source, skeleton, segment);
   const auto intervals = static_cast<std::size_t>(
       std::lround((segment.end_s - segment.start_s) * static_cast<double>(rate_hz)));
@@ -217,11 +217,11 @@ motion::Motion retarget(const SourceMotion& source, const Skeleton& skeleton,
     frames.push_back(sample(source, std::min(time_s, segment.end_s)));
   }
   const std::vector<AnkleGoals> goals =
-      place_feet(source, skeleton, frames, 1 / rate_hz, target.scale);
+      compute_ankle_goals(source, skeleton, frames, 1 / rate_hz, context.scale);
   motion::Motion motion;
   motion.rate_hz = rate_hz;
   for (std::size_t k = 0; k <= intervals; ++k) {
-    const Pose pose = retargeted(target, frames[k], goals[k]);
+    const Pose pose = retargeted(context, frames[k], goals[k]);
     motion.poses.push_back(motion::placed(pose, placement.yaw, placement.shift));
   }
   make_continuous(motion);

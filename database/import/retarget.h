@@ -19,9 +19,9 @@ struct Segment {
 ///
 /// Joint orientations are the source's relative to its reference pose. The middle of the hips moves
 /// as the source's, scaled by the ratio of the leg lengths. The feet follow the source's, scaled
-/// likewise, so that planted feet stay planted (see place_feet); the legs reach them by IK, for
-/// which the pelvis may sink a little. Elbows and knees turn about their hinges only, which leaves
-/// every joint where it was. Feet and toes do not go below the ground.
+/// likewise, so that planted feet stay planted (see compute_ankle_goals); the legs reach them by
+/// IK, for which the pelvis may sink a little. Elbows and knees turn about their hinges only, which
+/// leaves every joint where it was. Feet and toes do not go below the ground.
 ///
 /// The motion starts with the pelvis above the origin and the actor facing +X.
 motion::Motion retarget(const SourceMotion& source, const motion::Skeleton& skeleton,

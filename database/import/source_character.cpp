@@ -18,18 +18,18 @@ using motion::Skeleton;
 
 // Where spine joints may lie between the hips and the neck's base, as fractions of that line. The
 // default character has the abdomen at 0.22 and the chest at 0.59.
-constexpr double kLeastAbdomen = 0.10;
-constexpr double kMostAbdomen = 0.35;
-constexpr double kLeastChest = 0.45;
-constexpr double kMostChest = 0.75;
+constexpr double kMinAbdomen = 0.10;
+constexpr double kMaxAbdomen = 0.35;
+constexpr double kMinChest = 0.45;
+constexpr double kMaxChest = 0.75;
 // The neck's base between the line of the shoulders and the head's joint, as the default character
 // has it, rounded.
 constexpr double kNeckAboveShoulders = 0.3;
 
 // A source's reference pose as lengths: all in metres, of the left side, averaged with the right.
-class Measures {
+class SourceMeasurements {
  public:
-  explicit Measures(const Source& source) : source_(source) {
+  explicit SourceMeasurements(const Source& source) : source_(source) {
     const motion::JointFrames rest =
         forward_kinematics(proportions_, motion::rest_pose(proportions_));
     for (Role role : kRoles) default_height_[role] = rest.position[role].z();
@@ -94,11 +94,11 @@ void set_tip(Skeleton& skeleton, Role left, const Vector3d& tip) {
 }
 
 // The height of a spine joint above the hips, m.
-double spine_height(const Measures& measures, Role role, double hips, double neck, double least,
-                    double most) {
+double spine_height(const SourceMeasurements& measures, Role role, double hips, double neck,
+                    double min_fraction, double max_fraction) {
   const double fraction =
       measures.has(role) ? (measures.place(role).z() - hips) / (neck - hips) : 0;
-  const bool plausible = fraction >= least && fraction <= most;
+  const bool plausible = fraction >= min_fraction && fraction <= max_fraction;
   return (plausible ? fraction : measures.default_fraction(role)) * (neck - hips);
 }
 
@@ -108,7 +108,7 @@ struct Trunk {
   double abdomen, chest, neck, head;
 };
 
-Trunk measure_trunk(const Measures& measures) {
+Trunk measure_trunk(const SourceMeasurements& measures) {
   const double hips = measures.place(Role::left_thigh).z();
   const double shoulders = measures.place(Role::left_upper_arm).z();
   double head = measures.place(Role::head).z();
@@ -121,12 +121,12 @@ Trunk measure_trunk(const Measures& measures) {
     neck = head;
     head = neck + neck_length;
   }
-  return {hips, spine_height(measures, Role::abdomen, hips, neck, kLeastAbdomen, kMostAbdomen),
-          spine_height(measures, Role::chest, hips, neck, kLeastChest, kMostChest), neck - hips,
+  return {hips, spine_height(measures, Role::abdomen, hips, neck, kMinAbdomen, kMaxAbdomen),
+          spine_height(measures, Role::chest, hips, neck, kMinChest, kMaxChest), neck - hips,
           head - hips};
 }
 
-void set_trunk(Skeleton& skeleton, const Measures& measures, const Trunk& trunk) {
+void set_trunk(Skeleton& skeleton, const SourceMeasurements& measures, const Trunk& trunk) {
   const auto up = [](double z) { return Vector3d(0, 0, z); };
   set_offset(skeleton, Role::abdomen, up(trunk.abdomen + trunk.hips));
   set_offset(skeleton, Role::chest, up(trunk.chest - trunk.abdomen));
@@ -140,7 +140,7 @@ void set_trunk(Skeleton& skeleton, const Measures& measures, const Trunk& trunk)
   set_tip(skeleton, Role::head, up(own > 0.5 * crown && own < 2 * crown ? own : crown));
 }
 
-void set_arms(Skeleton& skeleton, const Measures& measures, const Trunk& trunk) {
+void set_arms(Skeleton& skeleton, const SourceMeasurements& measures, const Trunk& trunk) {
   const Vector3d chest(0, 0, trunk.hips + trunk.chest);
   const Vector3d shoulder = measures.place(Role::left_upper_arm);
   const double between = measures.default_offset(Role::left_clavicle).y() /
@@ -163,7 +163,7 @@ void set_arms(Skeleton& skeleton, const Measures& measures, const Trunk& trunk) 
 }
 
 // Returns the height of the ankle above the ground, m.
-double set_legs(Skeleton& skeleton, const Measures& measures) {
+double set_legs(Skeleton& skeleton, const SourceMeasurements& measures) {
   const Role foot = Role::left_foot;
   Vector3d hip = measures.place(Role::left_thigh);
   set_offset(skeleton, Role::left_thigh, hip);
@@ -195,10 +195,10 @@ void set_inner_tips(Skeleton& skeleton) {
 
 }  // namespace
 
-motion::Character character_of(const Source& source, const CharacterOptions& options) {
-  const Measures measures(source);
+motion::Physique character_of(const Source& source, const CharacterOptions& options) {
+  const SourceMeasurements measures(source);
   const Trunk trunk = measure_trunk(measures);
-  motion::Character character;
+  motion::Physique character;
   Skeleton& skeleton = character.skeleton;
   set_trunk(skeleton, measures, trunk);
   set_arms(skeleton, measures, trunk);

@@ -24,6 +24,6 @@ inline constexpr float kDefaultBodyMassIndex = 23;
 /// the ground. What the source does not have (neck, hands, toes, crown) is in the proportions of
 /// motion::default_character. So is the place of abdomen and chest on the spine where the source's
 /// spine joints are not at their anatomical places: some rigs bend at the shoulders only.
-motion::Character character_of(const Source& source, const CharacterOptions& options = {});
+motion::Physique character_of(const Source& source, const CharacterOptions& options = {});
 
 }  // namespace flinch::database

@@ -83,7 +83,7 @@ std::string rounded(double value, const char* format) {
 }
 
 void find_space(Source& source, const SourceOptions& options) {
-  const FoundUp found = find_up(source.bvh, source.figure);
+  const UpEstimate found = estimate_up(source.bvh, source.figure);
   SourceReport& report = source.report;
   report.up = options.up.value_or(found.up);
   report.up_given = options.up.has_value();
@@ -111,7 +111,7 @@ void find_unit(Source& source, const SourceOptions& options) {
 
 }  // namespace
 
-Source understand(Bvh bvh, const SourceOptions& options) {
+Source analyse_source(Bvh bvh, const SourceOptions& options) {
   Source source;
   source.bvh = std::move(bvh);
   const RoleMap roles = map_roles(source.bvh, options.roles);
@@ -158,7 +158,7 @@ SourceMotion source_motion(const Source& source) {
   set_ground(motion);
   level_feet(motion);
   align_hinges(motion);
-  settle_feet(motion);
+  snap_feet_to_ground(motion);
   return motion;
 }
 

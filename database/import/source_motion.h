@@ -76,7 +76,7 @@ struct Source {
 };
 
 /// Maps the roles, and finds up, units and reference pose. Throws Error.
-Source understand(Bvh bvh, const SourceOptions& options = {});
+Source analyse_source(Bvh bvh, const SourceOptions& options = {});
 
 /// All frames of a source in the library's terms, calibrated by the motion itself (see
 /// calibration.h and ground_contact.h): the ground is where the feet are lowest, planted feet are

@@ -70,7 +70,7 @@ UpAxis nearest_axis(const Eigen::Vector3d& direction) {
   return static_cast<UpAxis>(axis + (direction[axis] < 0 ? 3 : 0));
 }
 
-FoundUp find_up(const Bvh& bvh, const SourceFigure& figure) {
+UpEstimate estimate_up(const Bvh& bvh, const SourceFigure& figure) {
   const int step = std::max(1, bvh.frame_count / kFramesLookedAt);
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   int count = 0;

@@ -31,11 +31,11 @@ UpAxis nearest_axis(const Eigen::Vector3d& direction);
 
 /// Up as the motion has it: the axis nearest to the mean of feet_to_head over the frames.
 /// `certainty` is that mean's component along it, 0 to 1.
-struct FoundUp {
+struct UpEstimate {
   UpAxis up = UpAxis::y;
   double certainty = 0;
 };
-FoundUp find_up(const Bvh& bvh, const SourceFigure& figure);
+UpEstimate estimate_up(const Bvh& bvh, const SourceFigure& figure);
 
 /// The rotation that brings a file's `up` to Z and, with it, `forward` (made level) to X.
 Eigen::Quaterniond to_world(const Eigen::Vector3d& up, const Eigen::Vector3d& forward);

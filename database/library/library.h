@@ -14,9 +14,9 @@ namespace flinch::database {
 ///
 /// Every clip begins with the pelvis above the origin's vertical and the character facing +X; all
 /// share `rate_hz`.
-struct Library {
+struct ClipLibrary {
   std::string name;
-  motion::Character character;
+  motion::Physique character;
   float rate_hz = 60;
   std::vector<motion::Clip> clips;
   int idle = 0;  ///< index of the clip that responses start from and that is always a choice

@@ -54,7 +54,7 @@ const char* fault_of(const Clip& clip, float rate_hz) {
 
 }  // namespace
 
-const char* fault_of(const motion::Character& character) {
+const char* fault_of(const motion::Physique& character) {
   const auto is_finite = [](const Eigen::Vector3f& vector) { return vector.allFinite(); };
   const motion::Skeleton& skeleton = character.skeleton;
   if (!std::all_of(skeleton.offset.begin(), skeleton.offset.end(), is_finite) ||
@@ -66,7 +66,7 @@ const char* fault_of(const motion::Character& character) {
   return nullptr;
 }
 
-std::optional<LibraryFault> fault_of(const Library& library) {
+std::optional<LibraryFault> fault_of(const ClipLibrary& library) {
   const auto whole = [](const char* what) { return LibraryFault{std::nullopt, what}; };
   if (library.name.empty()) return whole("the library has no name");
   if (!is_above_zero(library.rate_hz)) return whole("the rate is not above 0");

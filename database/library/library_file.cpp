@@ -38,15 +38,15 @@ class FloatReader {
 /// False when the vector has another size than one 3-vector a role.
 bool read_vectors(const flatbuffers::Vector<float>& floats,
                   motion::PerRole<Eigen::Vector3f>& vectors) {
-  if (floats.size() != kFloatsASkeletonVector) return false;
+  if (floats.size() != kFloatsPerSkeletonVector) return false;
   FloatReader reader(floats);
   for (Eigen::Vector3f& vector : vectors) vector = reader.vector();
   return true;
 }
 
 bool read_poses(const flatbuffers::Vector<float>& floats, std::vector<motion::Pose>& poses) {
-  if (floats.size() % kFloatsAPose != 0) return false;
-  poses.resize(floats.size() / kFloatsAPose);
+  if (floats.size() % kFloatsPerPose != 0) return false;
+  poses.resize(floats.size() / kFloatsPerPose);
   FloatReader reader(floats);
   for (motion::Pose& pose : poses) {
     pose.root_position = reader.vector();
@@ -76,7 +76,7 @@ bool read_clip(const schema::Clip& stored, float rate_hz, motion::Clip& clip) {
 }
 
 /// What the schema's own verification leaves open: sizes of vectors.
-bool read_stored(const schema::Library& stored, Library& library) {
+bool read_stored(const schema::Library& stored, ClipLibrary& library) {
   const schema::Character& character = *stored.character();
   library.name = stored.name()->str();
   library.character.mass_kg = character.mass_kg();
@@ -96,12 +96,12 @@ bool read_stored(const schema::Library& stored, Library& library) {
   return true;
 }
 
-LoadStatus read_unsealed(const Unsealed& file, Library& library) {
+LoadStatus read_unsealed(const VerifiedFile& file, ClipLibrary& library) {
   if (file.status != LoadStatus::ok) return file.status;
   flatbuffers::Verifier verifier(reinterpret_cast<const std::uint8_t*>(file.content.data()),
                                  file.content.size());
   if (!schema::VerifyLibraryBuffer(verifier)) return LoadStatus::damaged;
-  Library read;
+  ClipLibrary read;
   if (!read_stored(*schema::GetLibrary(file.content.data()), read) || fault_of(read)) {
     return LoadStatus::damaged;
   }
@@ -112,21 +112,22 @@ LoadStatus read_unsealed(const Unsealed& file, Library& library) {
 
 }  // namespace
 
-LoadStatus read_library(std::span<const std::byte> bytes, Library& library) noexcept try {
+LoadStatus read_library(std::span<const std::byte> bytes, ClipLibrary& library) noexcept try {
   std::vector<std::byte> storage;
-  return read_unsealed(unseal(kLibraryKind, aligned(bytes, storage)), library);
+  return read_unsealed(verify_file(kLibraryFormat, aligned(bytes, storage)), library);
 } catch (const std::bad_alloc&) {
   return LoadStatus::out_of_memory;
 }
 
-LoadStatus read_enclosed_library(std::span<const std::byte> bytes, Library& library) noexcept try {
+LoadStatus read_embedded_library(std::span<const std::byte> bytes, ClipLibrary& library) noexcept
+    try {
   std::vector<std::byte> storage;
-  return read_unsealed(unseal_enclosed(kLibraryKind, aligned(bytes, storage)), library);
+  return read_unsealed(verify_embedded_file(kLibraryFormat, aligned(bytes, storage)), library);
 } catch (const std::bad_alloc&) {
   return LoadStatus::out_of_memory;
 }
 
-LoadStatus read_library(const std::string& path, Library& library) noexcept {
+LoadStatus read_library(const std::string& path, ClipLibrary& library) noexcept {
   std::vector<std::byte> bytes;
   const LoadStatus status = read_bytes(path, bytes);
   return status == LoadStatus::ok ? read_library(bytes, library) : status;

@@ -8,8 +8,8 @@
 namespace flinch::database {
 
 /// Sizes of library.fbs' float vectors.
-inline constexpr std::size_t kFloatsAPose = 3 + 4 * static_cast<std::size_t>(motion::kRoleCount);
-inline constexpr std::size_t kFloatsASkeletonVector =
+inline constexpr std::size_t kFloatsPerPose = 3 + 4 * static_cast<std::size_t>(motion::kRoleCount);
+inline constexpr std::size_t kFloatsPerSkeletonVector =
     3 * static_cast<std::size_t>(motion::kRoleCount);
 
 }  // namespace flinch::database

@@ -11,8 +11,8 @@
 namespace flinch::database {
 namespace {
 
-constexpr std::size_t kMarkSize = 7;
-constexpr std::size_t kHashPosition = kMarkSize + 1;
+constexpr std::size_t kMagicSize = 7;
+constexpr std::size_t kHashPosition = kMagicSize + 1;
 
 }  // namespace
 
@@ -38,12 +38,12 @@ const char* message_of(LoadStatus status) noexcept {
   return "has an unknown status";
 }
 
-std::array<std::byte, kSealSize> make_seal(const SealedKind& kind,
-                                           std::span<const std::byte> content) noexcept {
-  std::array<std::byte, kSealSize> seal{};
-  std::transform(kind.mark.begin(), kind.mark.begin() + kMarkSize, seal.begin(),
+std::array<std::byte, kFileHeaderSize> make_file_header(
+    const FileFormat& kind, std::span<const std::byte> content) noexcept {
+  std::array<std::byte, kFileHeaderSize> seal{};
+  std::transform(kind.magic.begin(), kind.magic.begin() + kMagicSize, seal.begin(),
                  [](char c) { return static_cast<std::byte>(c); });
-  seal[kMarkSize] = static_cast<std::byte>(kind.version);
+  seal[kMagicSize] = static_cast<std::byte>(kind.version);
   const std::uint64_t hash = content_hash(content);
   for (std::size_t i = 0; i < sizeof(hash); ++i) {
     seal[kHashPosition + i] = static_cast<std::byte>(hash >> (8 * i));
@@ -51,25 +51,26 @@ std::array<std::byte, kSealSize> make_seal(const SealedKind& kind,
   return seal;
 }
 
-Unsealed unseal_enclosed(const SealedKind& kind, std::span<const std::byte> file) noexcept {
+VerifiedFile verify_embedded_file(const FileFormat& kind,
+                                  std::span<const std::byte> file) noexcept {
   const auto same = [](std::byte byte, char c) { return byte == static_cast<std::byte>(c); };
-  const auto mark = file.first(std::min(file.size(), kMarkSize));
-  if (!std::equal(mark.begin(), mark.end(), kind.mark.begin(), kind.mark.end(), same)) {
+  const auto mark = file.first(std::min(file.size(), kMagicSize));
+  if (!std::equal(mark.begin(), mark.end(), kind.magic.begin(), kind.magic.end(), same)) {
     return {.status = LoadStatus::not_a_library};
   }
-  if (file.size() < kSealSize) return {.status = LoadStatus::damaged};
-  if (file[kMarkSize] != static_cast<std::byte>(kind.version)) {
+  if (file.size() < kFileHeaderSize) return {.status = LoadStatus::damaged};
+  if (file[kMagicSize] != static_cast<std::byte>(kind.version)) {
     return {.status = LoadStatus::other_version};
   }
   std::uint64_t hash = 0;
   for (std::size_t i = 0; i < sizeof(hash); ++i) {
     hash |= std::to_integer<std::uint64_t>(file[kHashPosition + i]) << (8 * i);
   }
-  return {.status = LoadStatus::ok, .hash = hash, .content = file.subspan(kSealSize)};
+  return {.status = LoadStatus::ok, .hash = hash, .content = file.subspan(kFileHeaderSize)};
 }
 
-Unsealed unseal(const SealedKind& kind, std::span<const std::byte> file) noexcept {
-  const Unsealed unsealed = unseal_enclosed(kind, file);
+VerifiedFile verify_file(const FileFormat& kind, std::span<const std::byte> file) noexcept {
+  const VerifiedFile unsealed = verify_embedded_file(kind, file);
   if (unsealed.status != LoadStatus::ok || unsealed.hash == content_hash(unsealed.content)) {
     return unsealed;
   }

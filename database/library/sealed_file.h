@@ -30,31 +30,31 @@ const char* message_of(LoadStatus status) noexcept;
 /// Libraries and selectors are sealed files: 7 characters that name the kind, one byte of version,
 /// the content hash of all that follows in 8 bytes, least significant first, and then the content.
 /// One wrong byte anywhere, or a missing end, is noticed.
-struct SealedKind {
-  std::string_view mark;  ///< 7 characters
+struct FileFormat {
+  std::string_view magic;  ///< 7 characters
   std::uint8_t version = 1;
 };
-inline constexpr SealedKind kLibraryKind{.mark = "FLINCHL", .version = 2};
-inline constexpr SealedKind kSelectorKind{.mark = "FLINCHS", .version = 3};
+inline constexpr FileFormat kLibraryFormat{.magic = "FLINCHL", .version = 2};
+inline constexpr FileFormat kSelectorFormat{.magic = "FLINCHS", .version = 3};
 
-inline constexpr std::size_t kSealSize = 16;
+inline constexpr std::size_t kFileHeaderSize = 16;
 
 /// The bytes that go before `content` in its file.
-std::array<std::byte, kSealSize> make_seal(const SealedKind& kind,
-                                           std::span<const std::byte> content) noexcept;
+std::array<std::byte, kFileHeaderSize> make_file_header(
+    const FileFormat& kind, std::span<const std::byte> content) noexcept;
 
 /// A file's content, once its seal has been found whole.
-struct Unsealed {
+struct VerifiedFile {
   LoadStatus status = LoadStatus::damaged;
   std::uint64_t hash = 0;                   ///< of the content
   std::span<const std::byte> content = {};  ///< inside the file's bytes; empty unless ok
 };
 /// Checks kind, version and content hash.
-Unsealed unseal(const SealedKind& kind, std::span<const std::byte> file) noexcept;
+VerifiedFile verify_file(const FileFormat& kind, std::span<const std::byte> file) noexcept;
 
 /// The same for a file that stands inside another one whose seal was found whole: that seal covers
 /// these bytes, so their hash is taken from their own seal and not computed again.
-Unsealed unseal_enclosed(const SealedKind& kind, std::span<const std::byte> file) noexcept;
+VerifiedFile verify_embedded_file(const FileFormat& kind, std::span<const std::byte> file) noexcept;
 
 /// The bytes where FlatBuffers can read them in place, which wants its numbers aligned: where they
 /// are if that will do, else copied to `storage`.

@@ -199,7 +199,7 @@ ClipQuality measure_quality(const motion::Figure& figure, const Clip& clip) {
   return quality;
 }
 
-std::vector<ClipQuality> measure_quality(const Library& library) {
+std::vector<ClipQuality> measure_quality(const ClipLibrary& library) {
   const motion::Figure figure = motion::make_figure(library.character);
   std::vector<ClipQuality> table;
   for (const Clip& clip : library.clips) table.push_back(measure_quality(figure, clip));

@@ -47,7 +47,7 @@ inline constexpr float kContactHeight = 0.005F;
 ClipQuality measure_quality(const motion::Figure& figure, const motion::Clip& clip);
 
 /// All clips of a library, in its order.
-std::vector<ClipQuality> measure_quality(const Library& library);
+std::vector<ClipQuality> measure_quality(const ClipLibrary& library);
 
 /// Names of the measures that break a bound; empty for a good clip.
 std::vector<std::string> broken_bounds(const ClipQuality& quality,

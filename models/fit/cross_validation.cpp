@@ -68,24 +68,24 @@ bool averages_costs(const KnnParameters& parameters) {
 /// The choices of every parameter set of the grid for one fold's observations: the most neighbours
 /// that any of them asks for are found once, among the allowed for votes and among all for costs.
 void choose_for_fold(const TrainingSet& set, std::span<const KnnParameters> grid,
-                     const Split& split, Choices& choices) {
-  int most = 0;
+                     const FoldSplit& split, Choices& choices) {
+  int max_k = 0;
   for (const KnnParameters& parameters : grid) {
-    most = std::max(most, parameters.k);
+    max_k = std::max(max_k, parameters.k);
   }
   const bool any_averages = std::any_of(grid.begin(), grid.end(), averages_costs);
   const bool all_average = std::all_of(grid.begin(), grid.end(), averages_costs);
   std::optional<MaskedNeighbours> by_label;
   if (!all_average) {
-    by_label.emplace(split.others);
+    by_label.emplace(split.training);
   }
-  const auto by_cost = any_averages ? fit_knn(split.others, {most, KnnVote::cost}) : KnnModel();
+  const auto by_cost = any_averages ? fit_knn(split.training, {max_k, KnnVote::cost}) : KnnModel();
   for (const int observation : split.held_out) {
     const auto i = static_cast<std::size_t>(observation);
     const std::span<const double> point = set.point(observation);
     const auto allowed =
-        all_average ? std::vector<Neighbour>() : by_label->nearest(set.mask[i], point, most);
-    const auto all = nearest(by_cost, point, any_averages ? most : 0, {});
+        all_average ? std::vector<Neighbour>() : by_label->nearest(set.mask[i], point, max_k);
+    const auto all = nearest(by_cost, point, any_averages ? max_k : 0, {});
     for (std::size_t row = 0; row < grid.size(); ++row) {
       const auto first = [&](std::span<const Neighbour> found) {
         return found.first(std::min(static_cast<std::size_t>(grid[row].k), found.size()));
@@ -101,7 +101,7 @@ void choose_for_fold(const TrainingSet& set, std::span<const KnnParameters> grid
 
 /// What a model that ranks by games chooses for the observations that it was not fitted to.
 template <typename Model>
-void choose_held_out(const TrainingSet& set, const Model& model, const Split& split,
+void choose_held_out(const TrainingSet& set, const Model& model, const FoldSplit& split,
                      std::vector<int>& choices) {
   for (const int i : split.held_out) {
     const auto first = candidates(model, set.point(i), set.allowed_clips(i), set.idle,
@@ -112,7 +112,7 @@ void choose_held_out(const TrainingSet& set, const Model& model, const Split& sp
 
 /// The mean score of the choices for observations of the folds before `fold_count`.
 double mean_score(std::span<const int> choices, std::span<const int> fold, std::size_t fold_count,
-                  const Score& score) {
+                  const LossFunction& score) {
   double sum = 0;
   int counted = 0;
   for (std::size_t i = 0; i < choices.size(); ++i) {
@@ -143,10 +143,12 @@ PairwiseModel fit(const TrainingSet& set, const PairwiseParameters& parameters) 
 
 /// By successive halving (Jamieson and Talwalkar 2016), of folds instead of epochs.
 template <typename Parameters>
-Chosen<Parameters> choose_by_halving(const TrainingSet& set, std::span<const Parameters> grid,
-                                     std::span<const int> fold, const Score& score) {
+TunedParameters<Parameters> choose_by_halving(const TrainingSet& set,
+                                              std::span<const Parameters> grid,
+                                              std::span<const int> fold,
+                                              const LossFunction& score) {
   check(set);
-  const std::vector<Split> splits = make_splits(set, fold);
+  const std::vector<FoldSplit> splits = make_fold_splits(set, fold);
   Choices choices = no_choices(set, grid.size());
   std::vector<std::size_t> left(grid.size());
   std::iota(left.begin(), left.end(), std::size_t{0});
@@ -154,10 +156,10 @@ Chosen<Parameters> choose_by_halving(const TrainingSet& set, std::span<const Par
   for (std::size_t tried = 0;;) {
     const std::size_t until = left.size() > kFinalists ? tried + 1 : splits.size();
     const std::size_t folds = until - tried;
-    in_parallel(left.size() * folds, [&](std::size_t task) {
+    parallel_for(left.size() * folds, [&](std::size_t task) {
       const std::size_t row = left[task / folds];
-      const Split& split = splits[tried + task % folds];
-      choose_held_out(set, fit(split.others, grid[row]), split, choices[row]);
+      const FoldSplit& split = splits[tried + task % folds];
+      choose_held_out(set, fit(split.training, grid[row]), split, choices[row]);
     });
     tried = until;
     for (const std::size_t row : left) {
@@ -173,7 +175,7 @@ Chosen<Parameters> choose_by_halving(const TrainingSet& set, std::span<const Par
 
 }  // namespace
 
-std::vector<int> make_folds(std::span<const int> label, int fold_count, std::uint64_t seed) {
+std::vector<int> assign_folds(std::span<const int> label, int fold_count, std::uint64_t seed) {
   if (fold_count < 2 || static_cast<std::size_t>(fold_count) > label.size()) {
     throw Error("", "cross-validation needs from 2 folds to as many as there are observations (" +
                         std::to_string(label.size()) + "), not " + std::to_string(fold_count));
@@ -198,7 +200,7 @@ std::vector<int> make_folds(std::span<const int> label, int fold_count, std::uin
   return fold;
 }
 
-std::vector<int> enough_folds(std::span<const int> fold) {
+std::vector<int> limit_folds(std::span<const int> fold) {
   const int all = fold.empty() ? 0 : *std::max_element(fold.begin(), fold.end()) + 1;
   int enough = 0;
   for (std::ptrdiff_t held_out = 0; enough < all && held_out < kEnough; ++enough) {
@@ -210,7 +212,7 @@ std::vector<int> enough_folds(std::span<const int> fold) {
   return few;
 }
 
-std::size_t best_of(std::span<const double> scores) {
+std::size_t argmin(std::span<const double> scores) {
   std::size_t best = 0;
   for (std::size_t i = 1; i < scores.size(); ++i) {
     if (scores[i] < scores[best] || (std::isnan(scores[best]) && !std::isnan(scores[i]))) {
@@ -220,41 +222,46 @@ std::size_t best_of(std::span<const double> scores) {
   return best;
 }
 
-Chosen<SvmParameters> choose_parameters(const TrainingSet& set, std::span<const SvmParameters> grid,
-                                        std::span<const int> fold, const Score& score) {
+TunedParameters<SvmParameters> choose_parameters(const TrainingSet& set,
+                                                 std::span<const SvmParameters> grid,
+                                                 std::span<const int> fold,
+                                                 const LossFunction& score) {
   return choose_by_halving(set, grid, fold, score);
 }
 
-Chosen<KnnParameters> choose_parameters(const TrainingSet& set, std::span<const KnnParameters> grid,
-                                        std::span<const int> fold, const Score& score) {
+TunedParameters<KnnParameters> choose_parameters(const TrainingSet& set,
+                                                 std::span<const KnnParameters> grid,
+                                                 std::span<const int> fold,
+                                                 const LossFunction& score) {
   check(set);
-  const std::vector<Split> splits = make_splits(set, fold);
+  const std::vector<FoldSplit> splits = make_fold_splits(set, fold);
   Choices choices = no_choices(set, grid.size());
-  in_parallel(splits.size(),
-              [&](std::size_t f) { choose_for_fold(set, grid, splits[f], choices); });
+  parallel_for(splits.size(),
+               [&](std::size_t f) { choose_for_fold(set, grid, splits[f], choices); });
   std::vector<double> scores;
   for (const std::vector<int>& row : choices) {
     scores.push_back(mean_score(row, fold, splits.size(), score));
   }
-  const std::size_t best = best_of(scores);
+  const std::size_t best = argmin(scores);
   return {grid[best], scores[best]};
 }
 
-Chosen<PairwiseParameters> choose_parameters(const TrainingSet& set,
-                                             std::span<const PairwiseParameters> grid,
-                                             std::span<const int> fold, const Score& score) {
+TunedParameters<PairwiseParameters> choose_parameters(const TrainingSet& set,
+                                                      std::span<const PairwiseParameters> grid,
+                                                      std::span<const int> fold,
+                                                      const LossFunction& score) {
   return choose_by_halving(set, grid, fold, score);
 }
 
 NetworkValidation validate_network(const TrainingSet& set, const NetworkParameters& parameters,
-                                   std::span<const int> fold, const Score& score) {
+                                   std::span<const int> fold, const LossFunction& score) {
   check(set);
-  const std::vector<Split> splits = make_splits(set, fold);
+  const std::vector<FoldSplit> splits = make_fold_splits(set, fold);
   std::vector<int> choices(set.label.size());
   double excess = 0;
   double held_out = 0;
-  for (const Split& split : splits) {
-    const NetworkModel model = fit_network(split.others, parameters);
+  for (const FoldSplit& split : splits) {
+    const NetworkModel model = fit_network(split.training, parameters);
     for (const int i : split.held_out) {
       choices[static_cast<std::size_t>(i)] =
           candidates(model, set.point(i), set.allowed_clips(i), set.idle).front().clip;

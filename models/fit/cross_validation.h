@@ -16,12 +16,12 @@ namespace flinch::models {
 
 /// What choosing clip `chosen` for observation number `observation` of the set costs; lower is
 /// better. Called by one thread, in order.
-using Score = std::function<double(int observation, int chosen)>;
+using LossFunction = std::function<double(int observation, int chosen)>;
 
 /// Deals observations to folds: the fold of each, in [0, fold_count). Stratified: the folds' shares
 /// of each label differ by one at most, and so do their sizes. The same everywhere for the same
 /// labels, count and seed. Throws Error unless 2 <= fold_count <= number of observations.
-std::vector<int> make_folds(std::span<const int> label, int fold_count, std::uint64_t seed);
+std::vector<int> assign_folds(std::span<const int> label, int fold_count, std::uint64_t seed);
 
 /// An observation that is never held out, as its fold.
 inline constexpr int kNeverHeldOut = -1;
@@ -29,10 +29,10 @@ inline constexpr int kNeverHeldOut = -1;
 /// The folds from the first that hold 1500 observations together, or all of them where none do; the
 /// other observations become kNeverHeldOut. So many tell parameters apart, and a model that takes
 /// long to fit is fitted a few times less.
-std::vector<int> enough_folds(std::span<const int> fold);
+std::vector<int> limit_folds(std::span<const int> fold);
 
 /// Index of the least, the first of equals. Not a number is never least; `scores` is not empty.
-std::size_t best_of(std::span<const double> scores);
+std::size_t argmin(std::span<const double> scores);
 
 /// The parameters of the grid with the least mean score, the first of equals; `fold` has each
 /// observation's, and the score is of what models that were not fitted to an observation choose
@@ -41,17 +41,22 @@ std::size_t best_of(std::span<const double> scores);
 /// of them to all folds, so that the least is that of those three. Parallel by OpenMP; the result
 /// does not depend on the number of threads.
 template <typename Parameters>
-struct Chosen {
+struct TunedParameters {
   Parameters parameters;
   double mean_score = 0;
 };
-Chosen<SvmParameters> choose_parameters(const TrainingSet& set, std::span<const SvmParameters> grid,
-                                        std::span<const int> fold, const Score& score);
-Chosen<KnnParameters> choose_parameters(const TrainingSet& set, std::span<const KnnParameters> grid,
-                                        std::span<const int> fold, const Score& score);
-Chosen<PairwiseParameters> choose_parameters(const TrainingSet& set,
-                                             std::span<const PairwiseParameters> grid,
-                                             std::span<const int> fold, const Score& score);
+TunedParameters<SvmParameters> choose_parameters(const TrainingSet& set,
+                                                 std::span<const SvmParameters> grid,
+                                                 std::span<const int> fold,
+                                                 const LossFunction& score);
+TunedParameters<KnnParameters> choose_parameters(const TrainingSet& set,
+                                                 std::span<const KnnParameters> grid,
+                                                 std::span<const int> fold,
+                                                 const LossFunction& score);
+TunedParameters<PairwiseParameters> choose_parameters(const TrainingSet& set,
+                                                      std::span<const PairwiseParameters> grid,
+                                                      std::span<const int> fold,
+                                                      const LossFunction& score);
 
 /// How networks of these parameters do on observations that they were not fitted to: the mean score
 /// of what they choose, and the variance that expected costs lack there, as cost_variance_ns()
@@ -61,6 +66,6 @@ struct NetworkValidation {
   double variance_ns = 0;
 };
 NetworkValidation validate_network(const TrainingSet& set, const NetworkParameters& parameters,
-                                   std::span<const int> fold, const Score& score);
+                                   std::span<const int> fold, const LossFunction& score);
 
 }  // namespace flinch::models

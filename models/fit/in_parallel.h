@@ -9,7 +9,7 @@ namespace flinch::models {
 
 /// Runs task(0), …, task(count - 1) on OpenMP's threads, and throws what the first of them threw.
 template <typename Task>
-void in_parallel(std::size_t count, const Task& task) {
+void parallel_for(std::size_t count, const Task& task) {
   std::vector<std::exception_ptr> thrown(count);
 #pragma omp parallel for schedule(dynamic)
   for (std::size_t i = 0; i < count; ++i) {

@@ -51,12 +51,12 @@ namespace {
 void keep_costs(const TrainingSet& set, KnnModel& model) {
   check_costs(set);
   constexpr double kSteps = KnnModel::kUntried - 1;
-  double most = 0;
+  double max_cost = 0;
   for (const float cost : set.cost) {
-    most = std::isfinite(cost) ? std::max(most, double{cost}) : most;
+    max_cost = std::isfinite(cost) ? std::max(max_cost, double{cost}) : max_cost;
   }
   model.clip_count = static_cast<int>(set.clip_count());
-  model.cost_step_ns = most > 0 ? static_cast<float>(most / kSteps) : 1.0F;
+  model.cost_step_ns = max_cost > 0 ? static_cast<float>(max_cost / kSteps) : 1.0F;
   for (const float cost : set.cost) {
     const double steps = std::round(double{cost} / double{model.cost_step_ns});
     model.cost.push_back(std::isfinite(cost) ? static_cast<std::uint16_t>(std::min(steps, kSteps))
@@ -80,7 +80,7 @@ KnnModel fit_knn(const TrainingSet& set, const KnnParameters& parameters) {
   if (parameters.vote == KnnVote::cost) {
     keep_costs(set, model);
   }
-  index(model);
+  build_leaves(model);
   return model;
 }
 
@@ -116,13 +116,13 @@ std::vector<Neighbour> NeighbourIndex::nearest(std::span<const double> scaled, i
   if (tree_ == nullptr || k < 1) {
     return {};
   }
-  const std::size_t most = std::min(static_cast<std::size_t>(k), tree_->matrix.rows);
+  const std::size_t max_count = std::min(static_cast<std::size_t>(k), tree_->matrix.rows);
   const std::vector<float> coordinates = to_floats(scaled);
   std::vector<double> query(coordinates.begin(), coordinates.end());
   const flann::Matrix<double> queries(query.data(), 1, query.size());
   std::vector<std::vector<std::size_t>> indices;
   std::vector<std::vector<double>> distances;
-  tree_->index.knnSearch(queries, indices, distances, most, exact_search());
+  tree_->index.knnSearch(queries, indices, distances, max_count, exact_search());
   const auto reach = static_cast<float>(distances[0].back() * (1 + 1e-4) + 1e-12);
   tree_->index.radiusSearch(queries, indices, distances, reach, exact_search());
 
@@ -131,8 +131,8 @@ std::vector<Neighbour> NeighbourIndex::nearest(std::span<const double> scaled, i
     found.push_back({static_cast<int>(index),
                      squared_distance(coordinates, &tree_->floats[index * query.size()])});
   }
-  std::sort(found.begin(), found.end(), nearer);
-  found.resize(std::min(found.size(), most));
+  std::sort(found.begin(), found.end(), is_nearer);
+  found.resize(std::min(found.size(), max_count));
   return found;
 }
 

@@ -69,21 +69,21 @@ NetworkBatch make_batch(const TrainingSet& set, const NetworkModel& model) {
                    network_input);
   }
   batch.targets = MatrixXf::Zero(static_cast<Eigen::Index>(model.clip.size()), set.size());
-  batch.shares = batch.targets;
+  batch.loss_weights = batch.targets;
   for_each_trial(set, model.clip, [&](Eigen::Index output, Eigen::Index i, double cost) {
     const auto root = static_cast<float>(std::sqrt(std::max(cost, 0.0)));
     batch.targets(output, i) = (root - model.mean_root) / model.scale_root;
-    batch.shares(output, i) = 1;
+    batch.loss_weights(output, i) = 1;
   });
-  for (Eigen::Index i = 0; i < batch.shares.cols(); ++i) {
-    batch.shares.col(i) /= std::max(batch.shares.col(i).sum(), 1.0F);
+  for (Eigen::Index i = 0; i < batch.loss_weights.cols(); ++i) {
+    batch.loss_weights.col(i) /= std::max(batch.loss_weights.col(i).sum(), 1.0F);
   }
   return batch;
 }
 
 /// Normal weights whose variance keeps that of the answers from layer to layer (He et al. 2015),
 /// the output's a third of it, so that all clips begin near the mean; no biases.
-VectorXf first_weights(const NetworkShape& shape, features::Random& random) {
+VectorXf initial_weights(const NetworkShape& shape, features::Random& random) {
   VectorXf weights = VectorXf::Zero(static_cast<Eigen::Index>(shape.weight_count()));
   const auto draw = [&](std::size_t first, std::size_t count, double deviation) {
     for (std::size_t i = first; i < first + count; ++i) {
@@ -126,14 +126,14 @@ class AdamW {
 
 NetworkBatch columns(const NetworkBatch& all, std::span<const int> chosen) {
   return {all.inputs(Eigen::all, chosen), all.targets(Eigen::all, chosen),
-          all.shares(Eigen::all, chosen)};
+          all.loss_weights(Eigen::all, chosen)};
 }
 
 VectorXf fit_member(const NetworkShape& shape, const NetworkBatch& all,
                     const NetworkParameters& parameters, std::size_t member) {
   constexpr double kFirstRate = 3e-3;
-  features::Random random(parameters.seed, features::Purpose::fitting, member);
-  VectorXf weights = first_weights(shape, random);
+  features::Random random(parameters.seed, features::RandomStream::fitting, member);
+  VectorXf weights = initial_weights(shape, random);
   VectorXf gradient;
   AdamW adam(weights.size(), parameters.weight_decay);
   std::vector<int> order(static_cast<std::size_t>(all.inputs.cols()));
@@ -171,9 +171,9 @@ NetworkModel fit_network(const TrainingSet& set, const NetworkParameters& parame
   const NetworkShape shape = model.shape();
   const NetworkBatch all = make_batch(set, model);
   model.weights.resize(shape.weight_count() * static_cast<std::size_t>(parameters.member_count));
-  in_parallel(static_cast<std::size_t>(parameters.member_count), [&](std::size_t member) {
+  parallel_for(static_cast<std::size_t>(parameters.member_count), [&](std::size_t member) {
     const VectorXf weights = fit_member(shape, all, parameters, member);
-    if (!(weights.cwiseAbs().maxCoeff() <= kMostNetworkWeight)) {
+    if (!(weights.cwiseAbs().maxCoeff() <= kMaxNetworkWeight)) {
       throw Error("", "the network's weights do not settle; look for costs beyond all measure");
     }
     std::copy(weights.begin(), weights.end(),

@@ -24,12 +24,12 @@ struct Layers {
 using Weights = Layers<const MatrixXf, const VectorXf, const float>;
 using Gradient = Layers<MatrixXf, VectorXf, float>;
 
-struct Answers {
+struct Activations {
   MatrixXf first, second, output;
 };
 
-Answers answers(const Weights& layers, const MatrixXf& inputs) {
-  Answers a;
+Activations forward_pass(const Weights& layers, const MatrixXf& inputs) {
+  Activations a;
   a.first = ((layers.first * inputs).colwise() + layers.first_biases).cwiseMax(0.0F);
   a.second = ((layers.second * a.first).colwise() + layers.second_biases).cwiseMax(0.0F);
   a.output = (layers.output.transpose() * a.second).colwise() + layers.output_biases;
@@ -37,8 +37,8 @@ Answers answers(const Weights& layers, const MatrixXf& inputs) {
 }
 
 /// Passes on what comes back to units that answered above 0.
-MatrixXf through_units(const MatrixXf& errors, const MatrixXf& unit_answers) {
-  return (unit_answers.array() > 0).select(errors, 0.0F);
+MatrixXf relu_gradient(const MatrixXf& errors, const MatrixXf& unit_outputs) {
+  return (unit_outputs.array() > 0).select(errors, 0.0F);
 }
 
 }  // namespace
@@ -50,24 +50,24 @@ float network_loss(const NetworkShape& shape, const NetworkBatch& batch, const V
   const Weights layers(shape, weights.data());
   gradient.resize(weights.size());
   Gradient by(shape, gradient.data());
-  const Answers a = answers(layers, batch.inputs);
+  const Activations a = forward_pass(layers, batch.inputs);
   const MatrixXf difference = a.output - batch.targets;
   const auto count = static_cast<float>(batch.inputs.cols());
-  const MatrixXf output_errors = difference.cwiseProduct(batch.shares) / count;
+  const MatrixXf output_errors = difference.cwiseProduct(batch.loss_weights) / count;
   by.output.noalias() = a.second * output_errors.transpose();
   by.output_biases = output_errors.rowwise().sum();
-  const MatrixXf second_errors = through_units(layers.output * output_errors, a.second);
+  const MatrixXf second_errors = relu_gradient(layers.output * output_errors, a.second);
   by.second.noalias() = second_errors * a.first.transpose();
   by.second_biases = second_errors.rowwise().sum();
-  const MatrixXf first_errors = through_units(layers.second.transpose() * second_errors, a.first);
+  const MatrixXf first_errors = relu_gradient(layers.second.transpose() * second_errors, a.first);
   by.first.noalias() = first_errors * batch.inputs.transpose();
   by.first_biases = first_errors.rowwise().sum();
   return difference.cwiseProduct(output_errors).sum() / 2;
 }
 
-MatrixXf network_answers(const NetworkShape& shape, const MatrixXf& inputs,
+MatrixXf network_outputs(const NetworkShape& shape, const MatrixXf& inputs,
                          const VectorXf& weights) {
-  return answers(Weights(shape, weights.data()), inputs).output;
+  return forward_pass(Weights(shape, weights.data()), inputs).output;
 }
 
 }  // namespace flinch::models

@@ -11,7 +11,8 @@ namespace flinch::models {
 struct NetworkBatch {
   Eigen::MatrixXf inputs;   ///< feature_count rows
   Eigen::MatrixXf targets;  ///< output_count rows; 0 where the clip was not tried
-  Eigen::MatrixXf shares;   ///< 1 / number of clips tried on the observation, or 0 where it was not
+  Eigen::MatrixXf
+      loss_weights;  ///< 1 / number of clips tried on the observation, or 0 where it was not
 };
 
 /// The loss of one member on the batch, the mean over observations of the mean over the clips tried
@@ -21,7 +22,7 @@ float network_loss(const NetworkShape& shape, const NetworkBatch& batch,
                    const Eigen::VectorXf& weights, Eigen::VectorXf& gradient);
 
 /// What the member answers, one column an observation.
-Eigen::MatrixXf network_answers(const NetworkShape& shape, const Eigen::MatrixXf& inputs,
+Eigen::MatrixXf network_outputs(const NetworkShape& shape, const Eigen::MatrixXf& inputs,
                                 const Eigen::VectorXf& weights);
 
 }  // namespace flinch::models

@@ -18,10 +18,10 @@ constexpr std::uint64_t kSeed = 1;  // of the order in which examples are visite
 /// Not settled where many examples are at odds, but three times as many passes take 1.6 times as
 /// long for a held-out regret of 0.173 instead of 0.173 N s on an authored library, and 0.182
 /// instead of 0.190 on motion capture.
-constexpr DescentLimits kLimits{.pass_count = 10};
+constexpr DescentOptions kLimits{.pass_count = 10};
 
 /// Less than this share of what it costs makes no difference.
-constexpr float kLeastShare = 0.05F;
+constexpr float kMinShare = 0.05F;
 
 void check_parameters(const PairwiseParameters& parameters) {
   const auto works = [](double value) { return value > 0 && std::isfinite(value); };
@@ -44,33 +44,36 @@ double mean_cost(const TrainingSet& set) {
 
 /// What one clip cost on each observation, in units of the mean cost: infinity where it was not
 /// tried.
-struct Trials {
+struct ClipTrials {
   std::vector<float> cost;
   std::vector<float> share;  ///< exp(-(cost - least) / nearness); 0 where it was not tried
 };
 
-std::vector<Trials> trials_of(const TrainingSet& set, std::span<const int> clips, double nearness) {
+std::vector<ClipTrials> clip_trials_of(const TrainingSet& set, std::span<const int> clips,
+                                       double nearness) {
   const double unit = mean_cost(set);
-  std::vector<Trials> trials(clips.size());
+  std::vector<ClipTrials> trials(clips.size());
   for (int i = 0; i < set.size(); ++i) {
     const std::span<const float> costs = set.costs(i);
-    const double least = double{*std::min_element(costs.begin(), costs.end())};
+    const double min_cost = double{*std::min_element(costs.begin(), costs.end())};
     for (std::size_t c = 0; c < clips.size(); ++c) {
       const auto cost = double{costs[static_cast<std::size_t>(clips[c])]};
       trials[c].cost.push_back(static_cast<float>(cost / unit));
-      trials[c].share.push_back(static_cast<float>(std::exp((least - cost) / (unit * nearness))));
+      trials[c].share.push_back(
+          static_cast<float>(std::exp((min_cost - cost) / (unit * nearness))));
     }
   }
   return trials;
 }
 
 /// Who was cheaper, where both were tried and it mattered.
-std::vector<WeightedExample> examples_of(const Trials& first, const Trials& second, double c) {
+std::vector<WeightedExample> examples_of(const ClipTrials& first, const ClipTrials& second,
+                                         double c) {
   std::vector<WeightedExample> examples;
   for (std::size_t i = 0; i < first.cost.size(); ++i) {
     const float share = std::max(first.share[i], second.share[i]);
     const float more = second.cost[i] - first.cost[i];
-    if (share >= kLeastShare && std::isfinite(more) && more != 0) {
+    if (share >= kMinShare && std::isfinite(more) && more != 0) {
       examples.push_back({.row = static_cast<int>(i),
                           .sign = more > 0 ? 1.0F : -1.0F,
                           .bound = static_cast<float>(c) * share * std::abs(more)});
@@ -100,7 +103,7 @@ std::vector<std::int16_t> whole_numbers(const Eigen::VectorXf& weights) {
     return {};
   }
   // Rounding adds a half to each at the most.
-  const double room = PairwiseModel::kMostWeightSum - static_cast<double>(exact.size());
+  const double room = PairwiseModel::kMaxWeightSum - static_cast<double>(exact.size());
   const double scale = std::min(room / exact.lpNorm<1>(), 0x7FFF / exact.lpNorm<Eigen::Infinity>());
   std::vector<std::int16_t> whole;
   for (const double weight : exact) {
@@ -122,7 +125,7 @@ PairwiseModel fit_pairwise(const TrainingSet& set, const PairwiseParameters& par
   PairwiseModel model;
   model.feature_count = set.feature_count;
   model.clip = tried_clips(set);
-  const std::vector<Trials> trials = trials_of(set, model.clip, parameters.nearness);
+  const std::vector<ClipTrials> trials = clip_trials_of(set, model.clip, parameters.nearness);
   const FeatureRows rows = expanded(set);
   std::vector<std::pair<std::size_t, std::size_t>> pairs;
   for (std::size_t a = 0; a < model.clip.size(); ++a) {
@@ -131,10 +134,10 @@ PairwiseModel fit_pairwise(const TrainingSet& set, const PairwiseParameters& par
     }
   }
   std::vector<std::vector<std::int16_t>> weights(pairs.size());
-  in_parallel(pairs.size(), [&](std::size_t pair) {
+  parallel_for(pairs.size(), [&](std::size_t pair) {
     const auto [a, b] = pairs[pair];
     const auto examples = examples_of(trials[a], trials[b], parameters.c);
-    const features::Random random(kSeed, features::Purpose::fitting, pair);
+    const features::Random random(kSeed, features::RandomStream::fitting, pair);
     weights[pair] = whole_numbers(fit_weighted_svm(rows, examples, kLimits, random).weights);
   });
   int machines = 0;

@@ -6,16 +6,16 @@
 
 namespace flinch::models {
 
-std::vector<Split> make_splits(const TrainingSet& set, std::span<const int> fold) {
+std::vector<FoldSplit> make_fold_splits(const TrainingSet& set, std::span<const int> fold) {
   const int count = fold.empty() ? 0 : *std::max_element(fold.begin(), fold.end()) + 1;
-  std::vector<Split> splits(static_cast<std::size_t>(count));
+  std::vector<FoldSplit> splits(static_cast<std::size_t>(count));
   for (int f = 0; f < count; ++f) {
     std::vector<int> others;
-    Split& split = splits[static_cast<std::size_t>(f)];
+    FoldSplit& split = splits[static_cast<std::size_t>(f)];
     for (int i = 0; i < set.size(); ++i) {
       (fold[static_cast<std::size_t>(i)] == f ? split.held_out : others).push_back(i);
     }
-    split.others = subset(set, others);
+    split.training = subset(set, others);
   }
   return splits;
 }

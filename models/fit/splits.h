@@ -9,12 +9,12 @@
 namespace flinch::models {
 
 /// One fold: the observations that it holds out, and a model's training set of all the others.
-struct Split {
+struct FoldSplit {
   std::vector<int> held_out;
-  TrainingSet others;
+  TrainingSet training;
 };
 
 /// One a fold; `fold` has each observation's, below 0 where it is among the others of all.
-std::vector<Split> make_splits(const TrainingSet& set, std::span<const int> fold);
+std::vector<FoldSplit> make_fold_splits(const TrainingSet& set, std::span<const int> fold);
 
 }  // namespace flinch::models

@@ -53,7 +53,7 @@ std::vector<PairSolution> solve(const std::vector<Class>& classes, int feature_c
     for (std::size_t j = i + 1; j < classes.size(); ++j) pairs.emplace_back(i, j);
   }
   std::vector<PairSolution> solutions(pairs.size());
-  in_parallel(pairs.size(), [&](std::size_t p) {
+  parallel_for(pairs.size(), [&](std::size_t p) {
     const Class& first = classes[pairs[p].first];
     const Class& second = classes[pairs[p].second];
     solutions[p] = fit_pair(
@@ -181,7 +181,7 @@ SvmModel make_svm_model(const SvmParameters& parameters, std::vector<int> label,
       model.machines.push_back(machine);
     }
   }
-  complete(model);
+  update_derived(model);
   return model;
 }
 

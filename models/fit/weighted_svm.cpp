@@ -14,8 +14,8 @@ constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 /// The least and the largest projected gradient of a pass.
 struct GradientRange {
-  float least = kInfinity;
-  float most = -kInfinity;
+  float min = kInfinity;
+  float max = -kInfinity;
 };
 
 // The dual of the problem: minimise |u|^2 / 2 - sum of a over the multipliers a in [0, bound],
@@ -39,18 +39,18 @@ class Descent {
     }
   }
 
-  LinearMachine run(const DescentLimits& limits) {
+  LinearMachine run(const DescentOptions& limits) {
     GradientRange last{-kInfinity, kInfinity};
     for (int pass = 0; pass < limits.pass_count; ++pass) {
       const GradientRange seen = visit_active(last);
-      const bool is_settled = seen.most - seen.least <= limits.tolerance;
+      const bool is_settled = seen.max - seen.min <= limits.tolerance;
       if (is_settled && active_ == order_.size()) break;
       if (is_settled) {
         active_ = order_.size();
       }
       // What shrinking goes by in the next pass (their section 3.2): nothing after a settled one.
-      last.most = is_settled || seen.most <= 0 ? kInfinity : seen.most;
-      last.least = is_settled || seen.least >= 0 ? -kInfinity : seen.least;
+      last.max = is_settled || seen.max <= 0 ? kInfinity : seen.max;
+      last.min = is_settled || seen.min >= 0 ? -kInfinity : seen.min;
     }
     return std::move(machine_);
   }
@@ -66,13 +66,13 @@ class Descent {
       const float gradient = gradient_of(example);
       const bool at_zero = machine_.multipliers[example] <= 0;
       const bool at_bound = machine_.multipliers[example] >= examples_[example].bound;
-      if ((at_zero && gradient > last.most) || (at_bound && gradient < last.least)) {
+      if ((at_zero && gradient > last.max) || (at_bound && gradient < last.min)) {
         std::swap(order_[place], order_[--active_]);
         continue;
       }
       const bool is_held = (at_zero && gradient > 0) || (at_bound && gradient < 0);
-      range.least = std::min(range.least, is_held ? 0.0F : gradient);
-      range.most = std::max(range.most, is_held ? 0.0F : gradient);
+      range.min = std::min(range.min, is_held ? 0.0F : gradient);
+      range.max = std::max(range.max, is_held ? 0.0F : gradient);
       if (!is_held) {
         step(example, gradient);
       }
@@ -107,7 +107,7 @@ class Descent {
 
 LinearMachine fit_weighted_svm(const FeatureRows& features,
                                std::span<const WeightedExample> examples,
-                               const DescentLimits& limits, features::Random random) {
+                               const DescentOptions& limits, features::Random random) {
   return Descent(features, examples, random).run(limits);
 }
 

@@ -20,7 +20,7 @@ struct WeightedExample {
   float bound = 1;  ///< C times its weight, above 0: what its hinge loss counts
 };
 
-struct DescentLimits {
+struct DescentOptions {
   int pass_count = 30;     ///< over the examples, at the most
   float tolerance = 0.1F;  ///< of the projected gradients, largest minus least
 };
@@ -38,6 +38,6 @@ struct LinearMachine {
 /// order drawn from `random`: same examples, same numbers, same bits. Rows are finite and not zero.
 LinearMachine fit_weighted_svm(const FeatureRows& features,
                                std::span<const WeightedExample> examples,
-                               const DescentLimits& limits, features::Random random);
+                               const DescentOptions& limits, features::Random random);
 
 }  // namespace flinch::models

@@ -13,12 +13,12 @@ namespace flinch::runtime {
 
 /// What every C handle begins with: says what it is, so that a wrong one is noticed. A handle has a
 /// `kMark` of its kind and a smart pointer `content` to what it stands for.
-struct Tag {
-  explicit Tag(std::uint32_t mark_of_kind) : mark(mark_of_kind) {}
+struct HandleHeader {
+  explicit HandleHeader(std::uint32_t mark_of_kind) : mark(mark_of_kind) {}
 
   std::uint32_t mark;
 #ifdef FLINCH_CHECK_HANDLES
-  Tag* next_freed = nullptr;
+  HandleHeader* next_freed = nullptr;
 #endif
 };
 
@@ -32,8 +32,8 @@ flinch_status check_handle(const Handle* handle) {
 /// Marks a handle as freed and keeps it, without its content, so that it can be told from others
 /// for as long as the program runs. The list is for leak checkers, and for any number of threads.
 template <class Handle>
-void give_back(Handle* handle) {
-  static std::atomic<Tag*> freed{nullptr};
+void release_handle(Handle* handle) {
+  static std::atomic<HandleHeader*> freed{nullptr};
   handle->content.reset();
   handle->mark = 0;
   handle->next_freed = freed.load();
@@ -42,7 +42,7 @@ void give_back(Handle* handle) {
 }
 #else
 template <class Handle>
-void give_back(Handle* handle) {
+void release_handle(Handle* handle) {
   delete handle;
 }
 #endif
@@ -51,7 +51,7 @@ template <class Handle>
 flinch_status free_handle(Handle* handle) {
   if (handle == nullptr) return FLINCH_OK;
   const flinch_status status = check_handle(handle);
-  if (status == FLINCH_OK) give_back(handle);
+  if (status == FLINCH_OK) release_handle(handle);
   return status;
 }
 

@@ -12,15 +12,15 @@ namespace flinch::runtime {
 
 /// The least size of a C struct: that of its first version, or what cannot be left out.
 template <class T>
-inline constexpr std::size_t kLeastSize = sizeof(T);
+inline constexpr std::size_t kMinSize = sizeof(T);
 template <>
-inline constexpr std::size_t kLeastSize<flinch_threat> = offsetof(flinch_threat, radius);
+inline constexpr std::size_t kMinSize<flinch_threat> = offsetof(flinch_threat, radius);
 
 template <class T>
 flinch_status check_struct(const T* value) {
   static_assert(std::is_trivially_copyable_v<T> && offsetof(T, size) == 0);
   if (value == nullptr) return FLINCH_NULL_POINTER;
-  const bool fits = value->size >= kLeastSize<T> && value->size <= sizeof(T) &&
+  const bool fits = value->size >= kMinSize<T> && value->size <= sizeof(T) &&
                     value->size % alignof(std::uint32_t) == 0;
   return fits ? FLINCH_OK : FLINCH_BAD_SIZE;
 }

@@ -26,7 +26,7 @@ void write(float (&to)[4], const Eigen::Quaternionf& from) {
 
 // The C enumerations are ours, in other words.
 static_assert(FLINCH_JOINT_COUNT == motion::kRoleCount);
-static_assert(FLINCH_MOST_CANDIDATES == Character::kMostCandidates);
+static_assert(FLINCH_MOST_CANDIDATES == Character::kMaxCandidates);
 static_assert(FLINCH_LEGS == static_cast<int>(motion::Target::legs));
 static_assert(FLINCH_RETURNING == static_cast<int>(Phase::returning));
 

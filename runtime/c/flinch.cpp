@@ -28,26 +28,26 @@ using runtime::write_struct;
 // A library is shared by its handle and all that was made from it.
 using SharedLibrary = std::shared_ptr<const runtime::Library>;
 
-struct flinch_library : runtime::Tag {
+struct flinch_library : runtime::HandleHeader {
   static constexpr std::uint32_t kMark = 0xF11C0001;
-  explicit flinch_library(SharedLibrary loaded) : Tag(kMark), content(std::move(loaded)) {}
+  explicit flinch_library(SharedLibrary loaded) : HandleHeader(kMark), content(std::move(loaded)) {}
 
   SharedLibrary content;
 };
 
-struct flinch_workspace : runtime::Tag {
+struct flinch_workspace : runtime::HandleHeader {
   static constexpr std::uint32_t kMark = 0xF11C0002;
   struct Content {
     SharedLibrary library;
     runtime::Workspace workspace;
   };
   explicit flinch_workspace(Content made)
-      : Tag(kMark), content(std::make_unique<Content>(std::move(made))) {}
+      : HandleHeader(kMark), content(std::make_unique<Content>(std::move(made))) {}
 
   std::unique_ptr<Content> content;
 };
 
-struct flinch_character : runtime::Tag {
+struct flinch_character : runtime::HandleHeader {
   static constexpr std::uint32_t kMark = 0xF11C0003;
   struct Content {
     SharedLibrary library;
@@ -55,7 +55,7 @@ struct flinch_character : runtime::Tag {
   };
   static_assert(sizeof(Content) <= std::size_t{16} * 1024);
   explicit flinch_character(Content made)
-      : Tag(kMark), content(std::make_unique<Content>(std::move(made))) {}
+      : HandleHeader(kMark), content(std::make_unique<Content>(std::move(made))) {}
 
   std::unique_ptr<Content> content;
 };
@@ -64,7 +64,7 @@ namespace {
 
 template <class T>
 flinch_status check_one(const T* argument) {
-  if constexpr (std::is_base_of_v<runtime::Tag, T>) {
+  if constexpr (std::is_base_of_v<runtime::HandleHeader, T>) {
     return runtime::check_handle(argument);
   } else {
     return runtime::check_struct(argument);
@@ -102,7 +102,7 @@ flinch_status load(const Source& source, flinch_library** out) try {
 }
 
 const motion::Clip& clip_at(const flinch_library& library, std::int32_t index) {
-  return library.content->clips().clips[static_cast<std::size_t>(index)];
+  return library.content->clip_library().clips[static_cast<std::size_t>(index)];
 }
 
 }  // namespace
@@ -132,7 +132,7 @@ flinch_status flinch_library_free(flinch_library* library) {
 
 flinch_status flinch_library_describe(const flinch_library* library, flinch_library_info* out) {
   if (const flinch_status status = check(library, out)) return status;
-  const flinch::database::Library& clips = library->content->clips();
+  const flinch::database::ClipLibrary& clips = library->content->clip_library();
   write_struct(*out,
                flinch_library_info{.size = 0,
                                    .clip_count = static_cast<std::int32_t>(clips.clips.size()),
@@ -144,13 +144,13 @@ flinch_status flinch_library_describe(const flinch_library* library, flinch_libr
 
 flinch_status flinch_library_skeleton(const flinch_library* library, flinch_skeleton* out) {
   if (const flinch_status status = check(library, out)) return status;
-  write_struct(*out, to_c(library->content->clips().character.skeleton));
+  write_struct(*out, to_c(library->content->clip_library().character.skeleton));
   return FLINCH_OK;
 }
 
 flinch_status flinch_library_clip(const flinch_library* library, int32_t index, flinch_clip* out) {
   if (const flinch_status status = check(library, out)) return status;
-  if (!is_index(index, library->content->clips().clips.size())) return FLINCH_BAD_INDEX;
+  if (!is_index(index, library->content->clip_library().clips.size())) return FLINCH_BAD_INDEX;
   write_struct(*out, to_c(clip_at(*library, index)));
   return FLINCH_OK;
 }
@@ -160,7 +160,7 @@ flinch_status flinch_library_joint_frames(const flinch_library* library, const f
   if (const flinch_status status = check(library, pose, out)) return status;
   const motion::Pose given = runtime::pose_of(*pose);
   if (!runtime::is_usable(given)) return FLINCH_BAD_POSE;
-  const motion::Skeleton& skeleton = library->content->clips().character.skeleton;
+  const motion::Skeleton& skeleton = library->content->clip_library().character.skeleton;
   write_struct(*out, to_c(motion::forward_kinematics(skeleton, given)));
   return FLINCH_OK;
 }
@@ -171,7 +171,7 @@ flinch_status flinch_workspace_create(const flinch_library* library, flinch_work
   if (const flinch_status status = check(library)) return status;
   flinch_workspace::Content content{library->content, {}};
   const std::size_t bytes = library->content->selection_bytes();
-  const flinch_status status = status_of(content.workspace.make_room(bytes));
+  const flinch_status status = status_of(content.workspace.reserve_memory(bytes));
   if (status != FLINCH_OK) return status;
   return make_handle(out, [&] { return std::move(content); });
 }
@@ -199,10 +199,10 @@ flinch_status flinch_character_place(flinch_character* character, float x, float
   return status_of(character->content->character.place({x, y}, facing, idle_time_s));
 }
 
-flinch_status flinch_character_stand_in(flinch_character* character, const flinch_pose* before,
+flinch_status flinch_character_set_pose(flinch_character* character, const flinch_pose* before,
                                         const flinch_pose* now, float dt_s) {
   if (const flinch_status status = check(character, before, now)) return status;
-  return status_of(character->content->character.stand_in(runtime::pose_of(*before),
+  return status_of(character->content->character.set_pose(runtime::pose_of(*before),
                                                           runtime::pose_of(*now), dt_s));
 }
 
@@ -223,7 +223,7 @@ flinch_status flinch_character_limit_perception(flinch_character* character,
 
 flinch_status flinch_human_limits(int32_t choices, flinch_perception_limits* out) {
   if (const flinch_status status = check(out)) return status;
-  write_struct(*out, to_c(runtime::human(choices)));
+  write_struct(*out, to_c(runtime::human_limits(choices)));
   return FLINCH_OK;
 }
 

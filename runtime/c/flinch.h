@@ -197,7 +197,7 @@ FLINCH_API flinch_status flinch_character_place(flinch_character* character, flo
  * least 1e-4) before, world. The next response starts there with these velocities. Ends any
  * response; call it in every frame before `perceive` for as long as the game moves the character
  * itself. */
-FLINCH_API flinch_status flinch_character_stand_in(flinch_character* character,
+FLINCH_API flinch_status flinch_character_set_pose(flinch_character* character,
                                                    const flinch_pose* before,
                                                    const flinch_pose* now, float dt_s);
 

@@ -12,17 +12,17 @@
 namespace flinch::runtime {
 namespace {
 
-using motion::FootPlace;
+using motion::FootPose;
 using motion::JointFrames;
 using motion::Role;
 using motion::Side;
 
-constexpr float kShortest = 0.05F;  // s, of a swing and of a stand between two
-constexpr float kOpening = 0.2F;    // s, in which weight is compared
+constexpr float kMinSwing_s = 0.05F;  // s, of a swing and of a stand between two
+constexpr float kOpening_s = 0.2F;    // s, in which weight is compared
 
 // Adds the swing that ends at `end_s`, or joins it to the last one.
 void close_swing(float begin_s, float end_s, std::vector<Swing>& swings) {
-  if (!swings.empty() && begin_s - swings.back().end_s < kShortest) {
+  if (!swings.empty() && begin_s - swings.back().end_s < kMinSwing_s) {
     swings.back().end_s = end_s;
   } else {
     swings.push_back({begin_s, end_s});
@@ -31,23 +31,23 @@ void close_swing(float begin_s, float end_s, std::vector<Swing>& swings) {
 
 float lowest_of(const std::vector<Eigen::Vector3f>& points, const Eigen::Vector3f& position,
                 const Eigen::Quaternionf& orientation) {
-  return position.z() + motion::lowest_point(points, orientation);
+  return position.z() + motion::min_height(points, orientation);
 }
 
 bool touches(const std::vector<Eigen::Vector3f>& points, const Eigen::Vector3f& position,
              const Eigen::Quaternionf& orientation) {
   const Eigen::Vector3f up = orientation.conjugate() * Eigen::Vector3f::UnitZ();
   return std::ranges::any_of(points, [&](const Eigen::Vector3f& point) {
-    return position.z() + up.dot(point) <= kStanding;
+    return position.z() + up.dot(point) <= kMaxStandingHeight_m;
   });
 }
 
-// Whether lowest_point is within kStanding of the ground: the first point that is will do, and most
-// often it is one of the foot's own.
+// Whether min_height is within kMaxStandingHeight_m of the ground: the first point that is will do,
+// and most often it is one of the foot's own.
 bool stands(const motion::Skeleton& skeleton, const Sole& sole, const motion::Pose& pose,
             Side side) {
   const Role toes = motion::roles_of(side).toes;
-  const FootPlace foot = foot_of(skeleton, pose, side);
+  const FootPose foot = foot_of(skeleton, pose, side);
   return touches(sole.foot, foot.ankle, foot.orientation) ||
          touches(sole.toes, foot.ankle + foot.orientation * skeleton.offset[toes],
                  foot.orientation * pose.rotation[toes]);
@@ -69,7 +69,8 @@ std::vector<Swing> swings_of(const motion::Skeleton& skeleton, const Sole& sole,
     }
   }
   if (left_ground_s) close_swing(*left_ground_s, motion.duration_s(), swings);
-  std::erase_if(swings, [](const Swing& swing) { return swing.end_s - swing.begin_s < kShortest; });
+  std::erase_if(swings,
+                [](const Swing& swing) { return swing.end_s - swing.begin_s < kMinSwing_s; });
   return swings;
 }
 
@@ -80,11 +81,11 @@ Side nearer_foot(const motion::Skeleton& skeleton, const motion::BodyModel& bodi
   for (std::size_t k = 0; k < motion.poses.size(); ++k) {
     const float time_s = static_cast<float>(k) / motion.rate_hz;
     if (time_s < onset_s) continue;
-    if (time_s > onset_s + kOpening) break;
+    if (time_s > onset_s + kOpening_s) break;
     const JointFrames frames = motion::forward_kinematics(skeleton, motion.poses[k]);
     const Eigen::Vector3f centre = motion::centre_of_mass(bodies, frames);
     const auto distance = [&](Side side) {
-      return (motion::foot_place(frames, side).ankle - centre).head<2>().norm();
+      return (motion::foot_pose(frames, side).ankle - centre).head<2>().norm();
     };
     nearer_to_left += distance(Side::right) - distance(Side::left);
   }
@@ -104,7 +105,7 @@ Sole make_sole(const motion::Skeleton& skeleton, Side side) {
   return {outline.foot, outline.toes, motion::convex_hull(std::move(points))};
 }
 
-std::span<const Role> roles_to_foot(Side side) {
+std::span<const Role> leg_chain(Side side) {
   static constexpr std::array kLeft{Role::pelvis, Role::left_thigh, Role::left_shin,
                                     Role::left_foot};
   static constexpr std::array kRight{Role::pelvis, Role::right_thigh, Role::right_shin,
@@ -112,23 +113,23 @@ std::span<const Role> roles_to_foot(Side side) {
   return side == Side::left ? kLeft : kRight;
 }
 
-FootPlace foot_of(const motion::Skeleton& skeleton, const motion::Pose& pose, Side side) {
-  FootPlace place{pose.root_position, pose.rotation[Role::pelvis]};
-  for (Role role : roles_to_foot(side).subspan(1)) {
+FootPose foot_of(const motion::Skeleton& skeleton, const motion::Pose& pose, Side side) {
+  FootPose place{pose.root_position, pose.rotation[Role::pelvis]};
+  for (Role role : leg_chain(side).subspan(1)) {
     place.ankle += place.orientation * skeleton.offset[role];
     place.orientation = place.orientation * pose.rotation[role];
   }
   return place;
 }
 
-float lowest_point(const Sole& sole, const motion::FootPlace& foot, const Eigen::Quaternionf& toes,
-                   const Eigen::Vector3f& toes_offset) {
+float min_height(const Sole& sole, const motion::FootPose& foot, const Eigen::Quaternionf& toes,
+                 const Eigen::Vector3f& toes_offset) {
   return std::min(
       lowest_of(sole.foot, foot.ankle, foot.orientation),
       lowest_of(sole.toes, foot.ankle + foot.orientation * toes_offset, foot.orientation * toes));
 }
 
-float lowest_point(const Sole& sole, const JointFrames& frames, Side side) {
+float min_height(const Sole& sole, const JointFrames& frames, Side side) {
   const motion::FootRoles roles = motion::roles_of(side);
   return std::min(
       lowest_of(sole.foot, frames.position[roles.foot], frames.orientation[roles.foot]),

@@ -35,20 +35,20 @@ struct Sole {
 Sole make_sole(const motion::Skeleton& skeleton, motion::Side side);
 
 /// The pelvis and the leg down to the foot, parents first: what places a foot.
-std::span<const motion::Role> roles_to_foot(motion::Side side);
+std::span<const motion::Role> leg_chain(motion::Side side);
 
 /// Ankle and orientation of one foot alone, world: cheaper than all joints.
-motion::FootPlace foot_of(const motion::Skeleton& skeleton, const motion::Pose& pose,
-                          motion::Side side);
+motion::FootPose foot_of(const motion::Skeleton& skeleton, const motion::Pose& pose,
+                         motion::Side side);
 
 /// Lowest point of a sole in the world, z, m, of a foot at this place whose toes are turned by
 /// `toes` against it. `toes_offset` is the skeleton's.
-float lowest_point(const Sole& sole, const motion::FootPlace& foot, const Eigen::Quaternionf& toes,
-                   const Eigen::Vector3f& toes_offset);
-float lowest_point(const Sole& sole, const motion::JointFrames& frames, motion::Side side);
+float min_height(const Sole& sole, const motion::FootPose& foot, const Eigen::Quaternionf& toes,
+                 const Eigen::Vector3f& toes_offset);
+float min_height(const Sole& sole, const motion::JointFrames& frames, motion::Side side);
 
 /// A foot stands where a point of its sole is within this of the ground, m.
-inline constexpr float kStanding = 0.008F;
+inline constexpr float kMaxStandingHeight_m = 0.008F;
 
 /// Works out the footwork of a clip, from its onset on; that of a clip without an annotation from
 /// its beginning. Swings shorter than 0.05 s are noise and left out, as are stands between swings.

@@ -3,22 +3,23 @@
 
 namespace flinch::runtime {
 
-PreparedLibrary prepare(const database::Library& library) {
+PreparedLibrary prepare(const database::ClipLibrary& library) {
   PreparedLibrary prepared;
   prepared.library = &library;
-  prepared.bodies = motion::make_body_model(library.character);
+  prepared.body_model = motion::make_body_model(library.character);
   const motion::Skeleton& skeleton = library.character.skeleton;
   for (motion::Side side : motion::kSides) {
     prepared.soles[motion::index_of(side)] = make_sole(skeleton, side);
   }
-  prepared.reach_m = features::make_swept_figure(skeleton, prepared.bodies).reach_m;
+  prepared.reach_m = features::make_collision_figure(skeleton, prepared.body_model).reach_m;
   const auto idle = static_cast<std::size_t>(library.idle);
   if (idle < library.clips.size() && !library.clips[idle].motion.poses.empty()) {
-    prepared.sway = features::sway_of(skeleton, prepared.bodies, library.clips[idle].motion);
+    prepared.motion_bounds =
+        features::motion_bounds_of(skeleton, prepared.body_model, library.clips[idle].motion);
   }
   prepared.footwork.reserve(library.clips.size());
   for (const motion::Clip& clip : library.clips) {
-    prepared.footwork.push_back(footwork_of(skeleton, prepared.bodies, prepared.soles, clip));
+    prepared.footwork.push_back(footwork_of(skeleton, prepared.body_model, prepared.soles, clip));
   }
   return prepared;
 }

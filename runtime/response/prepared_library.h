@@ -13,23 +13,23 @@ namespace flinch::runtime {
 /// A library with what responses need to know of it, worked out once. Refers to the library, which
 /// must outlive it and stay as it is. Immutable: any number of characters and threads share one.
 struct PreparedLibrary {
-  const database::Library* library = nullptr;
-  motion::BodyModel bodies;
+  const database::ClipLibrary* library = nullptr;
+  motion::BodyModel body_model;
   motion::PerSide<Sole> soles;
-  std::vector<Footwork> footwork;  ///< one a clip
-  features::Sway sway;             ///< of the idle clip
-  float reach_m = 0;               ///< see features::SweptFigure
+  std::vector<Footwork> footwork;        ///< one a clip
+  features::MotionBounds motion_bounds;  ///< of the idle clip
+  float reach_m = 0;                     ///< see features::CollisionFigure
 
   const motion::Skeleton& skeleton() const { return library->character.skeleton; }
   const motion::Clip& clip(int index) const {
     return library->clips[static_cast<std::size_t>(index)];
   }
   const motion::Motion& idle() const { return clip(library->idle).motion; }
-  features::SweptFigure figure() const { return {&skeleton(), &bodies, reach_m}; }
-  features::IdlingFigure idling() const { return {&skeleton(), &bodies, &idle()}; }
+  features::CollisionFigure figure() const { return {&skeleton(), &body_model, reach_m}; }
+  features::IdlingFigure idling() const { return {&skeleton(), &body_model, &idle()}; }
 };
 
 /// Prepares a library. Allocates; not for every frame.
-PreparedLibrary prepare(const database::Library& library);
+PreparedLibrary prepare(const database::ClipLibrary& library);
 
 }  // namespace flinch::runtime

@@ -11,41 +11,42 @@
 namespace flinch::runtime {
 namespace {
 
-using motion::FootPlace;
+using motion::FootPose;
 using motion::Side;
 
-constexpr float kShift = 0.3F;        // s, that a shift of weight takes where there is time
-constexpr float kLeastShift = 0.15F;  // s, that it takes at least
-constexpr float kShiftHome = 0.4F;    // s, before a step home
-constexpr float kUnshift = 0.45F;     // s, back
-constexpr float kHeldBefore = 0.04F;  // s, that it is there before a foot leaves the ground
-constexpr float kHeldAfter = 0.025F;  // s, and stays after
-constexpr float kStep = 0.25F;        // s, that a step takes that no clip has
-constexpr float kCalm = 0.1F;         // s, after the last step home
-constexpr float kSettle = 0.6F;       // s, from another motion to idle
-constexpr float kSame = 1e-3F;        // m, by which a foot may be elsewhere without a step
-constexpr float kSameYaw = 3e-3F;     // radians
-constexpr float kKept = 0.04F;        // m, by which a foot may stand elsewhere during a clip
-constexpr float kKeptYaw = 0.15F;     // radians
+constexpr float kShiftDuration_s = 0.3F;      // s, that a shift of weight takes where there is time
+constexpr float kMinShiftDuration_s = 0.15F;  // s, that it takes at least
+constexpr float kReturnShiftDuration_s = 0.4F;  // s, before a step home
+constexpr float kShiftBackDuration_s = 0.45F;   // s, back
+constexpr float kHoldBeforeLift_s = 0.04F;   // s, that it is there before a foot leaves the ground
+constexpr float kHoldAfterLift_s = 0.025F;   // s, and stays after
+constexpr float kStepDuration_s = 0.25F;     // s, that a step takes that no clip has
+constexpr float kPauseAfterSteps_s = 0.1F;   // s, after the last step home
+constexpr float kSettleDuration_s = 0.6F;    // s, from another motion to idle
+constexpr float kSamePosition_m = 1e-3F;     // m, by which a foot may be elsewhere without a step
+constexpr float kSameYaw = 3e-3F;            // radians
+constexpr float kToleratedOffset_m = 0.04F;  // m, by which a foot may stand elsewhere during a clip
+constexpr float kToleratedYaw = 0.15F;       // radians
 
 bool is_finite(const features::CharacterState& state) {
   return std::isfinite(state.idle_time_s) && state.position.allFinite() &&
          std::isfinite(state.facing);
 }
 
-bool is_finite(const Origin& origin) {
-  if (origin.idles) return true;
-  bool finite = origin.root.allFinite() && origin.root_velocity.allFinite();
+bool is_finite(const Inertialization& inertialization) {
+  if (inertialization.is_zero) return true;
+  bool finite = inertialization.root.allFinite() && inertialization.root_velocity.allFinite();
   for (motion::Role role : motion::kRoles) {
-    finite = finite && origin.turn[role].allFinite() && origin.turn_velocity[role].allFinite();
+    finite = finite && inertialization.rotation[role].allFinite() &&
+             inertialization.rotation_velocity[role].allFinite();
   }
-  for (const FootPlace& foot : origin.foot) {
+  for (const FootPose& foot : inertialization.foot) {
     finite = finite && foot.ankle.allFinite() && foot.orientation.coeffs().allFinite();
   }
   return finite;
 }
 
-bool has_clip(const database::Library& library, int clip) {
+bool has_clip(const database::ClipLibrary& library, int clip) {
   return clip >= 0 && static_cast<std::size_t>(clip) < library.clips.size() &&
          !library.clips[static_cast<std::size_t>(clip)].motion.poses.empty();
 }
@@ -55,27 +56,27 @@ bool is_in_order(const motion::Annotation& annotation) {
          annotation.peak_s <= annotation.end_s && std::isfinite(annotation.end_s);
 }
 
-bool can_use(const PreparedLibrary& prepared, const features::CharacterState& state, int clip,
-             float time_to_impact_s, const Origin& origin) {
+bool is_usable_input(const PreparedLibrary& prepared, const features::CharacterState& state,
+                     int clip, float time_to_impact_s, const Inertialization& inertialization) {
   if (prepared.library == nullptr) return false;
-  const database::Library& library = *prepared.library;
+  const database::ClipLibrary& library = *prepared.library;
   if (!has_clip(library, library.idle) || !has_clip(library, clip)) return false;
-  if (!is_finite(state) || !is_finite(origin)) return false;
+  if (!is_finite(state) || !is_finite(inertialization)) return false;
   if (!(time_to_impact_s > 0) || !std::isfinite(time_to_impact_s)) return false;
   const auto& annotation = library.clips[static_cast<std::size_t>(clip)].annotation;
   return clip == library.idle || (annotation && is_in_order(*annotation));
 }
 
-float turn_between(const FootPlace& from, const FootPlace& to) {
-  return motion::wrapped(motion::yaw_of(to.orientation) - motion::yaw_of(from.orientation));
+float yaw_between(const FootPose& from, const FootPose& to) {
+  return motion::wrapped_to_pi(motion::yaw_of(to.orientation) - motion::yaw_of(from.orientation));
 }
 
-bool differ(const FootPlace& a, const FootPlace& b, float distance_m, float yaw) {
-  return level(a.ankle - b.ankle).norm() > distance_m || std::abs(turn_between(b, a)) > yaw;
+bool differ(const FootPose& a, const FootPose& b, float distance_m, float yaw) {
+  return horizontal(a.ankle - b.ankle).norm() > distance_m || std::abs(yaw_between(b, a)) > yaw;
 }
 
-float lift_of(const FootPlace& from, const FootPlace& to) {
-  return std::clamp(0.25F * level(to.ankle - from.ankle).norm(), 0.02F, 0.06F);
+float step_height(const FootPose& from, const FootPose& to) {
+  return std::clamp(0.25F * horizontal(to.ankle - from.ankle).norm(), 0.02F, 0.06F);
 }
 
 // With d from onset to peak and b the earliest begin: rate = clamp(d / (T - b), 1, most) and
@@ -84,23 +85,23 @@ void set_timing(const motion::Annotation& annotation, float time_to_impact_s, fl
                 Response& r) {
   const float onset_to_peak_s = annotation.peak_s - annotation.onset_s;
   const float left_s = time_to_impact_s - earliest_s;
-  r.playback_rate = left_s > 0 ? std::clamp(onset_to_peak_s / left_s, 1.0F, kMostPlaybackRate)
-                               : kMostPlaybackRate;
-  const float way_to_peak_s = onset_to_peak_s / r.playback_rate;
-  r.begin_s = std::max(earliest_s, time_to_impact_s - way_to_peak_s);
-  r.blend_s = std::min(kBlend, way_to_peak_s);
-  r.peak_s = r.begin_s + way_to_peak_s;
+  r.playback_rate =
+      left_s > 0 ? std::clamp(onset_to_peak_s / left_s, 1.0F, kMaxPlaybackRate) : kMaxPlaybackRate;
+  const float time_to_peak_s = onset_to_peak_s / r.playback_rate;
+  r.begin_s = std::max(earliest_s, time_to_impact_s - time_to_peak_s);
+  r.blend_duration_s = std::min(kMinBlend_s, time_to_peak_s);
+  r.peak_s = r.begin_s + time_to_peak_s;
   r.end_s = r.begin_s + (annotation.end_s - annotation.onset_s) / r.playback_rate;
 }
 
 void align(Response& r) {
   r.yaw = r.state.facing;
   r.translation = Eigen::Vector3f::Zero();
-  r.translation = level(source_foot_at(r, r.support, r.begin_s).ankle -
-                        uncorrected_clip_foot_at(r, r.support, r.begin_s).ankle);
+  r.translation = horizontal(source_foot_at(r, r.support, r.begin_s).ankle -
+                             uncorrected_clip_foot_at(r, r.support, r.begin_s).ankle);
 }
 
-Window in_response(const Response& r, const Swing& swing) {
+Interval response_interval(const Response& r, const Swing& swing) {
   const float onset_s = r.library->clip(r.clip).annotation->onset_s;
   return {r.begin_s + (swing.begin_s - onset_s) / r.playback_rate,
           r.begin_s + (swing.end_s - onset_s) / r.playback_rate};
@@ -111,38 +112,39 @@ const Footwork& footwork_of(const Response& r) {
 }
 
 // The first swing of a foot by which it can go to where the clip has it.
-std::optional<Window> first_swing(const Response& r, Side side) {
+std::optional<Interval> first_swing(const Response& r, Side side) {
   const std::vector<Swing>& swings = footwork_of(r).swings[motion::index_of(side)];
   if (swings.empty()) return std::nullopt;
-  const Window window = in_response(r, swings.front());
-  if (window.begin_s >= r.end_s) return std::nullopt;
-  return window;
+  const Interval interval = response_interval(r, swings.front());
+  if (interval.begin_s >= r.end_s) return std::nullopt;
+  return interval;
 }
 
 void plan_foot(Response& r, Side side) {
   FootPlan& plan = r.feet[motion::index_of(side)];
   plan = {};
-  const FootPlace from = source_foot_at(r, side, r.begin_s);
-  const FootPlace to = uncorrected_clip_foot_at(r, side, r.begin_s);
+  const FootPose from = source_foot_at(r, side, r.begin_s);
+  const FootPose to = uncorrected_clip_foot_at(r, side, r.begin_s);
   if (differ(from, to, 1e-5F, 1e-4F)) {
-    plan.offset.yaw = turn_between(to, from);
-    plan.offset.translation = level(
-        from.ankle - motion::turn_about(Eigen::Vector3f::UnitZ(), plan.offset.yaw) * to.ankle);
+    plan.offset.yaw = yaw_between(to, from);
+    plan.offset.translation = horizontal(
+        from.ankle - motion::rotation_about(Eigen::Vector3f::UnitZ(), plan.offset.yaw) * to.ankle);
   }
-  const std::optional<Window> swing = first_swing(r, side);
-  if (swing) plan.change = *swing;
-  const bool must_step = side != r.support && differ(from, to, kKept, kKeptYaw);
-  if (must_step && !(swing && swing->begin_s < r.begin_s + r.blend_s)) {
-    const float begin_s = std::max(r.begin_s, kLeastShift);
-    if (swing && swing->begin_s < begin_s + kStep) return;  // the clip's own comes soon enough
-    plan.change = {begin_s, begin_s + kStep};
-    plan.change_lift_m = lift_of(from, to);
+  const std::optional<Interval> swing = first_swing(r, side);
+  if (swing) plan.correction = *swing;
+  const bool must_step = side != r.support && differ(from, to, kToleratedOffset_m, kToleratedYaw);
+  if (must_step && !(swing && swing->begin_s < r.begin_s + r.blend_duration_s)) {
+    const float begin_s = std::max(r.begin_s, kMinShiftDuration_s);
+    if (swing && swing->begin_s < begin_s + kStepDuration_s)
+      return;  // the clip's own comes soon enough
+    plan.correction = {begin_s, begin_s + kStepDuration_s};
+    plan.correction_lift_m = step_height(from, to);
   }
 }
 
 // How far a point is from being kMargin inside of a sole, on the way to the sole's middle.
-Eigen::Vector2f lacking_to_sole(const std::vector<Eigen::Vector2f>& hull,
-                                const Eigen::Vector2f& point) {
+Eigen::Vector2f offset_to_sole(const std::vector<Eigen::Vector2f>& hull,
+                               const Eigen::Vector2f& point) {
   constexpr float kMargin = 0.015F;  // m
   Eigen::Vector2f middle = Eigen::Vector2f::Zero();
   for (const Eigen::Vector2f& corner : hull) middle += corner / static_cast<float>(hull.size());
@@ -161,29 +163,30 @@ Eigen::Vector2f lacking_to_sole(const std::vector<Eigen::Vector2f>& hull,
 // Finds the pelvis' way of a shift, one of the response's, that brings the centre of mass over the
 // sole of a foot. A pelvis takes most of the body along; the feet stay, so it must go a little
 // farther.
-void bring_over(const Response& r, Side side, float lift_s, WeightShift& shift) {
-  constexpr float kAlong = 1.17F;
-  constexpr float kDip = 0.2F;         // knees give, and need not straighten suddenly
-  constexpr float kMostSpeed = 1.35F;  // m/s, mean: what is lacking then is left to momentum
-  constexpr int kRounds = 6;
+void solve_pelvis_shift(const Response& r, Side side, float lift_s, WeightShift& shift) {
+  constexpr float kOvershoot = 1.17F;
+  constexpr float kDipPerShift = 0.2F;     // knees give, and need not straighten suddenly
+  constexpr float kMaxShiftSpeed = 1.35F;  // m/s, mean: what is lacking then is left to momentum
+  constexpr int kIterations = 6;
   const PreparedLibrary& library = *r.library;
-  const float most_m = kMostSpeed * (shift.held.begin_s - shift.window.begin_s);
+  const float max_distance_m = kMaxShiftSpeed * (shift.hold.begin_s - shift.interval.begin_s);
   shift.pelvis = Eigen::Vector3f::Zero();
-  for (int round = 0; round < kRounds; ++round) {
+  for (int round = 0; round < kIterations; ++round) {
     const motion::JointFrames frames =
         motion::forward_kinematics(library.skeleton(), pose_at(r, lift_s));
-    const FootPlace foot = motion::foot_place(frames, side);
+    const FootPose foot = motion::foot_pose(frames, side);
     const Eigen::Quaternionf heading =
-        motion::turn_about(Eigen::Vector3f::UnitZ(), motion::yaw_of(foot.orientation));
-    const Eigen::Vector3f centre = motion::centre_of_mass(library.bodies, frames);
-    const Eigen::Vector2f in_sole = (heading.conjugate() * level(centre - foot.ankle)).head<2>();
-    const Eigen::Vector2f lacking =
-        lacking_to_sole(library.soles[motion::index_of(side)].hull, in_sole);
-    if (lacking.norm() <= 0) break;
-    shift.pelvis += kAlong * (heading * Eigen::Vector3f(lacking.x(), lacking.y(), 0));
-    const float distance = level(shift.pelvis).norm();
-    if (distance > most_m) shift.pelvis *= most_m / distance;
-    shift.pelvis.z() = -kDip * level(shift.pelvis).norm();
+        motion::rotation_about(Eigen::Vector3f::UnitZ(), motion::yaw_of(foot.orientation));
+    const Eigen::Vector3f centre = motion::centre_of_mass(library.body_model, frames);
+    const Eigen::Vector2f in_sole =
+        (heading.conjugate() * horizontal(centre - foot.ankle)).head<2>();
+    const Eigen::Vector2f missing =
+        offset_to_sole(library.soles[motion::index_of(side)].hull, in_sole);
+    if (missing.norm() <= 0) break;
+    shift.pelvis += kOvershoot * (heading * Eigen::Vector3f(missing.x(), missing.y(), 0));
+    const float distance = horizontal(shift.pelvis).norm();
+    if (distance > max_distance_m) shift.pelvis *= max_distance_m / distance;
+    shift.pelvis.z() = -kDipPerShift * horizontal(shift.pelvis).norm();
   }
 }
 
@@ -191,9 +194,9 @@ void bring_over(const Response& r, Side side, float lift_s, WeightShift& shift) 
 void shift_weight(Response& r, std::size_t number, Side over, float lift_s, float begin_s,
                   float latest_s) {
   WeightShift& shift = r.shifts[number];
-  shift.held = {lift_s - kHeldBefore, lift_s + kHeldAfter};
-  shift.window = {begin_s, std::min(lift_s + kUnshift, latest_s)};
-  bring_over(r, over, lift_s, shift);
+  shift.hold = {lift_s - kHoldBeforeLift_s, lift_s + kHoldAfterLift_s};
+  shift.interval = {begin_s, std::min(lift_s + kShiftBackDuration_s, latest_s)};
+  solve_pelvis_shift(r, over, lift_s, shift);
   if (shift.pelvis.isZero(0)) shift = {};
 }
 
@@ -202,44 +205,45 @@ std::optional<float> first_lift_s(const Response& r) {
   const Side other = motion::other(r.support);
   const FootPlan& plan = r.feet[motion::index_of(other)];
   std::optional<float> lift_s;
-  if (plan.change_lift_m > 0) lift_s = plan.change.begin_s;
-  const std::optional<Window> swing = first_swing(r, other);
+  if (plan.correction_lift_m > 0) lift_s = plan.correction.begin_s;
+  const std::optional<Interval> swing = first_swing(r, other);
   if (swing && (!lift_s || swing->begin_s < *lift_s)) lift_s = swing->begin_s;
-  if (lift_s && *lift_s >= r.peak_s && plan.change_lift_m <= 0) return std::nullopt;
+  if (lift_s && *lift_s >= r.peak_s && plan.correction_lift_m <= 0) return std::nullopt;
   return lift_s;
 }
 
 // The most by which a joint's velocity changes about a time, over a frame of 1/60 s, rad/s.
-float velocity_step_at(const Response& r, float time_s) {
+float velocity_change_at(const Response& r, float time_s) {
   constexpr float kFrame = 1.0F / 60;
   const motion::Pose before = pose_at(r, time_s - kFrame);
   const motion::Pose at = pose_at(r, time_s);
   const motion::Pose after = pose_at(r, time_s + kFrame);
-  float most = 0;
+  float max_change = 0;
   for (motion::Role role : motion::kRoles) {
     const auto way = [role](const motion::Pose& from, const motion::Pose& to) {
       return motion::rotation_vector<float>(to.rotation[role] * from.rotation[role].conjugate());
     };
-    most = std::max(most, (way(at, after) - way(before, at)).norm() / kFrame);
+    max_change = std::max(max_change, (way(at, after) - way(before, at)).norm() / kFrame);
   }
-  return most;
+  return max_change;
 }
 
 // What is left of a blend adds to what the clip does: of the ends that it may have, the blend takes
 // the one where the motion is calmest.
-void end_blend(Response& r) {
-  constexpr float kLonger = 0.02F;  // s, from one to the next
-  constexpr int kEnds = 5;
-  const float most_s = std::min(r.peak_s - r.begin_s, kBlend + (kEnds - 1) * kLonger);
+void choose_blend_duration(Response& r) {
+  constexpr float kBlendIncrement_s = 0.02F;  // s, from one to the next
+  constexpr int kBlendCandidates = 5;
+  const float max_blend_s =
+      std::min(r.peak_s - r.begin_s, kMinBlend_s + (kBlendCandidates - 1) * kBlendIncrement_s);
   Response tried = r;
-  float least = std::numeric_limits<float>::infinity();
-  for (int k = 0; k < kEnds; ++k) {
-    tried.blend_s = kBlend + static_cast<float>(k) * kLonger;
-    if (tried.blend_s > most_s) return;
-    const float step = velocity_step_at(tried, tried.begin_s + tried.blend_s);
-    if (step < least) {
-      least = step;
-      r.blend_s = tried.blend_s;
+  float min_change = std::numeric_limits<float>::infinity();
+  for (int k = 0; k < kBlendCandidates; ++k) {
+    tried.blend_duration_s = kMinBlend_s + static_cast<float>(k) * kBlendIncrement_s;
+    if (tried.blend_duration_s > max_blend_s) return;
+    const float step = velocity_change_at(tried, tried.begin_s + tried.blend_duration_s);
+    if (step < min_change) {
+      min_change = step;
+      r.blend_duration_s = tried.blend_duration_s;
     }
   }
 }
@@ -252,92 +256,93 @@ void plan_clip(const motion::Annotation& annotation, float time_to_impact_s, flo
   r.shifts[0] = {};
   const std::optional<float> lift_s = first_lift_s(r);
   const auto shift = [&] {
-    shift_weight(r, 0, r.support, *lift_s, std::max(*lift_s - kShift, 0.0F), r.end_s);
+    shift_weight(r, 0, r.support, *lift_s, std::max(*lift_s - kShiftDuration_s, 0.0F), r.end_s);
   };
   if (lift_s) shift();
-  end_blend(r);
-  const bool is_lifted_meanwhile = lift_s && *lift_s < r.begin_s + r.blend_s;
+  choose_blend_duration(r);
+  const bool is_lifted_meanwhile = lift_s && *lift_s < r.begin_s + r.blend_duration_s;
   if (is_lifted_meanwhile) shift();
 }
 
 // The foot that carries more weight where the way home begins.
-Side foot_that_carries(const Response& r) {
-  constexpr float kClearly = 0.02F;  // m, by which the other must be nearer
+Side weight_bearing_foot(const Response& r) {
+  constexpr float kClearlyNearer_m = 0.02F;  // m, by which the other must be nearer
   const PreparedLibrary& library = *r.library;
   const bool idles = r.clip == library.library->idle;
   const motion::JointFrames frames = motion::forward_kinematics(
       library.skeleton(), idles ? source_pose_at(r, r.end_s) : clip_pose_at(r, r.end_s));
-  const Eigen::Vector3f centre = motion::centre_of_mass(library.bodies, frames);
+  const Eigen::Vector3f centre = motion::centre_of_mass(library.body_model, frames);
   const auto distance = [&](Side side) {
-    return level(motion::foot_place(frames, side).ankle - centre).norm();
+    return horizontal(motion::foot_pose(frames, side).ankle - centre).norm();
   };
   const Side other = motion::other(r.support);
-  return distance(other) < distance(r.support) - kClearly ? other : r.support;
+  return distance(other) < distance(r.support) - kClearlyNearer_m ? other : r.support;
 }
 
 // The feet's way home: one after the other, the one that carries more weight last.
 void plan_return(Response& r) {
-  const Side last = foot_that_carries(r);
+  const Side last = weight_bearing_foot(r);
   const bool idles = r.clip == r.library->library->idle;
   const auto away_foot = [&](Side side, float time_s) {
     return idles ? source_foot_at(r, side, time_s) : clip_foot_at(r, side, time_s);
   };
-  r.travel = Eigen::Vector3f::Zero();
+  r.idle_displacement = Eigen::Vector3f::Zero();
   if (!idles) {
-    r.travel = level(away_foot(last, r.end_s + kBlend).ankle -
-                     home_foot_at(r, last, r.end_s + kBlend).ankle);
+    r.idle_displacement = horizontal(away_foot(last, r.end_s + kMinBlend_s).ankle -
+                                     return_foot_at(r, last, r.end_s + kMinBlend_s).ankle);
   }
   float time_s = r.end_s;
   for (Side side : {motion::other(last), last}) {
     FootPlan& plan = r.feet[motion::index_of(side)];
-    const FootPlace from = away_foot(side, time_s);
-    const FootPlace to = home_foot_at(r, side, time_s);
-    if (!differ(from, to, kSame, kSameYaw)) continue;
-    const float lift_s = time_s + kShiftHome;
-    plan.home = {lift_s, lift_s + kStep};
-    plan.home_lift_m = lift_of(from, to);
-    r.return_s = plan.home.end_s + kCalm - r.end_s;
-    time_s = plan.home.end_s;
+    const FootPose from = away_foot(side, time_s);
+    const FootPose to = return_foot_at(r, side, time_s);
+    if (!differ(from, to, kSamePosition_m, kSameYaw)) continue;
+    const float lift_s = time_s + kReturnShiftDuration_s;
+    plan.return_step = {lift_s, lift_s + kStepDuration_s};
+    plan.return_lift_m = step_height(from, to);
+    r.return_duration_s = plan.return_step.end_s + kPauseAfterSteps_s - r.end_s;
+    time_s = plan.return_step.end_s;
   }
-  r.return_s = std::max(r.return_s, idles ? kSettle : kBlend);
+  r.return_duration_s = std::max(r.return_duration_s, idles ? kSettleDuration_s : kMinBlend_s);
   for (FootPlan& plan : r.feet) {
-    if (plan.home_lift_m <= 0) plan.home = {r.end_s, r.end_s + r.return_s};
+    if (plan.return_lift_m <= 0) plan.return_step = {r.end_s, r.end_s + r.return_duration_s};
   }
   std::size_t shift = 1;
   for (Side side : {motion::other(last), last}) {
     const FootPlan& plan = r.feet[motion::index_of(side)];
-    if (plan.home_lift_m <= 0) continue;
-    const float lift_s = plan.home.begin_s;
-    shift_weight(r, shift++, motion::other(side), lift_s, lift_s - kShiftHome,
-                 r.end_s + r.return_s);
+    if (plan.return_lift_m <= 0) continue;
+    const float lift_s = plan.return_step.begin_s;
+    shift_weight(r, shift++, motion::other(side), lift_s, lift_s - kReturnShiftDuration_s,
+                 r.end_s + r.return_duration_s);
   }
 }
 
 }  // namespace
 
 Response make_response(const PreparedLibrary& library, const features::CharacterState& state,
-                       int clip, float time_to_impact_s, const Origin& origin) noexcept {
+                       int clip, float time_to_impact_s,
+                       const Inertialization& inertialization) noexcept {
   Response r;
-  if (!can_use(library, state, clip, time_to_impact_s, origin)) return r;
+  if (!is_usable_input(library, state, clip, time_to_impact_s, inertialization)) return r;
   r.library = &library;
   r.clip = clip;
   r.state = state;
-  r.origin = origin;
+  r.inertialization = inertialization;
   r.support = footwork_of(r).support;
   if (clip == library.library->idle) {
-    if (!origin.idles) plan_return(r);
+    if (!inertialization.is_zero) plan_return(r);
     return r;
   }
   const motion::Annotation& annotation = *library.clip(clip).annotation;
   plan_clip(annotation, time_to_impact_s, 0, r);
   const std::optional<float> lift_s = first_lift_s(r);
-  if (lift_s && *lift_s < kLeastShift && !r.shifts[0].pelvis.isZero(0)) {
+  if (lift_s && *lift_s < kMinShiftDuration_s && !r.shifts[0].pelvis.isZero(0)) {
     // There is no time to shift the weight: the clip begins as much later.
-    const float lead_s = (*lift_s - r.begin_s) * r.playback_rate / kMostPlaybackRate;
-    plan_clip(annotation, time_to_impact_s, kLeastShift - lead_s, r);
+    const float lead_s = (*lift_s - r.begin_s) * r.playback_rate / kMaxPlaybackRate;
+    plan_clip(annotation, time_to_impact_s, kMinShiftDuration_s - lead_s, r);
   }
   plan_return(r);
-  r.start_s = std::min(r.begin_s, r.shifts[0].window.begin_s);
+  r.first_motion_s = std::min(r.begin_s, r.shifts[0].interval.begin_s);
   return r;
 }
 

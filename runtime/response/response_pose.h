@@ -14,21 +14,21 @@ namespace flinch::runtime {
 motion::Pose source_pose_at(const Response& response, float time_s,
                             std::span<const motion::Role> roles = motion::kRoles);
 /// The idle clip where it goes on after the response.
-motion::Pose home_pose_at(const Response& response, float time_s,
-                          std::span<const motion::Role> roles = motion::kRoles);
+motion::Pose return_pose_at(const Response& response, float time_s,
+                            std::span<const motion::Role> roles = motion::kRoles);
 /// The clip's pose, aligned.
 motion::Pose clip_pose_at(const Response& response, float time_s,
                           std::span<const motion::Role> roles = motion::kRoles);
 
 /// Where a foot is in each of them; of the source, where it stands.
-motion::FootPlace source_foot_at(const Response& response, motion::Side side, float time_s);
-motion::FootPlace clip_foot_at(const Response& response, motion::Side side, float time_s);
-motion::FootPlace home_foot_at(const Response& response, motion::Side side, float time_s);
+motion::FootPose source_foot_at(const Response& response, motion::Side side, float time_s);
+motion::FootPose clip_foot_at(const Response& response, motion::Side side, float time_s);
+motion::FootPose return_foot_at(const Response& response, motion::Side side, float time_s);
 
 /// The clip's foot as it is before its plan changes it.
-motion::FootPlace uncorrected_clip_foot_at(const Response& response, motion::Side side,
-                                           float time_s);
+motion::FootPose uncorrected_clip_foot_at(const Response& response, motion::Side side,
+                                          float time_s);
 
-Eigen::Vector3f level(const Eigen::Vector3f& vector);
+Eigen::Vector3f horizontal(const Eigen::Vector3f& vector);
 
 }  // namespace flinch::runtime

@@ -12,13 +12,13 @@ struct Sphere {
   double radius;
 };
 
-constexpr int kMostSpheres = 9;
+constexpr int kMaxSpheres = 9;
 
 /// Spheres within a part that reach its surface: along a capsule's axis; a box's corners and the
 /// largest in its middle.
-class Filling {
+class InnerSpheres {
  public:
-  explicit Filling(const MovingShape& shape) {
+  explicit InnerSpheres(const MovingShape& shape) {
     if (shape.kind == motion::Shape::Kind::capsule) {
       const Eigen::Vector3d axis = shape.orientation * Eigen::Vector3d::UnitZ();
       for (int i = -2; i <= 2; ++i) {
@@ -39,13 +39,13 @@ class Filling {
  private:
   void add(const Sphere& sphere) { spheres_[count_++] = sphere; }
 
-  std::array<Sphere, kMostSpheres> spheres_;
+  std::array<Sphere, kMaxSpheres> spheres_;
   std::size_t count_ = 0;
 };
 
 /// The sphere that is nearest to a part.
-struct Nearest {
-  Nearest(const Filling& spheres, const MovingShape& shape) : sphere(spheres.begin()) {
+struct NearestSphere {
+  NearestSphere(const InnerSpheres& spheres, const MovingShape& shape) : sphere(spheres.begin()) {
     for (const Sphere& candidate : spheres) {
       const double candidate_gap = motion::gap(candidate.centre, candidate.radius, shape);
       if (candidate_gap >= gap) continue;
@@ -61,10 +61,10 @@ struct Nearest {
 }  // namespace
 
 motion::Clearance clearance(const MovingShape& first, const MovingShape& second) {
-  const Filling in_first(first);
-  const Filling in_second(second);
-  const Nearest on_second(in_first, second);
-  const Nearest on_first(in_second, first);
+  const InnerSpheres in_first(first);
+  const InnerSpheres in_second(second);
+  const NearestSphere on_second(in_first, second);
+  const NearestSphere on_first(in_second, first);
   if (on_second.gap <= on_first.gap) {
     return clearance(on_second.sphere->centre, on_second.sphere->radius, second);
   }

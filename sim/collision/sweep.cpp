@@ -20,26 +20,28 @@ Eigen::Vector3d MovingShape::velocity_at(const Eigen::Vector3d& point) const {
 }
 
 bool may_be_near(const features::FreeFlight& ball, const MovingShape& shape, double distance_m) {
-  const double most = shape.bounding_radius() + ball.radius + distance_m;
-  return (ball.position - shape.centre).squaredNorm() <= most * most;
+  const double max_distance = shape.bounding_radius() + ball.radius + distance_m;
+  return (ball.position - shape.centre).squaredNorm() <= max_distance * max_distance;
 }
 
 // |d gap / dt| <= |v_ball - v_shape| + g T + |w| reach, and the slack grows by at most a T.
-std::optional<double> time_of_touch(const features::FreeFlight& ball, const MovingShape& shape,
-                                    double horizon_s, double touch_m, double slack_mps2) {
+std::optional<double> time_of_contact(const features::FreeFlight& ball, const MovingShape& shape,
+                                      double horizon_s, double contact_distance_m,
+                                      double slack_mps2) {
   const double rate = (ball.velocity - shape.velocity).norm() +
                       (ball.gravity_mps2 + slack_mps2) * horizon_s +
                       shape.angular_velocity.norm() * shape.reach();
-  const double most_m = touch_m + (rate + 0.5 * slack_mps2 * horizon_s) * horizon_s;
-  if (!may_be_near(ball, shape, most_m)) return std::nullopt;
+  const double max_distance_m =
+      contact_distance_m + (rate + 0.5 * slack_mps2 * horizon_s) * horizon_s;
+  if (!may_be_near(ball, shape, max_distance_m)) return std::nullopt;
   double time_s = 0;
   while (time_s <= horizon_s) {
     const double gap = motion::gap(ball.position_at(time_s), ball.radius, shape.at(time_s)) -
                        0.5 * slack_mps2 * time_s * time_s;
-    if (gap <= touch_m) return time_s;
+    if (gap <= contact_distance_m) return time_s;
     if (rate <= 0) return std::nullopt;
     // Half of touch_m may be skipped too: it keeps a ball that glides past from taking for ever.
-    time_s += (gap - 0.5 * touch_m) / rate;
+    time_s += (gap - 0.5 * contact_distance_m) / rate;
   }
   return std::nullopt;
 }

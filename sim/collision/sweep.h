@@ -9,7 +9,7 @@
 namespace flinch::sim {
 
 /// An outline that moves as a rigid body does, without acceleration. World frame, at its centre.
-struct MovingShape : motion::Outline {
+struct MovingShape : motion::CollisionShape {
   Eigen::Vector3d velocity = Eigen::Vector3d::Zero();          ///< of the centre, m/s
   Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero();  ///< rad/s
 
@@ -31,7 +31,8 @@ bool may_be_near(const features::FreeFlight& ball, const MovingShape& shape, dou
 /// the last term for a shape that may accelerate by up to `slack_mps2`; nothing if there is none.
 /// Never late; early by no more than the time in which the gap changes by touch_m. By conservative
 /// advancement: the gap divided by a bound of its rate is safe to skip.
-std::optional<double> time_of_touch(const features::FreeFlight& ball, const MovingShape& shape,
-                                    double horizon_s, double touch_m, double slack_mps2);
+std::optional<double> time_of_contact(const features::FreeFlight& ball, const MovingShape& shape,
+                                      double horizon_s, double contact_distance_m,
+                                      double slack_mps2);
 
 }  // namespace flinch::sim

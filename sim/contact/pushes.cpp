@@ -9,13 +9,13 @@ namespace {
 
 using motion::Body;
 
-constexpr double kDriveTime_s = 0.1;  // six times 1 / w of the joints' springs
-constexpr double kBlowSpeed_mps = 0.1;
-// What a blow has set in motion swings no farther than it moves in kSwing_s, twice 1 / w, and what
-// it carries along less than kStrike_m.
-constexpr double kSwing_s = 0.03;
-constexpr double kStrike_m = 0.01;
-constexpr double kTouch_m = 1e-3;
+constexpr double kDrivenTime_s = 0.1;  // six times 1 / w of the joints' springs
+constexpr double kImpactSpeed_mps = 0.1;
+// What a blow has set in motion swings no farther than it moves in kSwingTime_s, twice 1 / w, and
+// what it carries along less than kStrikeDistance_m.
+constexpr double kSwingTime_s = 0.03;
+constexpr double kStrikeDistance_m = 0.01;
+constexpr double kPushTolerance_m = 1e-3;
 
 double closing_speed(const MovingShape& first, const MovingShape& second,
                      const motion::Clearance& near) {
@@ -28,13 +28,13 @@ double closing_speed(const MovingShape& first, const MovingShape& second,
 //   V + W g,  V = |v_1 - v_2| + |w_1| r_1 + |w_2| r_2,  W = |w_1| + |w_2|:
 //
 // where g <= d + (V + W g) h, g <= (d + V h) / (1 - W h).
-double most_gap(const MovingShape& first, double first_m, const MovingShape& second,
-                double second_m, double distance_m, double horizon_s) {
+double max_reachable_gap(const MovingShape& first, double first_radius_m, const MovingShape& second,
+                         double second_radius_m, double distance_m, double horizon_s) {
   if (horizon_s <= 0) return distance_m;
   const double first_turn = first.angular_velocity.norm();
   const double second_turn = second.angular_velocity.norm();
-  const double speed =
-      (first.velocity - second.velocity).norm() + first_turn * first_m + second_turn * second_m;
+  const double speed = (first.velocity - second.velocity).norm() + first_turn * first_radius_m +
+                       second_turn * second_radius_m;
   const double share = 1 - (first_turn + second_turn) * horizon_s;
   return share > 0 ? (distance_m + speed * horizon_s) / share
                    : std::numeric_limits<double>::infinity();
@@ -42,13 +42,14 @@ double most_gap(const MovingShape& first, double first_m, const MovingShape& sec
 
 /// Whether two are within `distance_m` and what they may close by in the horizon, by the spheres
 /// about them and by the sphere about either against the other itself.
-bool may_meet(const MovingShape& first, double first_m, const MovingShape& second, double second_m,
-              double distance_m, double horizon_s) {
-  const double most = most_gap(first, first_m, second, second_m, distance_m, horizon_s);
-  const double apart = first_m + second_m + most;
+bool may_come_near(const MovingShape& first, double first_radius_m, const MovingShape& second,
+                   double second_radius_m, double distance_m, double horizon_s) {
+  const double max_gap =
+      max_reachable_gap(first, first_radius_m, second, second_radius_m, distance_m, horizon_s);
+  const double apart = first_radius_m + second_radius_m + max_gap;
   return (first.centre - second.centre).squaredNorm() <= apart * apart &&
-         motion::gap(first.centre, first_m, second) <= most &&
-         motion::gap(second.centre, second_m, first) <= most;
+         motion::gap(first.centre, first_radius_m, second) <= max_gap &&
+         motion::gap(second.centre, second_radius_m, first) <= max_gap;
 }
 
 /// How fast the reference moves the material of `shape` that is at `point`, m/s.
@@ -66,24 +67,24 @@ double reference_closing_speed(const BodyState& first, const BodyState& second,
 
 }  // namespace
 
-Pushes::Pushes(const FigurePlan& plan) : plan_(plan) {
+BodyContacts::BodyContacts(const FigureModel& figure_model) : figure_model_(figure_model) {
   found_.reserve(motion::kBodyCount * (motion::kBodyCount - 1) / 2);
 }
 
-void Pushes::begin_step(double time_s) {
+void BodyContacts::begin_step(double time_s) {
   time_s_ = time_s;
   hit_now_ = {};
   for (Body body : motion::kBodies) {
-    if (!driven(body)) given_ns_[body] = 0;
+    if (!driven(body)) received_ns_[body] = 0;
   }
 }
 
-void Pushes::hit(Body body) {
-  driven_until_s_[body] = time_s_ + kDriveTime_s;
+void BodyContacts::add_hit(Body body) {
+  driven_until_s_[body] = time_s_ + kDrivenTime_s;
   hit_now_[body] = true;
 }
 
-BodySet Pushes::driven() const {
+BodySet BodyContacts::driven() const {
   BodySet bodies = 0;
   for (Body body : motion::kBodies) {
     if (driven(body)) bodies |= set_of(body);
@@ -93,36 +94,36 @@ BodySet Pushes::driven() const {
 
 /// Once each, in a fixed order, but for those too far apart to touch within the horizon.
 template <class Visit>
-void Pushes::for_each_pair(const motion::PerBody<MovingShape>& shapes, double distance_m,
-                           double horizon_s, Visit visit) const {
+void BodyContacts::for_each_pair(const motion::PerBody<MovingShape>& shapes, double distance_m,
+                                 double horizon_s, Visit visit) const {
   const BodySet all_driven = driven();
   if (all_driven == 0) return;
   for (Body first : motion::kBodies) {
-    BodySet others = plan_.may_touch[first] & after(first);
+    BodySet others = figure_model_.may_collide[first] & bodies_after(first);
     if (!driven(first)) others &= all_driven;
     for_each_body(others, [&](Body second) {
-      if (may_meet(shapes[first], plan_.outline_radius[first], shapes[second],
-                   plan_.outline_radius[second], distance_m, horizon_s)) {
+      if (may_come_near(shapes[first], figure_model_.outline_radius[first], shapes[second],
+                        figure_model_.outline_radius[second], distance_m, horizon_s)) {
         visit(first, second);
       }
     });
   }
 }
 
-std::span<const Push> Pushes::find(const motion::PerBody<MovingShape>& shapes,
-                                   const ReferenceState& reference) {
+std::span<const BodyContact> BodyContacts::find(const motion::PerBody<MovingShape>& shapes,
+                                                const ReferenceState& reference) {
   found_.clear();
   motion::PerBody<double> driven_until_s = driven_until_s_;
-  for_each_pair(shapes, kTouch_m, 0, [&](Body first, Body second) {
+  for_each_pair(shapes, kPushTolerance_m, 0, [&](Body first, Body second) {
     const motion::Clearance near = clearance(shapes[first], shapes[second]);
-    if (near.gap > kTouch_m) return;
+    if (near.gap > kPushTolerance_m) return;
     const double free_closing =
         reference_closing_speed(reference.body[first], reference.body[second], near);
     const double closing = closing_speed(shapes[first], shapes[second], near);
-    const bool blow =
-        hit_now_[first] || hit_now_[second] || closing > free_closing + kBlowSpeed_mps;
-    found_.push_back({first, second, near, free_closing, blow});
-    if (!blow) return;
+    const bool is_impact =
+        hit_now_[first] || hit_now_[second] || closing > free_closing + kImpactSpeed_mps;
+    found_.push_back({first, second, near, free_closing, is_impact});
+    if (!is_impact) return;
     const double until_s = std::max(driven_until_s_[first], driven_until_s_[second]);
     driven_until_s[first] = std::max(driven_until_s[first], until_s);
     driven_until_s[second] = std::max(driven_until_s[second], until_s);
@@ -131,45 +132,46 @@ std::span<const Push> Pushes::find(const motion::PerBody<MovingShape>& shapes,
   return found_;
 }
 
-bool Pushes::ahead(const motion::PerBody<MovingShape>& shapes, const ReferenceState& reference,
-                   double horizon_s) const {
+bool BodyContacts::is_impact_ahead(const motion::PerBody<MovingShape>& shapes,
+                                   const ReferenceState& reference, double horizon_s) const {
   bool found = false;
   for_each_pair(shapes, 0, horizon_s, [&](Body first, Body second) {
     const motion::Clearance near = clearance(shapes[first], shapes[second]);
     const double closing = closing_speed(shapes[first], shapes[second], near);
     const double free_closing =
         reference_closing_speed(reference.body[first], reference.body[second], near);
-    found |= closing > free_closing + kBlowSpeed_mps && near.gap > kTouch_m &&
+    found |= closing > free_closing + kImpactSpeed_mps && near.gap > kPushTolerance_m &&
              near.gap < closing * horizon_s;
   });
   return found;
 }
 
-bool Pushes::may_strike(const motion::PerBody<MovingShape>& shapes) const {
+bool BodyContacts::may_collide_again(const motion::PerBody<MovingShape>& shapes) const {
   bool found = false;
-  for_each_pair(shapes, kStrike_m, kSwing_s, [&](Body first, Body second) {
+  for_each_pair(shapes, kStrikeDistance_m, kSwingTime_s, [&](Body first, Body second) {
     const motion::Clearance near = clearance(shapes[first], shapes[second]);
     const double closing = closing_speed(shapes[first], shapes[second], near);
-    found |= near.gap < kStrike_m + std::max(0.0, closing) * kSwing_s;
+    found |= near.gap < kStrikeDistance_m + std::max(0.0, closing) * kSwingTime_s;
   });
   return found;
 }
 
-void Pushes::charge(std::span<const ContactImpulse> contacts, motion::PerBody<double>& impulse) {
+void BodyContacts::add_impulses(std::span<const ContactImpulse> contacts,
+                                motion::PerBody<double>& impulse) {
   for (const ContactImpulse& contact : contacts) {
     if (!contact.second) {
       impulse[contact.first] += contact.impulse_ns;
-      given_ns_[contact.first] += contact.impulse_ns;
+      received_ns_[contact.first] += contact.impulse_ns;
       continue;
     }
-    const bool first_gives = given_ns_[contact.first] >= given_ns_[*contact.second];
+    const bool first_gives = received_ns_[contact.first] >= received_ns_[*contact.second];
     const Body giver = first_gives ? contact.first : *contact.second;
     const Body taker = first_gives ? *contact.second : contact.first;
-    const double passed = std::min(contact.impulse_ns, given_ns_[giver]);
+    const double passed = std::min(contact.impulse_ns, received_ns_[giver]);
     impulse[giver] += passed;
     impulse[taker] += passed;
-    given_ns_[giver] -= passed;
-    given_ns_[taker] += passed;
+    received_ns_[giver] -= passed;
+    received_ns_[taker] += passed;
   }
 }
 

@@ -8,19 +8,20 @@
 namespace flinch::sim {
 namespace {
 
-constexpr double kLeastStep_s = 1e-5;
+constexpr double kMinStep_s = 1e-5;
 
 /// The first time within `horizon_s` at which the ball may touch one of the shapes.
-std::optional<double> first_touch(const features::FreeFlight& ball,
-                                  std::span<const MovingShape> shapes, double horizon_s,
-                                  double touch_m, double slack_mps2) {
+std::optional<double> first_contact(const features::FreeFlight& ball,
+                                    std::span<const MovingShape> shapes, double horizon_s,
+                                    double contact_distance_m, double slack_mps2) {
   std::optional<double> first;
   for (const MovingShape& shape : shapes) {
-    if (may_be_near(ball, shape, kTouch_m)) {
+    if (may_be_near(ball, shape, kContactDistance_m)) {
       const motion::Clearance near = clearance(ball.position, ball.radius, shape);
-      if (near.gap <= kTouch_m && !hits(ball, shape, near)) continue;
+      if (near.gap <= kContactDistance_m && !hits(ball, shape, near)) continue;
     }
-    const auto time_s = time_of_touch(ball, shape, first.value_or(horizon_s), touch_m, slack_mps2);
+    const auto time_s =
+        time_of_contact(ball, shape, first.value_or(horizon_s), contact_distance_m, slack_mps2);
     if (time_s) first = time_s;
   }
   return first;
@@ -28,34 +29,34 @@ std::optional<double> first_touch(const features::FreeFlight& ball,
 
 bool hits_any(const features::FreeFlight& ball, std::span<const MovingShape> shapes) {
   return std::any_of(shapes.begin(), shapes.end(), [&](const MovingShape& shape) {
-    return may_be_near(ball, shape, kTouch_m) &&
+    return may_be_near(ball, shape, kContactDistance_m) &&
            hits(ball, shape, clearance(ball.position, ball.radius, shape));
   });
 }
 
-double step_among(const features::FreeFlight& ball, std::span<const MovingShape> shapes,
-                  const SimulationOptions& options) {
+double free_step_among(const features::FreeFlight& ball, std::span<const MovingShape> shapes,
+                       const SimulationOptions& options) {
   if (hits_any(ball, shapes)) return options.contact_step_s;
-  const auto can_touch =
-      first_touch(ball, shapes, options.free_step_s, kNear_m, kMostAcceleration_mps2);
+  const auto can_touch = first_contact(ball, shapes, options.free_step_s, kNearContactDistance_m,
+                                       kMaxAcceleration_mps2);
   if (!can_touch) return options.free_step_s;
   if (*can_touch >= options.contact_step_s) return *can_touch;
-  const auto touch = first_touch(ball, shapes, options.contact_step_s, kTouch_m, 0);
-  return touch ? std::max(*touch, kLeastStep_s) : options.contact_step_s;
+  const auto touch = first_contact(ball, shapes, options.contact_step_s, kContactDistance_m, 0);
+  return touch ? std::max(*touch, kMinStep_s) : options.contact_step_s;
 }
 
 }  // namespace
 
-StepAhead step_ahead(const features::FreeFlight& ball, std::span<const MovingShape> shapes,
-                     const SimulationOptions& options) {
-  StepAhead ahead;
-  ahead.step_s = step_among(ball, shapes, options);
-  const auto bounce = features::time_of_bounce(ball, ahead.step_s, kTouch_m);
+NextStep next_step(const features::FreeFlight& ball, std::span<const MovingShape> shapes,
+                   const SimulationOptions& options) {
+  NextStep ahead;
+  ahead.step_s = free_step_among(ball, shapes, options);
+  const auto bounce = features::time_of_bounce(ball, ahead.step_s, kContactDistance_m);
   if (!bounce) return ahead;
-  if (*bounce <= kLeastStep_s) {
+  if (*bounce <= kMinStep_s) {
     ahead.on_ground = true;
     // Within the step of a bounce the ball falls the wrong way: short, unless it lies or rolls.
-    if (-ball.velocity.z() > kRestSpeed_mps) {
+    if (-ball.velocity.z() > kMinBounceSpeed_mps) {
       ahead.step_s = std::min(ahead.step_s, options.contact_step_s);
     }
   } else {
@@ -66,7 +67,8 @@ StepAhead step_ahead(const features::FreeFlight& ball, std::span<const MovingSha
 
 bool hits(const features::FreeFlight& ball, const MovingShape& shape,
           const motion::Clearance& near) {
-  return near.gap <= kTouch_m && near.normal.dot(ball.velocity - shape.velocity_at(near.point)) < 0;
+  return near.gap <= kContactDistance_m &&
+         near.normal.dot(ball.velocity - shape.velocity_at(near.point)) < 0;
 }
 
 }  // namespace flinch::sim

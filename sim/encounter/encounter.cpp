@@ -8,30 +8,31 @@ namespace flinch::sim {
 using motion::Body;
 
 template <class Scene>
-double EncounterIn<Scene>::begin_step(const ReferenceState& now, double most_s, double least_s) {
+double Encounter<Scene>::begin_step(const ReferenceState& now, double max_step_s,
+                                    double min_step_s) {
   const auto flight = scene_.flight();
   double step_s = options_.free_step_s;
   scene_.clear_contacts();
   is_blow_ = false;
-  pushes_.begin_step(time_s_);
-  if (flight || pushes_.are_possible()) shapes_ = scene_.shapes();
-  if (pushes_.ahead(shapes_, now, step_s)) step_s = options_.contact_step_s;
-  if (flight) step_s = std::min(step_s, meet(*flight));
-  step_s = std::max(step_s, least_s);
+  body_contacts_.begin_step(time_s_);
+  if (flight || body_contacts_.is_any_driven()) shapes_ = scene_.shapes();
+  if (body_contacts_.is_impact_ahead(shapes_, now, step_s)) step_s = options_.contact_step_s;
+  if (flight) step_s = std::min(step_s, find_hits(*flight));
+  step_s = std::max(step_s, min_step_s);
   // A last sliver of a step would only cost.
-  return step_s > most_s * (1 - 1e-9) ? most_s : step_s;
+  return step_s > max_step_s * (1 - 1e-9) ? max_step_s : step_s;
 }
 
 /// Adds what the ball touches now, and says how long a step it allows.
 template <class Scene>
-double EncounterIn<Scene>::meet(const features::FreeFlight& flight) {
-  const StepAhead ahead = step_ahead(flight, {&*shapes_.begin(), motion::kBodyCount}, options_);
+double Encounter<Scene>::find_hits(const features::FreeFlight& flight) {
+  const NextStep ahead = next_step(flight, {&*shapes_.begin(), motion::kBodyCount}, options_);
   for (Body body : motion::kBodies) {
-    if (!may_be_near(flight, shapes_[body], kTouch_m)) continue;
+    if (!may_be_near(flight, shapes_[body], kContactDistance_m)) continue;
     const motion::Clearance near = clearance(flight.position, flight.radius, shapes_[body]);
     if (!hits(flight, shapes_[body], near)) continue;
     scene_.add_hit(body, near, options_.restitution);
-    pushes_.hit(body);
+    body_contacts_.add_hit(body);
     is_blow_ = true;
     first_contact_s_ = std::min(first_contact_s_, time_s_);
   }
@@ -40,26 +41,27 @@ double EncounterIn<Scene>::meet(const features::FreeFlight& flight) {
 }
 
 template <class Scene>
-void EncounterIn<Scene>::end_step(const ReferenceState& now, const ReferenceState& target,
-                                  double step_s) {
+void Encounter<Scene>::end_step(const ReferenceState& now, const ReferenceState& target,
+                                double step_s) {
   scene_.add_supports(target, step_s);
-  for (const Push& push : pushes_.find(shapes_, now)) {
-    scene_.add_push(push.first, push.second, push.near, push.free_closing_mps, push.is_blow);
+  for (const BodyContact& contact : body_contacts_.find(shapes_, now)) {
+    scene_.add_body_contact(contact.first, contact.second, contact.near, contact.free_closing_mps,
+                            contact.is_impact);
   }
   scene_.step(target, step_s);
-  pushes_.charge(scene_.impulses(step_s), impulse_);
+  body_contacts_.add_impulses(scene_.impulses(step_s), impulse_);
   time_s_ += step_s;
 }
 
-template class EncounterIn<OdeScene>;
-template class EncounterIn<TreeScene>;
+template class Encounter<OdeScene>;
+template class Encounter<TreeScene>;
 
-void Encounter::step_ball_alone() {
+void OdeEncounter::step_ball_alone() {
   scene_.figure().freeze();
   scene_.clear_contacts();
   double step_s = options_.free_step_s;
   if (const auto flight = scene_.flight()) {
-    const StepAhead ahead = step_ahead(*flight, {}, options_);
+    const NextStep ahead = next_step(*flight, {}, options_);
     if (ahead.on_ground) scene_.add_bounce(options_.restitution);
     step_s = ahead.step_s;
     scene_.step_ball(step_s);

@@ -13,39 +13,39 @@ namespace flinch::sim {
 /// A figure and, if there is one, a ball: what happens in a step, the same for the trainer and for
 /// the game and whichever scene solves it, OdeScene or TreeScene.
 template <class Scene>
-class EncounterIn {
+class Encounter {
  public:
-  /// At `time_s`, in a scene made of `arguments`. `plan` must outlive this.
+  /// At `time_s`, in a scene made of `arguments`. `figure_model` must outlive this.
   template <class... Arguments>
-  EncounterIn(const FigurePlan& plan, const SimulationOptions& options, double time_s,
-              Arguments&&... arguments)
+  Encounter(const FigureModel& figure_model, const SimulationOptions& options, double time_s,
+            Arguments&&... arguments)
       : options_(options),
-        pushes_(plan),
+        body_contacts_(figure_model),
         scene_(std::forward<Arguments>(arguments)...),
         time_s_(time_s) {}
 
-  /// Finds what the ball hits now and how long a step that allows, at most `most_s`; no shorter
-  /// than `least_s`, whatever it allows. `now` is where the motion has the figure.
-  double begin_step(const ReferenceState& now, double most_s, double least_s = 0);
+  /// Finds what the ball hits now and how long a step that allows, at most `max_step_s`; no shorter
+  /// than `min_step_s`, whatever it allows. `now` is where the motion has the figure.
+  double begin_step(const ReferenceState& now, double max_step_s, double min_step_s = 0);
   /// Steps the scene. `target` is where the motion has the figure at the step's end.
   void end_step(const ReferenceState& now, const ReferenceState& target, double step_s);
 
   /// Whether, but for the ball, a body may still strike another; between begin_step and end_step.
-  bool may_strike() const { return pushes_.may_strike(shapes_); }
+  bool may_collide_again() const { return body_contacts_.may_collide_again(shapes_); }
 
   double time_s() const { return time_s_; }
   /// Whether the ball hits the figure in the step that has begun.
-  bool is_blow() const { return is_blow_; }
+  bool is_ball_hit() const { return is_blow_; }
   /// Impulse that each body took from the ball, and from bodies that the ball drove into it, N·s.
   const motion::PerBody<double>& impulse() const { return impulse_; }
   double first_contact_s() const { return first_contact_s_; }  ///< infinite before
   const Scene& scene() const { return scene_; }
 
  protected:
-  double meet(const features::FreeFlight& flight);
+  double find_hits(const features::FreeFlight& flight);
 
   SimulationOptions options_;
-  Pushes pushes_;
+  BodyContacts body_contacts_;
   Scene scene_;
   motion::PerBody<MovingShape> shapes_;  // at the beginning of the step
   motion::PerBody<double> impulse_;
@@ -54,16 +54,16 @@ class EncounterIn {
   bool is_blow_ = false;
 };
 
-extern template class EncounterIn<OdeScene>;
-extern template class EncounterIn<TreeScene>;
+extern template class Encounter<OdeScene>;
+extern template class Encounter<TreeScene>;
 
-/// An encounter in a world of ODE. A step is a call of begin_step, of the figure's drive and of
+/// An encounter in a world of ODE. A step is a call of begin_step, of Figure::set_motors and of
 /// end_step.
-class Encounter : public EncounterIn<OdeScene> {
+class OdeEncounter : public Encounter<OdeScene> {
  public:
-  Encounter(const FigurePlan& plan, const SimulationOptions& options, const ReferenceState& start,
-            const Ball* ball)
-      : EncounterIn(plan, options, 0, plan, start, ball, options.gravity_mps2) {}
+  OdeEncounter(const FigureModel& figure_model, const SimulationOptions& options,
+               const ReferenceState& start, const Ball* ball)
+      : Encounter(figure_model, options, 0, figure_model, start, ball, options.gravity_mps2) {}
 
   /// A step in which only the ball moves: the figure is frozen, for good.
   void step_ball_alone();

@@ -15,8 +15,8 @@ using motion::Body;
 constexpr double kJointFrequency = 60;
 constexpr double kPelvisFrequency = 60;
 
-MovingShape outline_of(const motion::BodyProperties& properties) {
-  MovingShape outline{motion::outline_of(properties.shape)};
+MovingShape collision_shape_of(const motion::BodyProperties& properties) {
+  MovingShape outline{motion::collision_shape_of(properties.shape)};
   outline.centre = (properties.shape.centre - properties.centre_of_mass).cast<double>();
   return outline;
 }
@@ -58,23 +58,25 @@ Eigen::Matrix3d inertia_of(const MovingShape& outline, double mass_kg) {
   return turn * principal.asDiagonal() * turn.transpose();
 }
 
-bool carries(Body carrier, Body body) {
+bool is_ancestor_or_self(Body ancestor, Body body) {
   for (std::optional<Body> at = body; at; at = parent_of(*at)) {
-    if (*at == carrier) return true;
+    if (*at == ancestor) return true;
   }
   return false;
 }
 
 /// What a joint carries in the rest pose: the inertia about it of all bodies beyond it,
 ///   I = sum tr(I_i)/3 + m_i |c_i - p|^2.
-double carried_inertia(const FigurePlan& plan, const motion::JointFrames& rest, Body joint) {
+double composite_inertia(const FigureModel& figure_model, const motion::JointFrames& rest,
+                         Body joint) {
   const Eigen::Vector3d pivot = rest.position[role_of(joint)].cast<double>();
   double inertia = 0;
   for (Body body : motion::kBodies) {
-    if (!carries(joint, body)) continue;
-    const Eigen::Vector3d arm = centre_of_mass(plan.model, rest, body).cast<double>() - pivot;
-    inertia += plan.inertia[body].trace() / 3 +
-               static_cast<double>(plan.model[body].mass_kg) * arm.squaredNorm();
+    if (!is_ancestor_or_self(joint, body)) continue;
+    const Eigen::Vector3d arm =
+        centre_of_mass(figure_model.model, rest, body).cast<double>() - pivot;
+    inertia += figure_model.inertia[body].trace() / 3 +
+               static_cast<double>(figure_model.model[body].mass_kg) * arm.squaredNorm();
   }
   return inertia;
 }
@@ -87,12 +89,12 @@ MovingShape placed(const MovingShape& outline, const Eigen::Vector3d& centre_of_
 
 }  // namespace
 
-FigurePlan::FigurePlan(const motion::Character& character)
+FigureModel::FigureModel(const motion::Physique& character)
     : skeleton(character.skeleton), model(make_body_model(character)) {
   const motion::JointFrames rest = forward_kinematics(skeleton, rest_pose(skeleton));
   for (Body body : motion::kBodies) {
     const double body_mass_kg = static_cast<double>(model[body].mass_kg);
-    outline[body] = outline_of(model[body]);
+    outline[body] = collision_shape_of(model[body]);
     outline_radius[body] = outline[body].bounding_radius();
     radius[body] = outline[body].centre.norm() + outline_radius[body];
     inertia[body] = inertia_of(outline[body], body_mass_kg);
@@ -102,7 +104,7 @@ FigurePlan::FigurePlan(const motion::Character& character)
   }
   for (Body body : motion::kBodies) {
     const bool root = !parent_of(body);
-    gains[body] = critically_damped(carried_inertia(*this, rest, body),
+    gains[body] = critically_damped(composite_inertia(*this, rest, body),
                                     root ? kPelvisFrequency : kJointFrequency);
   }
   pelvis_gains = critically_damped(mass_kg, kPelvisFrequency);
@@ -115,7 +117,7 @@ FigurePlan::FigurePlan(const motion::Character& character)
     for (Body second : motion::kBodies) {
       const bool jointed = parent_of(first) == second || parent_of(second) == first;
       if (first != second && !jointed && clearance(shapes[first], shapes[second]).gap > 0) {
-        may_touch[first] |= set_of(second);
+        may_collide[first] |= set_of(second);
       }
     }
   }

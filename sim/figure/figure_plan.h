@@ -10,8 +10,8 @@
 namespace flinch::sim {
 
 /// What a figure is made of: all that does not change from one simulation to the next.
-struct FigurePlan {
-  explicit FigurePlan(const motion::Character& character);
+struct FigureModel {
+  explicit FigureModel(const motion::Physique& character);
 
   motion::Skeleton skeleton;
   motion::BodyModel model;
@@ -23,9 +23,9 @@ struct FigurePlan {
   Gains pelvis_gains;                        ///< of the pelvis' place
   double mass_kg = 0;                        ///< of the whole figure
   motion::PerBody<JointKind> kinds;
-  motion::PerBody<JointLimits> limits;
+  motion::PerBody<JointRange> limits;
   /// Pairs that can push each other: neither jointed nor overlapping in the rest pose.
-  motion::PerBody<BodySet> may_touch;
+  motion::PerBody<BodySet> may_collide;
 };
 
 }  // namespace flinch::sim

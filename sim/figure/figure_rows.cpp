@@ -11,12 +11,12 @@ namespace {
 using motion::Body;
 
 // A joint's stop against its own spring: stiff enough to hold, soft enough to solve.
-constexpr double kStopStiffening = 20;
+constexpr double kLimitStiffnessRatio = 20;
 // A joint bent by no more than this is as good as straight.
 constexpr double kStraight_rad = 0.1;
 // The pelvis is pulled and turned back as from no farther than this: what pulls it has a limit.
-constexpr double kMostPelvisError_m = 0.1;
-constexpr double kMostPelvisError_rad = 0.35;
+constexpr double kMaxPelvisError_m = 0.1;
+constexpr double kMaxPelvisError_rad = 0.35;
 
 /// The axes of a joint's motor in the parent's frame; the first `free` are driven by springs, the
 /// others are rigid.
@@ -29,7 +29,7 @@ struct JointAxes {
 // shares twist along the limb. So the hinge's axis is the one about which the reference bends the
 // joint, or for a straight joint the anatomical one; across it the joint rigidly follows the
 // reference, which loses nothing of the recording and still carries a blow from the side on.
-JointAxes axes_of(JointKind kind, const JointLimits& limits, const Eigen::Quaterniond& reference) {
+JointAxes axes_of(JointKind kind, const JointRange& limits, const Eigen::Quaterniond& reference) {
   if (kind == JointKind::ball) return {};
   const bool elbow = kind == JointKind::elbow;
   const Eigen::Vector3d anatomical = elbow ? Eigen::Vector3d::UnitZ() : Eigen::Vector3d::UnitY();
@@ -46,7 +46,7 @@ JointAxes axes_of(JointKind kind, const JointLimits& limits, const Eigen::Quater
 
 /// Heel and toe, on the sole's middle, in the frame of the foot's centre of mass, m. Two points a
 /// foot, not its corners: each costs the solver a pivot, and a foot's roll is its ankle's matter.
-std::array<Eigen::Vector3d, 2> sole_ends(const MovingShape& foot) {
+std::array<Eigen::Vector3d, 2> heel_and_toe(const MovingShape& foot) {
   const Eigen::Vector3d heel = foot.half_extents.cwiseProduct(Eigen::Vector3d(-1, 0, -1));
   const Eigen::Vector3d toe = foot.half_extents.cwiseProduct(Eigen::Vector3d(1, 0, -1));
   return {foot.centre + foot.orientation * heel, foot.centre + foot.orientation * toe};
@@ -55,83 +55,83 @@ std::array<Eigen::Vector3d, 2> sole_ends(const MovingShape& foot) {
 }  // namespace
 
 // A pull beyond the limit is one of softer gains: f = k e + c (w_d - w) scales with them.
-PelvisRows pelvis_rows(const FigurePlan& plan, const BodyState& now, const BodyState& target,
-                       double step_s, const Drive& drive) {
-  const Gains turning = weakened(plan.gains[Body::pelvis], drive.pelvis);
-  Gains moving = weakened(plan.pelvis_gains, drive.pelvis);
+PelvisRows pelvis_rows(const FigureModel& figure_model, const BodyState& now,
+                       const BodyState& target, double step_s, const MotorStrength& strength) {
+  const Gains angular = scaled_gains(figure_model.gains[Body::pelvis], strength.pelvis);
+  Gains moving = scaled_gains(figure_model.pelvis_gains, strength.pelvis);
   const Eigen::Vector3d turn =
-      shortened(motion::rotation_vector(target.orientation * now.orientation.conjugate()),
-                kMostPelvisError_rad);
-  const Eigen::Vector3d shift = shortened(target.position - now.position, kMostPelvisError_m);
+      clamped_length(motion::rotation_vector(target.orientation * now.orientation.conjugate()),
+                     kMaxPelvisError_rad);
+  const Eigen::Vector3d shift = clamped_length(target.position - now.position, kMaxPelvisError_m);
   const double force_n =
       (moving.stiffness * shift + moving.damping * (target.velocity - now.velocity)).norm();
-  if (force_n > drive.most_pelvis_force_n) {
-    const double share = drive.most_pelvis_force_n / force_n;
+  if (force_n > strength.max_pelvis_force_n) {
+    const double share = strength.max_pelvis_force_n / force_n;
     moving = {share * moving.stiffness, share * moving.damping};
   }
   PelvisRows rows;
   for (int axis = 0; axis < 3; ++axis) {
     const auto at = static_cast<std::size_t>(axis);
-    rows.moving[at] =
+    rows.linear[at] =
         spring_row(moving, moving.stiffness * shift[axis], target.velocity[axis], step_s);
-    rows.turning[at] =
-        spring_row(turning, turning.stiffness * turn[axis], target.angular_velocity[axis], step_s);
+    rows.angular[at] =
+        spring_row(angular, angular.stiffness * turn[axis], target.angular_velocity[axis], step_s);
   }
   return rows;
 }
 
 // In the axes that the joint's motor has: F's columns, in the parent's frame. At a stop the springs
 // along the way back stiffen, each axis by its share of that way; a stop never weakens.
-JointRows joint_rows(const FigurePlan& plan, Body body, const Eigen::Quaterniond& now_world,
-                     const Eigen::Quaterniond& parent_now, const ReferenceState& target,
-                     double step_s, double share) {
+JointRows joint_rows(const FigureModel& figure_model, Body body,
+                     const Eigen::Quaterniond& now_world, const Eigen::Quaterniond& parent_now,
+                     const ReferenceState& target, double step_s, double share) {
   const BodyState& wanted = target.body[body];
   const BodyState& wanted_parent = target.body[*parent_of(body)];
   const Eigen::Quaterniond to_parent = wanted_parent.orientation.conjugate();
   const Eigen::Quaterniond reference = to_parent * wanted.orientation;
   const Eigen::Quaterniond now = parent_now.conjugate() * now_world;
-  const JointAxes axes = axes_of(plan.kinds[body], plan.limits[body], reference);
+  const JointAxes axes = axes_of(figure_model.kinds[body], figure_model.limits[body], reference);
   Eigen::Vector3d error = motion::rotation_vector(reference * now.conjugate());
   Eigen::Vector3d velocity = to_parent * (wanted.angular_velocity - wanted_parent.angular_velocity);
-  Eigen::Vector3d back = beyond_limits(plan.limits[body], now, reference);
+  Eigen::Vector3d back = limit_violation(figure_model.limits[body], now, reference);
   JointRows rows;
   rows.socket = target.socket[body];
   rows.axes = parent_now.toRotationMatrix();
-  if (plan.kinds[body] != JointKind::ball) {
+  if (figure_model.kinds[body] != JointKind::ball) {
     for (Eigen::Vector3d* vector : {&error, &velocity, &back}) {
       *vector = (axes.frame.transpose() * *vector).eval();
     }
     rows.axes *= axes.frame;
   }
   const double way = back.squaredNorm();
-  const Gains weak = weakened(plan.gains[body], share);
+  const Gains weak = scaled_gains(figure_model.gains[body], share);
   for (int axis = 0; axis < 3; ++axis) {
-    AxisRow& row = rows.turning[static_cast<std::size_t>(axis)];
+    AxisRow& row = rows.angular[static_cast<std::size_t>(axis)];
     if (axis >= axes.free) {
       row = rigid_row(error[axis], velocity[axis], step_s);
       continue;
     }
     Gains gains = weak;
-    double pull = gains.stiffness * error[axis];
+    double spring_force = gains.stiffness * error[axis];
     if (way > 0) {
       const double stop =
-          kStopStiffening * plan.gains[body].stiffness * back[axis] * back[axis] / way;
-      pull += stop * back[axis];
+          kLimitStiffnessRatio * figure_model.gains[body].stiffness * back[axis] * back[axis] / way;
+      spring_force += stop * back[axis];
       gains.stiffness += stop;
     }
-    row = spring_row(gains, pull, velocity[axis], step_s);
+    row = spring_row(gains, spring_force, velocity[axis], step_s);
   }
   return rows;
 }
 
-Eigen::Vector3d joint_of(const FigurePlan& plan, Body body) {
-  return -plan.model[body].centre_of_mass.cast<double>();
+Eigen::Vector3d joint_offset(const FigureModel& figure_model, Body body) {
+  return -figure_model.model[body].centre_of_mass.cast<double>();
 }
 
-FootSupport foot_support(const FigurePlan& plan, Body foot, const BodyState& now,
+FootSupport foot_support(const FigureModel& figure_model, Body foot, const BodyState& now,
                          const BodyState& target) {
   FootSupport support;
-  for (const Eigen::Vector3d& end : sole_ends(plan.outline[foot])) {
+  for (const Eigen::Vector3d& end : heel_and_toe(figure_model.outline[foot])) {
     const Eigen::Vector3d point = now.position + now.orientation * end;
     const double ground = std::min(0.0, (target.position + target.orientation * end).z());
     if (point.z() >= ground) continue;

@@ -14,13 +14,13 @@ namespace {
 using motion::Body;
 
 // A row of the human limits and which share of it one joint has.
-struct Source {
+struct LimitSource {
   std::string_view name;  // of the left side or the middle
   double share = 1;
 };
 
 // Spine and neck are two joints each here, which share their range equally.
-Source source_of(Body body) {
+LimitSource limit_source_of(Body body) {
   switch (body) {
     case Body::abdomen:
     case Body::chest:
@@ -45,22 +45,22 @@ Source source_of(Body body) {
   }
 }
 
-JointLimits limits_from(const Source& source) {
+JointRange limits_from(const LimitSource& source) {
   if (source.name.empty()) return {};
   const motion::JointLimits& human = motion::joint_limits_named(source.name);
   return {human.reference.cast<double>(), human.axis.cast<double>(),
-          source.share * human.least.cast<double>(), source.share * human.most.cast<double>()};
+          source.share * human.min.cast<double>(), source.share * human.max.cast<double>()};
 }
 
 // Mirrored in the plane of X and Z, angles about X and Z change sign.
-JointLimits mirrored(const JointLimits& left) {
+JointRange mirrored(const JointRange& left) {
   const Eigen::Vector3d same(0, 1, 0);
   const Eigen::Vector3d turned(-1, 0, -1);
   const Eigen::Quaterniond& q = left.reference;
   return {{q.w(), -q.x(), q.y(), -q.z()},
           left.bone.cwiseProduct(Eigen::Vector3d(1, -1, 1)),
-          left.low.cwiseProduct(same) + left.high.cwiseProduct(turned),
-          left.high.cwiseProduct(same) + left.low.cwiseProduct(turned)};
+          left.min.cwiseProduct(same) + left.max.cwiseProduct(turned),
+          left.max.cwiseProduct(same) + left.min.cwiseProduct(turned)};
 }
 
 // A rotation vector is 2 f(c) times the quaternion's own vector, c being its cosine |w| and
@@ -78,32 +78,32 @@ struct AngleBounds {
 
   void add(const Eigen::Quaterniond& rotation) {
     const double cosine = std::min(std::abs(rotation.w()), 1.0);
-    const double least = (4 - cosine) / 3;
-    const double most = std::numbers::pi / 2 - (std::numbers::pi / 2 - 1) * cosine;
-    guess += (rotation.w() < 0 ? -1 : 1) * (least + most) * rotation.vec();
-    error += (most - least) * rotation.vec().cwiseAbs();
+    const double min = (4 - cosine) / 3;
+    const double max = std::numbers::pi / 2 - (std::numbers::pi / 2 - 1) * cosine;
+    guess += (rotation.w() < 0 ? -1 : 1) * (min + max) * rotation.vec();
+    error += (max - min) * rotation.vec().cwiseAbs();
   }
 };
 
 /// Whether a rotation is within the limits for sure: most are, which this finds without the arcus
 /// tangents of joint_angles.
-bool is_well_within(const JointLimits& limits, const Eigen::Quaterniond& rotation) {
+bool is_well_within(const JointRange& limits, const Eigen::Quaterniond& rotation) {
   constexpr double kMargin_rad = 1e-9;  // for rounding
   const auto [swing, twist] =
-      motion::split_at_twist<double>(limits.reference.conjugate() * rotation, limits.bone);
+      motion::decompose_swing_twist<double>(limits.reference.conjugate() * rotation, limits.bone);
   AngleBounds angles{Eigen::Vector3d::Zero(), Eigen::Vector3d::Constant(kMargin_rad)};
   angles.add(swing);
   angles.add(twist);
-  return (angles.guess - angles.error - limits.low).minCoeff() >= 0 &&
-         (limits.high - angles.guess - angles.error).minCoeff() >= 0;
+  return (angles.guess - angles.error - limits.min).minCoeff() >= 0 &&
+         (limits.max - angles.guess - angles.error).minCoeff() >= 0;
 }
 
 }  // namespace
 
-JointLimits limits_of(Body body) {
+JointRange limits_of(Body body) {
   const Body other = body_of(motion::mirrored(role_of(body)));
   const bool right = other < body;  // left sides come first
-  return right ? mirrored(limits_from(source_of(other))) : limits_from(source_of(body));
+  return right ? mirrored(limits_from(limit_source_of(other))) : limits_from(limit_source_of(body));
 }
 
 JointKind kind_of(Body body) {
@@ -119,24 +119,24 @@ JointKind kind_of(Body body) {
   }
 }
 
-Eigen::Vector3d joint_angles(const JointLimits& limits, const Eigen::Quaterniond& rotation) {
-  return motion::swing_and_twist<double>(limits.reference.conjugate() * rotation, limits.bone);
+Eigen::Vector3d joint_angles(const JointRange& limits, const Eigen::Quaterniond& rotation) {
+  return motion::swing_twist_vector<double>(limits.reference.conjugate() * rotation, limits.bone);
 }
 
-Eigen::Quaterniond joint_rotation(const JointLimits& limits, const Eigen::Vector3d& angles) {
-  return limits.reference * motion::from_swing_and_twist(angles, limits.bone);
+Eigen::Quaterniond joint_rotation(const JointRange& limits, const Eigen::Vector3d& angles) {
+  return limits.reference * motion::rotation_from_swing_twist(angles, limits.bone);
 }
 
-Eigen::Vector3d beyond_limits(const JointLimits& limits, const Eigen::Quaterniond& rotation,
-                              const Eigen::Quaterniond& reference) {
+Eigen::Vector3d limit_violation(const JointRange& limits, const Eigen::Quaterniond& rotation,
+                                const Eigen::Quaterniond& reference) {
   if (is_well_within(limits, rotation)) return Eigen::Vector3d::Zero();
   const Eigen::Vector3d angles = joint_angles(limits, rotation);
-  const auto within = [&](const Eigen::Vector3d& low, const Eigen::Vector3d& high) {
-    return Eigen::Vector3d(angles.cwiseMax(low).cwiseMin(high));
+  const auto within = [&](const Eigen::Vector3d& min, const Eigen::Vector3d& max) {
+    return Eigen::Vector3d(angles.cwiseMax(min).cwiseMin(max));
   };
-  if (within(limits.low, limits.high) == angles) return Eigen::Vector3d::Zero();
+  if (within(limits.min, limits.max) == angles) return Eigen::Vector3d::Zero();
   const Eigen::Vector3d wanted = joint_angles(limits, reference);
-  const Eigen::Vector3d nearest = within(limits.low.cwiseMin(wanted), limits.high.cwiseMax(wanted));
+  const Eigen::Vector3d nearest = within(limits.min.cwiseMin(wanted), limits.max.cwiseMax(wanted));
   if (nearest == angles) return Eigen::Vector3d::Zero();
   const Eigen::Vector3d back =
       motion::rotation_vector(joint_rotation(limits, nearest) * rotation.conjugate());

@@ -16,7 +16,7 @@ Gains critically_damped(double inertia, double frequency);
 
 /// With `share` of the stiffness and, so that the damping stays critical, its root of the damping.
 /// A share of 1 changes no bit.
-Gains weakened(const Gains& gains, double share);
+Gains scaled_gains(const Gains& gains, double share);
 
 /// What a step asks of one axis: that its velocity after the step, plus `softness` times the force
 /// that it takes, be `velocity`.
@@ -31,20 +31,21 @@ struct AxisRow {
 //
 // which is ODE's motor row with CFM = 1 / (h k + c) and that velocity. It is stable for every h.
 
-/// A spring and damper over the next step: `pull` is the spring's force now, N or N·m.
-inline AxisRow spring_row(const Gains& gains, double pull, double wanted_velocity, double step_s) {
+/// A spring and damper over the next step: `spring_force` is the spring's force now, N or N·m.
+inline AxisRow spring_row(const Gains& gains, double spring_force, double target_velocity,
+                          double step_s) {
   const double stiffness = step_s * gains.stiffness + gains.damping;
-  return {(pull + gains.damping * wanted_velocity) / stiffness, 1 / stiffness};
+  return {(spring_force + gains.damping * target_velocity) / stiffness, 1 / stiffness};
 }
 
 /// An axis without freedom: it takes `error` back with no give.
-AxisRow rigid_row(double error, double wanted_velocity, double step_s);
+AxisRow rigid_row(double error, double target_velocity, double step_s);
 
 /// Error reduction of joints, as the share of an error that a step of `step_s` takes back, so that
 /// errors fade over the same time (kJointErrorTime_s) whatever the step is.
 double joint_error_reduction(double step_s);
 
-/// `error`, no longer than `most`.
-Eigen::Vector3d shortened(const Eigen::Vector3d& error, double most);
+/// `error`, no longer than `max_length`.
+Eigen::Vector3d clamped_length(const Eigen::Vector3d& error, double max_length);
 
 }  // namespace flinch::sim

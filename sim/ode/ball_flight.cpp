@@ -20,20 +20,20 @@ features::FreeFlight BallFlight::flight() const {
   return {position_of(body_), velocity_of(body_), radius_, gravity_mps2_};
 }
 
-void BallFlight::meet_ground(Contacts& contacts, double restitution) const {
+void BallFlight::add_ground_contact(Contacts& contacts, double restitution) const {
   const Eigen::Vector3d centre = position_of(body_);
   contacts.add_bounce(body_, {centre.x(), centre.y(), 0}, restitution);
 }
 
-void BallFlight::fall(double time_s) const {
+void BallFlight::apply_gravity(double time_s) const {
   const Eigen::Vector3d velocity = velocity_of(body_);
   dBodySetLinearVel(body_, velocity.x(), velocity.y(), velocity.z() - gravity_mps2_ * time_s);
 }
 
 void BallFlight::step(const OdeWorld& world, double step_s) const {
-  fall(step_s / 2);
+  apply_gravity(step_s / 2);
   world.step(step_s);
-  fall(step_s / 2);
+  apply_gravity(step_s / 2);
 }
 
 }  // namespace flinch::sim

@@ -15,12 +15,12 @@ class BallFlight {
 
   dBodyID body() const { return body_; }
   features::FreeFlight flight() const;
-  void meet_ground(Contacts& contacts, double restitution) const;
+  void add_ground_contact(Contacts& contacts, double restitution) const;
   /// Steps the ball's world.
   void step(const OdeWorld& world, double step_s) const;
 
  private:
-  void fall(double time_s) const;
+  void apply_gravity(double time_s) const;
 
   dBodyID body_;
   double radius_;

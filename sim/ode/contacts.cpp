@@ -7,27 +7,27 @@ namespace flinch::sim {
 namespace {
 
 // The ball with every body, and every pair of bodies.
-constexpr std::size_t kMostMeasured =
+constexpr std::size_t kMaxMeasured =
     motion::kBodyCount + motion::kBodyCount * (motion::kBodyCount - 1) / 2;
-dContact contact_of(const Touch& touch) {
+dContact contact_of(const ContactConstraint& constraint) {
   dContact contact{};
   for (int i = 0; i < 3; ++i) {
-    contact.geom.pos[i] = touch.point[i];
-    contact.geom.normal[i] = touch.normal[i];
+    contact.geom.pos[i] = constraint.point[i];
+    contact.geom.normal[i] = constraint.normal[i];
   }
-  contact.geom.depth = touch.depth_m;
+  contact.geom.depth = constraint.depth_m;
   contact.surface.mode = dContactSoftERP | dContactSoftCFM | dContactApprox1;
-  contact.surface.soft_erp = touch.error_reduction;
-  contact.surface.soft_cfm = touch.softness;
-  contact.surface.mu = touch.friction;
-  if (touch.bounce > 0) {
+  contact.surface.soft_erp = constraint.error_reduction;
+  contact.surface.soft_cfm = constraint.softness;
+  contact.surface.mu = constraint.friction;
+  if (constraint.restitution > 0) {
     contact.surface.mode |= dContactBounce;
-    contact.surface.bounce = touch.bounce;
-    contact.surface.bounce_vel = kRestSpeed_mps;
+    contact.surface.bounce = constraint.restitution;
+    contact.surface.bounce_vel = kMinBounceSpeed_mps;
   }
-  if (touch.free_closing_mps != 0) {
+  if (constraint.free_closing_mps != 0) {
     contact.surface.mode |= dContactMotionN;
-    contact.surface.motionN = -touch.free_closing_mps;
+    contact.surface.motionN = -constraint.free_closing_mps;
   }
   return contact;
 }
@@ -35,16 +35,16 @@ dContact contact_of(const Touch& touch) {
 }  // namespace
 
 Contacts::Contacts(dWorldID world) : world_(world), group_(dJointGroupCreate(0)) {
-  measured_.reserve(kMostMeasured);
-  impulses_.reserve(kMostMeasured);
+  measured_.reserve(kMaxMeasured);
+  impulses_.reserve(kMaxMeasured);
 }
 
 Contacts::~Contacts() {
   dJointGroupDestroy(group_);
 }
 
-dJointID Contacts::attach(const Touch& touch, dBodyID first, dBodyID second) {
-  const dContact contact = contact_of(touch);
+dJointID Contacts::attach(const ContactConstraint& constraint, dBodyID first, dBodyID second) {
+  const dContact contact = contact_of(constraint);
   const dJointID joint = dJointCreateContact(world_, group_, &contact);
   dJointAttach(joint, first, second);
   return joint;
@@ -57,23 +57,25 @@ void Contacts::measure(dJointID joint, motion::Body first, std::optional<motion:
 
 void Contacts::add_hit(dBodyID ball, dBodyID part, motion::Body body, const motion::Clearance& at,
                        double restitution) {
-  measure(attach(hit_at(at.point, at.normal, restitution), ball, part), body, std::nullopt);
+  measure(attach(impact_constraint(at.point, at.normal, restitution), ball, part), body,
+          std::nullopt);
 }
 
 void Contacts::add_bounce(dBodyID ball, const Eigen::Vector3d& point, double restitution) {
-  attach(hit_at(point, Eigen::Vector3d::UnitZ(), restitution), ball, nullptr);
+  attach(impact_constraint(point, Eigen::Vector3d::UnitZ(), restitution), ball, nullptr);
 }
 
-void Contacts::add_push(dBodyID first_part, motion::Body first, dBodyID second_part,
-                        motion::Body second, const motion::Clearance& at, double free_closing_mps,
-                        bool measured) {
-  const dJointID joint = attach(push_at(at, free_closing_mps), first_part, second_part);
+void Contacts::add_body_contact(dBodyID first_part, motion::Body first, dBodyID second_part,
+                                motion::Body second, const motion::Clearance& at,
+                                double free_closing_mps, bool measured) {
+  const dJointID joint =
+      attach(body_contact_constraint(at, free_closing_mps), first_part, second_part);
   if (measured) measure(joint, first, second);
 }
 
 void Contacts::add_support(dBodyID part, const Eigen::Vector3d& point, double depth_m,
                            double mass_kg, double step_s) {
-  attach(support_at(point, depth_m, mass_kg, step_s), part, nullptr);
+  attach(ground_constraint(point, depth_m, mass_kg, step_s), part, nullptr);
 }
 
 std::span<const ContactImpulse> Contacts::impulses(double step_s) {

@@ -18,15 +18,17 @@ class Contacts {
   Contacts(const Contacts&) = delete;
   Contacts& operator=(const Contacts&) = delete;
 
-  /// The ball hits a part, at `at` as `clearance` gives it: hit_at. Measured.
+  /// The ball hits a part, at `at` as `clearance` gives it: impact_constraint. Measured.
   void add_hit(dBodyID ball, dBodyID part, motion::Body body, const motion::Clearance& at,
                double restitution);
-  /// The ball meets the ground: hit_at. Not measured.
+  /// The ball meets the ground: impact_constraint. Not measured.
   void add_bounce(dBodyID ball, const Eigen::Vector3d& point, double restitution);
-  /// A part pushes another: push_at. The normal of `at` points from `second` to `first`.
-  void add_push(dBodyID first_part, motion::Body first, dBodyID second_part, motion::Body second,
-                const motion::Clearance& at, double free_closing_mps, bool measured);
-  /// The ground carries a part: support_at. Not measured.
+  /// A part pushes another: body_contact_constraint. The normal of `at` points from `second` to
+  /// `first`.
+  void add_body_contact(dBodyID first_part, motion::Body first, dBodyID second_part,
+                        motion::Body second, const motion::Clearance& at, double free_closing_mps,
+                        bool measured);
+  /// The ground carries a part: ground_constraint. Not measured.
   void add_support(dBodyID part, const Eigen::Vector3d& point, double depth_m, double mass_kg,
                    double step_s);
 
@@ -43,7 +45,7 @@ class Contacts {
     motion::Body first{};
     std::optional<motion::Body> second;
   };
-  dJointID attach(const Touch& touch, dBodyID first, dBodyID second);
+  dJointID attach(const ContactConstraint& constraint, dBodyID first, dBodyID second);
   void measure(dJointID joint, motion::Body first, std::optional<motion::Body> second);
 
   dWorldID world_;

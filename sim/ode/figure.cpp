@@ -11,7 +11,7 @@ namespace {
 using motion::Body;
 
 // Of a fallen figure: how many points share its weight, and how soon the ground stops a part.
-constexpr double kLyingPoints = 12;
+constexpr double kFallenContactPoints = 12;
 constexpr double kGroundDrag_hz = 10;
 
 dJointID make_ball_joint(dWorldID world, dBodyID child, dBodyID parent,
@@ -35,7 +35,7 @@ dBodyID make_body(dWorldID world, double mass_kg, const Eigen::Matrix3d& inertia
 
 /// Where a part would touch the ground first, at either end: of a box, those of the largest capsule
 /// along its longest axis.
-std::array<Eigen::Vector3d, 2> low_points(const MovingShape& shape) {
+std::array<Eigen::Vector3d, 2> lowest_end_points(const MovingShape& shape) {
   double radius = shape.radius;
   Eigen::Vector3d end(0, 0, shape.half_length);
   if (shape.kind == motion::Shape::Kind::box) {
@@ -50,10 +50,11 @@ std::array<Eigen::Vector3d, 2> low_points(const MovingShape& shape) {
 
 }  // namespace
 
-Figure::Figure(const FigurePlan& plan, dWorldID world, const ReferenceState& start) : plan_(plan) {
+Figure::Figure(const FigureModel& figure_model, dWorldID world, const ReferenceState& start)
+    : figure_model_(figure_model) {
   for (Body body : motion::kBodies) {
-    bodies_[body] =
-        make_body(world, static_cast<double>(plan.model[body].mass_kg), plan.inertia[body]);
+    bodies_[body] = make_body(world, static_cast<double>(figure_model.model[body].mass_kg),
+                              figure_model.inertia[body]);
     set_state(bodies_[body], start.body[body]);
   }
   joints_[Body::pelvis] = make_linear_motor(world, bodies_[Body::pelvis]);
@@ -62,52 +63,57 @@ Figure::Figure(const FigurePlan& plan, dWorldID world, const ReferenceState& sta
   for (Body body : motion::kBodies) {
     const auto parent = parent_of(body);
     if (!parent) continue;
-    const BodyState& holder = start.body[*parent];
-    joints_[body] = make_ball_joint(world, bodies_[body], bodies_[*parent],
-                                    holder.position + holder.orientation * start.socket[body]);
-    motors_[body] = make_motor(world, bodies_[body], bodies_[*parent],
-                               holder.orientation.toRotationMatrix());  // others: see drive
+    const BodyState& parent_state = start.body[*parent];
+    joints_[body] =
+        make_ball_joint(world, bodies_[body], bodies_[*parent],
+                        parent_state.position + parent_state.orientation * start.socket[body]);
+    motors_[body] =
+        make_motor(world, bodies_[body], bodies_[*parent],
+                   parent_state.orientation.toRotationMatrix());  // others: see set_motors
   }
 }
 
-void Figure::drive(const ReferenceState& target, double step_s, const Drive& drive) {
-  if (!fallen_) drive_pelvis(target.body[Body::pelvis], step_s, drive);
+void Figure::set_motors(const ReferenceState& target, double step_s,
+                        const MotorStrength& strength) {
+  if (!fallen_) set_pelvis_motor(target.body[Body::pelvis], step_s, strength);
   for (Body body : motion::kBodies) {
-    if (parent_of(body)) drive_joint(body, target, step_s, drive.joints);
+    if (parent_of(body)) set_joint_motor(body, target, step_s, strength.joints);
   }
 }
 
-void Figure::drive_pelvis(const BodyState& target, double step_s, const Drive& drive) {
+void Figure::set_pelvis_motor(const BodyState& target, double step_s,
+                              const MotorStrength& strength) {
   const PelvisRows rows =
-      pelvis_rows(plan_, state_of(bodies_[Body::pelvis]), target, step_s, drive);
+      pelvis_rows(figure_model_, state_of(bodies_[Body::pelvis]), target, step_s, strength);
   for (int axis = 0; axis < 3; ++axis) {
     const auto at = static_cast<std::size_t>(axis);
-    set_row(joints_[Body::pelvis], axis, rows.moving[at], dJointSetLMotorParam);
-    set_row(motors_[Body::pelvis], axis, rows.turning[at], dJointSetAMotorParam);
+    set_row(joints_[Body::pelvis], axis, rows.linear[at], dJointSetLMotorParam);
+    set_row(motors_[Body::pelvis], axis, rows.angular[at], dJointSetAMotorParam);
   }
 }
 
-void Figure::drive_joint(Body body, const ReferenceState& target, double step_s, double share) {
+void Figure::set_joint_motor(Body body, const ReferenceState& target, double step_s, double share) {
   const dBodyID parent = bodies_[*parent_of(body)];
-  const JointRows rows = joint_rows(plan_, body, orientation_of(bodies_[body]),
+  const JointRows rows = joint_rows(figure_model_, body, orientation_of(bodies_[body]),
                                     orientation_of(parent), target, step_s, share);
   const dJointID motor = motors_[body];
-  if (plan_.kinds[body] != JointKind::ball) set_axes(motor, parent, rows.axes);
+  if (figure_model_.kinds[body] != JointKind::ball) set_axes(motor, parent, rows.axes);
   for (int axis = 0; axis < 3; ++axis) {
-    set_row(motor, axis, rows.turning[static_cast<std::size_t>(axis)], dJointSetAMotorParam);
+    set_row(motor, axis, rows.angular[static_cast<std::size_t>(axis)], dJointSetAMotorParam);
   }
   dJointSetBallAnchor2(joints_[body], rows.socket.x(), rows.socket.y(), rows.socket.z());
   dJointSetBallParam(joints_[body], dParamERP, joint_error_reduction(step_s));
 }
 
-void Figure::stand(Contacts& contacts, const ReferenceState& target, double step_s) const {
+void Figure::add_foot_support(Contacts& contacts, const ReferenceState& target,
+                              double step_s) const {
   for (Body foot : {Body::left_foot, Body::right_foot}) {
-    if (held_[foot]) continue;
+    if (locked_[foot]) continue;
     const FootSupport support =
-        foot_support(plan_, foot, state_of(bodies_[foot]), target.body[foot]);
+        foot_support(figure_model_, foot, state_of(bodies_[foot]), target.body[foot]);
     for (std::size_t i = 0; i < support.count; ++i) {
       const auto& [body, point, depth_m] = support.points[i];
-      contacts.add_support(bodies_[body], point, depth_m, plan_.mass_kg / 4, step_s);
+      contacts.add_support(bodies_[body], point, depth_m, figure_model_.mass_kg / 4, step_s);
     }
   }
 }
@@ -115,16 +121,17 @@ void Figure::stand(Contacts& contacts, const ReferenceState& target, double step
 // What each part needs to change its momentum and its angular momentum as the reference does,
 //   F = m (v_1 - v_0) / h,   T = (L_1 - L_0) / h,   L = R I R^T w,
 // so that the joints bear nothing (d'Alembert).
-void Figure::carry(const ReferenceState& before, const ReferenceState& after, double step_s) {
+void Figure::add_feedforward(const ReferenceState& before, const ReferenceState& after,
+                             double step_s) {
   for (Body body : motion::kBodies) {
     const BodyState& from = before.body[body];
     const BodyState& to = after.body[body];
     const auto angular_momentum = [&](const BodyState& state) {
       const Eigen::Quaterniond& turn = state.orientation;
       const Eigen::Vector3d local = turn.conjugate() * state.angular_velocity;
-      return Eigen::Vector3d(turn * (plan_.inertia[body] * local));
+      return Eigen::Vector3d(turn * (figure_model_.inertia[body] * local));
     };
-    const double mass_kg = static_cast<double>(plan_.model[body].mass_kg);
+    const double mass_kg = static_cast<double>(figure_model_.model[body].mass_kg);
     const Eigen::Vector3d force = mass_kg / step_s * (to.velocity - from.velocity);
     const Eigen::Vector3d torque = (angular_momentum(to) - angular_momentum(from)) / step_s;
     dBodySetGravityMode(bodies_[body], 0);
@@ -133,7 +140,7 @@ void Figure::carry(const ReferenceState& before, const ReferenceState& after, do
   }
 }
 
-void Figure::let_fall() {
+void Figure::start_falling() {
   fallen_ = true;
   dJointDisable(joints_[Body::pelvis]);
   dJointDisable(motors_[Body::pelvis]);
@@ -146,17 +153,18 @@ void Figure::freeze() {
 
 // Instead of friction, which would cost the solver
 // two bounded rows a point, a part that touches is slowed down as if in mud.
-void Figure::lie(Contacts& contacts, double step_s) const {
+void Figure::add_fallen_support(Contacts& contacts, double step_s) const {
   const motion::PerBody<MovingShape> outlines = shapes();
   for (Body body : motion::kBodies) {
     bool touches = false;
-    for (const Eigen::Vector3d& point : low_points(outlines[body])) {
+    for (const Eigen::Vector3d& point : lowest_end_points(outlines[body])) {
       if (point.z() >= 0) continue;
-      contacts.add_support(bodies_[body], point, -point.z(), plan_.mass_kg / kLyingPoints, step_s);
+      contacts.add_support(bodies_[body], point, -point.z(),
+                           figure_model_.mass_kg / kFallenContactPoints, step_s);
       touches = true;
     }
     if (!touches) continue;
-    const double drag = kGroundDrag_hz * static_cast<double>(plan_.model[body].mass_kg);
+    const double drag = kGroundDrag_hz * static_cast<double>(figure_model_.model[body].mass_kg);
     const Eigen::Vector3d velocity = velocity_of(bodies_[body]);
     dBodyAddForce(bodies_[body], -drag * velocity.x(), -drag * velocity.y(), 0);
   }
@@ -165,7 +173,7 @@ void Figure::lie(Contacts& contacts, double step_s) const {
 motion::PerBody<MovingShape> Figure::shapes() const {
   motion::PerBody<MovingShape> result;
   for (Body body : motion::kBodies) {
-    result[body] = placed_shape(plan_.outline[body], state_of(bodies_[body]));
+    result[body] = placed_shape(figure_model_.outline[body], state_of(bodies_[body]));
   }
   return result;
 }

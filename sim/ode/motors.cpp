@@ -9,9 +9,9 @@ void set_row(dJointID motor, int axis, const AxisRow& row, SetMotorParameter set
   set(motor, dParamCFM + axis * dParamGroup, row.softness);
 }
 
-void set_spring(dJointID motor, int axis, const Gains& gains, double pull, double wanted_velocity,
-                double step_s, SetMotorParameter set) {
-  set_row(motor, axis, spring_row(gains, pull, wanted_velocity, step_s), set);
+void set_spring(dJointID motor, int axis, const Gains& gains, double spring_force,
+                double target_velocity, double step_s, SetMotorParameter set) {
+  set_row(motor, axis, spring_row(gains, spring_force, target_velocity, step_s), set);
 }
 
 void set_axes(dJointID motor, dBodyID second, const Eigen::Matrix3d& axes_world) {

@@ -13,8 +13,8 @@ using SetMotorParameter = void (*)(dJointID, int, dReal);
 void set_row(dJointID motor, int axis, const AxisRow& row, SetMotorParameter set);
 
 /// Makes an axis of a motor a spring and damper for the next step; see spring_row.
-void set_spring(dJointID motor, int axis, const Gains& gains, double pull, double wanted_velocity,
-                double step_s, SetMotorParameter set);
+void set_spring(dJointID motor, int axis, const Gains& gains, double spring_force,
+                double target_velocity, double step_s, SetMotorParameter set);
 
 /// The three axes of an angular motor, columns; they turn with `second` where there is one.
 void set_axes(dJointID motor, dBodyID second, const Eigen::Matrix3d& axes_world);

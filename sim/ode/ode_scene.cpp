@@ -3,9 +3,9 @@
 
 namespace flinch::sim {
 
-OdeScene::OdeScene(const FigurePlan& plan, const ReferenceState& start, const Ball* ball,
+OdeScene::OdeScene(const FigureModel& figure_model, const ReferenceState& start, const Ball* ball,
                    double gravity_mps2)
-    : contacts_(world_.id()), figure_(plan, world_.id(), start) {
+    : contacts_(world_.id()), figure_(figure_model, world_.id(), start) {
   dWorldSetGravity(world_.id(), 0, 0, -gravity_mps2);
   if (ball) ball_.emplace(world_.id(), *ball, gravity_mps2);
 }
@@ -18,17 +18,18 @@ void OdeScene::add_hit(motion::Body body, const motion::Clearance& at, double re
   contacts_.add_hit(ball_->body(), figure_.body(body), body, at, restitution);
 }
 
-void OdeScene::add_push(motion::Body first, motion::Body second, const motion::Clearance& at,
-                        double free_closing_mps, bool measured) {
-  contacts_.add_push(figure_.body(first), first, figure_.body(second), second, at, free_closing_mps,
-                     measured);
+void OdeScene::add_body_contact(motion::Body first, motion::Body second,
+                                const motion::Clearance& at, double free_closing_mps,
+                                bool measured) {
+  contacts_.add_body_contact(figure_.body(first), first, figure_.body(second), second, at,
+                             free_closing_mps, measured);
 }
 
 void OdeScene::add_supports(const ReferenceState& target, double step_s) {
   if (figure_.is_fallen()) {
-    figure_.lie(contacts_, step_s);
+    figure_.add_fallen_support(contacts_, step_s);
   } else {
-    figure_.stand(contacts_, target, step_s);
+    figure_.add_foot_support(contacts_, target, step_s);
   }
 }
 

@@ -12,8 +12,8 @@ namespace flinch::sim {
 /// A figure and, if there is one, a ball in a world of their own, which ODE steps.
 class OdeScene {
  public:
-  /// `plan` must outlive this.
-  OdeScene(const FigurePlan& plan, const ReferenceState& start, const Ball* ball,
+  /// `figure_model` must outlive this.
+  OdeScene(const FigureModel& figure_model, const ReferenceState& start, const Ball* ball,
            double gravity_mps2);
 
   motion::PerBody<MovingShape> shapes() const { return figure_.shapes(); }
@@ -22,12 +22,12 @@ class OdeScene {
   // Contacts of the next step, as Contacts adds them.
   void clear_contacts() { contacts_.clear(); }
   void add_hit(motion::Body body, const motion::Clearance& at, double restitution);
-  void add_bounce(double restitution) { ball_->meet_ground(contacts_, restitution); }
-  void add_push(motion::Body first, motion::Body second, const motion::Clearance& at,
-                double free_closing_mps, bool measured);
+  void add_bounce(double restitution) { ball_->add_ground_contact(contacts_, restitution); }
+  void add_body_contact(motion::Body first, motion::Body second, const motion::Clearance& at,
+                        double free_closing_mps, bool measured);
   void add_supports(const ReferenceState& target, double step_s);
 
-  /// A step by the motors as Figure::drive has set them.
+  /// A step by the motors as Figure::set_motors has set them.
   void step(const ReferenceState& target, double step_s);
   void step_ball(double step_s) const { ball_->step(world_, step_s); }
   std::span<const ContactImpulse> impulses(double step_s) { return contacts_.impulses(step_s); }

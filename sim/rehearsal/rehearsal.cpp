@@ -10,44 +10,45 @@
 namespace flinch::sim {
 namespace {
 
-Rehearsal::Track::Sphere reach_of(const FigurePlan& plan, const motion::PerBody<BodyState>& figure,
-                                  double step_s) {
+Rehearsal::Track::Sphere reach_sphere(const FigureModel& figure_model,
+                                      const motion::PerBody<BodyState>& figure, double step_s) {
   Rehearsal::Track::Sphere sphere;
   sphere.centre.setZero();
   for (const BodyState& body : figure) sphere.centre += body.position / motion::kBodyCount;
   for (motion::Body body : motion::kBodies) {
     const BodyState& state = figure[body];
-    const double radius = plan.radius[body];
+    const double radius = figure_model.radius[body];
     const double speed = state.velocity.norm() + state.angular_velocity.norm() * radius;
     sphere.radius =
         std::max(sphere.radius, (state.position - sphere.centre).norm() + radius + speed * step_s);
   }
-  sphere.radius += kNear_m + kMostAcceleration_mps2 * step_s * step_s / 2;
+  sphere.radius += kNearContactDistance_m + kMaxAcceleration_mps2 * step_s * step_s / 2;
   return sphere;
 }
 
 }  // namespace
 
-Rehearsal::Track::Track(const FigurePlan& plan, const SimulationOptions& options,
-                        const motion::Motion& performed, double kept_from_s, double performed_s)
-    : motion(performed),
-      reference(plan.skeleton, plan.model, motion),
+Rehearsal::Track::Track(const FigureModel& figure_model, const SimulationOptions& options,
+                        const motion::Motion& response, double kept_from_s, double rehearsed_s)
+    : motion(response),
+      reference(figure_model.skeleton, figure_model.model, motion),
       from_s(kept_from_s),
-      duration_s(performed_s) {
+      duration_s(rehearsed_s) {
   const auto steps = static_cast<std::size_t>(std::ceil(duration_s / options.free_step_s)) + 1;
-  begins_s.reserve(steps);
+  step_begins_s.reserve(steps);
   reach.reserve(steps);
   figures.reserve(steps);
   ReferenceState now = reference.at(0);
-  EncounterIn<TreeScene> encounter(plan, options, 0, plan, now.body, nullptr, options.gravity_mps2);
+  Encounter<TreeScene> encounter(figure_model, options, 0, figure_model, now.body, nullptr,
+                                 options.gravity_mps2);
   while (encounter.time_s() < duration_s) {
     if (encounter.time_s() <= from_s) {
       figures.clear();
-      first_kept = begins_s.size();
+      first_kept = step_begins_s.size();
     }
-    begins_s.push_back(encounter.time_s());
+    step_begins_s.push_back(encounter.time_s());
     figures.push_back(encounter.scene().bodies());
-    reach.push_back(reach_of(plan, figures.back(), options.free_step_s));
+    reach.push_back(reach_sphere(figure_model, figures.back(), options.free_step_s));
     const double step_s = encounter.begin_step(now, duration_s - encounter.time_s());
     const ReferenceState target = reference.at(encounter.time_s() + step_s);
     encounter.end_step(now, target, step_s);
@@ -58,7 +59,7 @@ Rehearsal::Track::Track(const FigurePlan& plan, const SimulationOptions& options
 
 std::size_t Rehearsal::Track::byte_count() const {
   return sizeof(Track) + motion.poses.capacity() * sizeof(motion::Pose) + reference.byte_count() +
-         begins_s.capacity() * sizeof(double) + reach.capacity() * sizeof(Sphere) +
+         step_begins_s.capacity() * sizeof(double) + reach.capacity() * sizeof(Sphere) +
          figures.capacity() * sizeof(motion::PerBody<BodyState>);
 }
 

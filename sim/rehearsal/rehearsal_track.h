@@ -14,9 +14,9 @@ namespace flinch::sim {
 
 /// What a rehearsal keeps: where the figure is at the beginning of every free step.
 struct Rehearsal::Track {
-  /// Rehearses. `plan` must outlive the track.
-  Track(const FigurePlan& plan, const SimulationOptions& options, const motion::Motion& performed,
-        double kept_from_s, double performed_s);
+  /// Rehearses. `figure_model` must outlive the track.
+  Track(const FigureModel& figure_model, const SimulationOptions& options,
+        const motion::Motion& response, double kept_from_s, double rehearsed_s);
   Track(const Track&) = delete;
   Track& operator=(const Track&) = delete;
 
@@ -29,7 +29,7 @@ struct Rehearsal::Track {
   Reference reference;
   double from_s;
   double duration_s;
-  std::vector<double> begins_s;  ///< of each step
+  std::vector<double> step_begins_s;  ///< of each step
   /// About the figure and wherever it may be before the step's end, whatever the sweep allows for.
   struct Sphere {
     Eigen::Vector3d centre;

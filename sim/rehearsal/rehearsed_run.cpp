@@ -16,7 +16,7 @@ using motion::Body;
 
 // A struck figure may be this far from where it was rehearsed, and a ball that bounced off the
 // ground from where it is expected, before the exit test goes wrong.
-constexpr double kClear_m = 0.05;
+constexpr double kClearDistance_m = 0.05;
 
 features::FreeFlight flight_of(const Ball& ball, double time_s, double gravity_mps2) {
   const features::FreeFlight start{ball.position, ball.velocity, ball.radius, gravity_mps2};
@@ -26,52 +26,53 @@ features::FreeFlight flight_of(const Ball& ball, double time_s, double gravity_m
 bool may_reach(const Rehearsal::Track::Sphere& reach, const features::FreeFlight& ball,
                double step_s) {
   const double travel = ball.velocity.norm() * step_s + ball.gravity_mps2 * step_s * step_s / 2;
-  const double least = reach.radius + ball.radius + travel;
-  return (ball.position - reach.centre).squaredNorm() <= least * least;
+  const double max_distance = reach.radius + ball.radius + travel;
+  return (ball.position - reach.centre).squaredNorm() <= max_distance * max_distance;
 }
 
 // The gap falls by at most (|v_ball - v_part| + |w| radius + g T) T, and by a T^2 / 2 more where
-// the part accelerates; time_of_touch rules out by a rate with a T in full and half as much beside,
-// and so must this, or a step would be cut here that is not cut there.
+// the part accelerates; time_of_contact rules out by a rate with a T in full and half as much
+// beside, and so must this, or a step would be cut here that is not cut there.
 
 /// Whether a ball may come within `distance_m` of a part within `time_s` on either side of now: by
 /// the sphere about the part's centre of mass, of `radius`. The part may accelerate by
 /// `slack_mps2`.
-bool may_be_met(double radius, const BodyState& part, const features::FreeFlight& ball,
-                double time_s, double distance_m, double slack_mps2) {
+bool may_be_reached(double radius, const BodyState& part, const features::FreeFlight& ball,
+                    double time_s, double distance_m, double slack_mps2) {
   const double speed = (ball.velocity - part.velocity).norm() +
                        part.angular_velocity.norm() * radius +
                        (ball.gravity_mps2 + 1.5 * slack_mps2) * time_s;
-  const double most = radius + ball.radius + distance_m + speed * time_s;
-  return (ball.position - part.position).squaredNorm() <= most * most;
+  const double max_distance = radius + ball.radius + distance_m + speed * time_s;
+  return (ball.position - part.position).squaredNorm() <= max_distance * max_distance;
 }
 
 /// What step_ahead says among the whole figure: those parts that the sweep would rule out by the
 /// spheres about them are not even placed.
-StepAhead step_ahead_among(const FigurePlan& plan, const SimulationOptions& options,
-                           const motion::PerBody<BodyState>& figure,
-                           const features::FreeFlight& ball) {
+NextStep next_step_of_figure(const FigureModel& figure_model, const SimulationOptions& options,
+                             const motion::PerBody<BodyState>& figure,
+                             const features::FreeFlight& ball) {
   std::array<MovingShape, motion::kBodyCount> shapes;
   std::size_t count = 0;
   for (Body body : motion::kBodies) {
-    if (may_be_met(plan.radius[body], figure[body], ball, options.free_step_s, kNear_m,
-                   kMostAcceleration_mps2)) {
-      shapes[count++] = placed_shape(plan.outline[body], figure[body]);
+    if (may_be_reached(figure_model.radius[body], figure[body], ball, options.free_step_s,
+                       kNearContactDistance_m, kMaxAcceleration_mps2)) {
+      shapes[count++] = placed_shape(figure_model.outline[body], figure[body]);
     }
   }
-  return step_ahead(ball, std::span(shapes).first(count), options);
+  return next_step(ball, std::span(shapes).first(count), options);
 }
 
 /// A ball as it goes on from a time, bouncing off the ground without spin.
-class Outlook {
+class BouncingFlight {
  public:
-  Outlook(const features::FreeFlight& ball, double time_s, double restitution)
+  BouncingFlight(const features::FreeFlight& ball, double time_s, double restitution)
       : ball_(ball), time_s_(time_s), restitution_(restitution) {}
 
   features::FreeFlight at(double time_s) {
-    while (const auto bounce = features::time_of_bounce(ball_, time_s - time_s_, kTouch_m)) {
+    while (const auto bounce =
+               features::time_of_bounce(ball_, time_s - time_s_, kContactDistance_m)) {
       advance(*bounce);
-      if (-ball_.velocity.z() <= kRestSpeed_mps) {
+      if (-ball_.velocity.z() <= kMinBounceSpeed_mps) {
         ball_.velocity.z() = 0;
         ball_.gravity_mps2 = 0;
       } else {
@@ -96,23 +97,26 @@ class Outlook {
 };
 
 /// Whether a ball stays clear of the figure, as it was rehearsed, from `time_s` on.
-bool stays_clear(const FigurePlan& plan, const SimulationOptions& options,
+bool stays_clear(const FigureModel& figure_model, const SimulationOptions& options,
                  const Rehearsal::Track& track, const features::FreeFlight& ball, double now_s,
                  double time_s) {
-  Outlook outlook(ball, now_s, options.restitution);
-  const auto first = std::upper_bound(track.begins_s.begin(), track.begins_s.end(), time_s);
-  auto step = static_cast<std::size_t>(first - track.begins_s.begin()) - 1;
-  for (; step < track.begins_s.size(); ++step) {
-    const double from_s = std::max(time_s, track.begins_s[step]);
-    const double horizon_s = track.begins_s[step] + options.free_step_s - from_s;
-    const features::FreeFlight then = outlook.at(from_s);
+  BouncingFlight bouncing(ball, now_s, options.restitution);
+  const auto first =
+      std::upper_bound(track.step_begins_s.begin(), track.step_begins_s.end(), time_s);
+  auto step = static_cast<std::size_t>(first - track.step_begins_s.begin()) - 1;
+  for (; step < track.step_begins_s.size(); ++step) {
+    const double from_s = std::max(time_s, track.step_begins_s[step]);
+    const double horizon_s = track.step_begins_s[step] + options.free_step_s - from_s;
+    const features::FreeFlight then = bouncing.at(from_s);
     if (!may_reach(track.reach[step], then, horizon_s)) continue;
     for (Body body : motion::kBodies) {
       const BodyState& state = track.figure_at(step)[body];
-      if (!may_be_met(plan.radius[body], state, then, options.free_step_s, kClear_m, 0)) continue;
+      if (!may_be_reached(figure_model.radius[body], state, then, options.free_step_s,
+                          kClearDistance_m, 0))
+        continue;
       const MovingShape there =
-          placed_shape(plan.outline[body], state).at(from_s - track.begins_s[step]);
-      if (time_of_touch(then, there, horizon_s, kClear_m, 0)) return false;
+          placed_shape(figure_model.outline[body], state).at(from_s - track.step_begins_s[step]);
+      if (time_of_contact(then, there, horizon_s, kClearDistance_m, 0)) return false;
     }
   }
   return true;
@@ -120,44 +124,48 @@ bool stays_clear(const FigurePlan& plan, const SimulationOptions& options,
 
 }  // namespace
 
-std::optional<std::size_t> first_meeting(const FigurePlan& plan, const SimulationOptions& options,
-                                         const Rehearsal::Track& track, const Ball& ball) {
-  for (std::size_t step = 0; step < track.begins_s.size(); ++step) {
-    const features::FreeFlight flight = flight_of(ball, track.begins_s[step], options.gravity_mps2);
+std::optional<std::size_t> first_possible_contact(const FigureModel& figure_model,
+                                                  const SimulationOptions& options,
+                                                  const Rehearsal::Track& track, const Ball& ball) {
+  for (std::size_t step = 0; step < track.step_begins_s.size(); ++step) {
+    const features::FreeFlight flight =
+        flight_of(ball, track.step_begins_s[step], options.gravity_mps2);
     const bool bounces =
-        features::time_of_bounce(flight, options.free_step_s, kTouch_m).has_value();
+        features::time_of_bounce(flight, options.free_step_s, kContactDistance_m).has_value();
     if (!bounces && !may_reach(track.reach[step], flight, options.free_step_s)) continue;
     if (step < track.first_kept) {
       throw Error("simulation", "a ball reaches the figure before the rehearsal begins, at " +
                                     std::to_string(track.from_s) + " s");
     }
-    const StepAhead ahead = step_ahead_among(plan, options, track.figure_at(step), flight);
+    const NextStep ahead =
+        next_step_of_figure(figure_model, options, track.figure_at(step), flight);
     if (bounces || ahead.step_s < options.free_step_s) return step;
   }
   return std::nullopt;
 }
 
-SimulationResult run_rehearsed(const FigurePlan& plan, const SimulationOptions& options,
+SimulationResult run_rehearsed(const FigureModel& figure_model, const SimulationOptions& options,
                                const Rehearsal::Track& track, const Ball& ball) {
   SimulationResult result;
-  const auto meeting = first_meeting(plan, options, track, ball);
-  if (!meeting) {
+  const auto contact_step = first_possible_contact(figure_model, options, track, ball);
+  if (!contact_step) {
     result.skipped = true;
     return result;
   }
-  const double begin_s = track.begins_s[*meeting];
+  const double begin_s = track.step_begins_s[*contact_step];
   const features::FreeFlight flight = flight_of(ball, begin_s, options.gravity_mps2);
   Ball then = ball;
   then.position = flight.position;
   then.velocity = flight.velocity;
-  EncounterIn<TreeScene> encounter(plan, options, begin_s, plan, track.figure_at(*meeting), &then,
-                                   options.gravity_mps2);
+  Encounter<TreeScene> encounter(figure_model, options, begin_s, figure_model,
+                                 track.figure_at(*contact_step), &then, options.gravity_mps2);
   ReferenceState now = track.reference.at(begin_s);
   while (encounter.time_s() < track.duration_s) {
     const double time_s = encounter.time_s();
     const double step_s = encounter.begin_step(now, track.duration_s - time_s);
-    if (step_s >= options.free_step_s && !encounter.may_strike() &&
-        stays_clear(plan, options, track, *encounter.scene().flight(), time_s, time_s + step_s)) {
+    if (step_s >= options.free_step_s && !encounter.may_collide_again() &&
+        stays_clear(figure_model, options, track, *encounter.scene().flight(), time_s,
+                    time_s + step_s)) {
       break;
     }
     const ReferenceState target = track.reference.at(time_s + step_s);

@@ -26,14 +26,14 @@ double squared_error(const Figure& figure, const ReferenceState& target) {
 }
 
 /// One simulation under way.
-class Run {
+class TrackedSimulation {
  public:
-  Run(const FigurePlan& plan, const SimulationOptions& options, const motion::Motion& motion,
-      const Ball* ball)
-      : reference_(plan.skeleton, plan.model, motion),
-        encounter_(plan, options, reference_.at(0), ball) {}
+  TrackedSimulation(const FigureModel& figure_model, const SimulationOptions& options,
+                    const motion::Motion& motion, const Ball* ball)
+      : reference_(figure_model.skeleton, figure_model.model, motion),
+        encounter_(figure_model, options, reference_.at(0), ball) {}
 
-  SimulationResult to(double duration_s) {
+  SimulationResult run_until(double duration_s) {
     const int messages_before = solver_messages_on_this_thread();
     while (encounter_.time_s() < duration_s) advance(duration_s - encounter_.time_s());
     const double time_s = encounter_.time_s();
@@ -45,31 +45,31 @@ class Run {
   }
 
  private:
-  void advance(double most_s) {
+  void advance(double max_step_s) {
     const ReferenceState now = reference_.at(encounter_.time_s());
-    const double step_s = encounter_.begin_step(now, most_s);
+    const double step_s = encounter_.begin_step(now, max_step_s);
     const ReferenceState target = reference_.at(encounter_.time_s() + step_s);
-    encounter_.figure().drive(target, step_s);
+    encounter_.figure().set_motors(target, step_s);
     encounter_.end_step(now, target, step_s);
     ++result_.steps;
     squared_error_ += step_s * squared_error(encounter_.figure(), target);
   }
 
   Reference reference_;
-  Encounter encounter_;
+  OdeEncounter encounter_;
   SimulationResult result_;
   double squared_error_ = 0;
 };
 
 }  // namespace
 
-struct Simulator::Plan {
-  FigurePlan figure;
+struct Simulator::Setup {
+  FigureModel figure;
   SimulationOptions options;
 };
 
-Simulator::Simulator(const motion::Character& character, const SimulationOptions& options)
-    : plan_(std::make_unique<Plan>(Plan{FigurePlan(character), options})) {}
+Simulator::Simulator(const motion::Physique& character, const SimulationOptions& options)
+    : setup_(std::make_unique<Setup>(Setup{FigureModel(character), options})) {}
 
 Simulator::~Simulator() = default;
 Simulator::Simulator(Simulator&&) noexcept = default;
@@ -77,17 +77,17 @@ Simulator& Simulator::operator=(Simulator&&) noexcept = default;
 
 SimulationResult Simulator::simulate(const motion::Motion& reference, const Ball* ball,
                                      double duration_s) const {
-  return Run(plan_->figure, plan_->options, reference, ball).to(duration_s);
+  return TrackedSimulation(setup_->figure, setup_->options, reference, ball).run_until(duration_s);
 }
 
 Rehearsal Simulator::rehearse(const motion::Motion& reference, double from_s,
                               double duration_s) const {
-  return Rehearsal(std::make_unique<Rehearsal::Track>(plan_->figure, plan_->options, reference,
+  return Rehearsal(std::make_unique<Rehearsal::Track>(setup_->figure, setup_->options, reference,
                                                       from_s, duration_s));
 }
 
 SimulationResult Simulator::simulate(const Rehearsal& rehearsal, const Ball& ball) const {
-  return run_rehearsed(plan_->figure, plan_->options, rehearsal.track(), ball);
+  return run_rehearsed(setup_->figure, setup_->options, rehearsal.track(), ball);
 }
 
 }  // namespace flinch::sim

@@ -29,7 +29,7 @@ struct SimulationResult {
 /// depend on what was simulated before, and one simulator may serve several threads at a time.
 class Simulator {
  public:
-  Simulator(const motion::Character& character, const SimulationOptions& options);
+  Simulator(const motion::Physique& character, const SimulationOptions& options);
   ~Simulator();
   Simulator(Simulator&&) noexcept;
   Simulator& operator=(Simulator&&) noexcept;
@@ -49,8 +49,8 @@ class Simulator {
   SimulationResult simulate(const Rehearsal& rehearsal, const Ball& ball) const;
 
  private:
-  struct Plan;
-  std::unique_ptr<const Plan> plan_;
+  struct Setup;
+  std::unique_ptr<const Setup> setup_;
 };
 
 }  // namespace flinch::sim

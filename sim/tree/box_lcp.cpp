@@ -7,80 +7,82 @@
 namespace flinch::sim {
 namespace {
 
-constexpr int kPatience = 8;  // block pivots that do not better the best before single ones
-constexpr int kMostPivots = 200;
-constexpr double kTolerance = 1e-12;  // of a row's own terms
+constexpr int kMaxStalledPivots = 8;  // block pivots that do not better the best before single ones
+constexpr int kMaxPivots = 200;
+constexpr double kRelativeTolerance = 1e-12;  // of a row's own terms
 
 }  // namespace
 
-void BoxLcp::solve_between(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& right,
-                           const Eigen::VectorXd& low, const Eigen::VectorXd& high,
-                           Eigen::VectorXd& x) {
-  between_.clear();
+void BoxLcp::solve_free(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& right_hand_side,
+                        const Eigen::VectorXd& lower, const Eigen::VectorXd& upper,
+                        Eigen::VectorXd& x) {
+  free_rows_.clear();
   for (Eigen::Index i = 0; i < x.size(); ++i) {
-    const Place place = places_[static_cast<std::size_t>(i)];
-    if (place == Place::between) between_.push_back(i);
-    x[i] = place == Place::low ? low[i] : place == Place::high ? high[i] : 0;
+    const BoundState state = states_[static_cast<std::size_t>(i)];
+    if (state == BoundState::free) free_rows_.push_back(i);
+    x[i] = state == BoundState::lower ? lower[i] : state == BoundState::upper ? upper[i] : 0;
   }
-  const auto count = static_cast<Eigen::Index>(between_.size());
+  const auto count = static_cast<Eigen::Index>(free_rows_.size());
   if (count == 0) return;
-  sub_.resize(count, count);
-  sub_x_.resize(count);
+  free_matrix_.resize(count, count);
+  free_solution_.resize(count);
   for (Eigen::Index i = 0; i < count; ++i) {
-    const Eigen::Index row = between_[static_cast<std::size_t>(i)];
-    sub_x_[i] = right[row] - matrix.row(row).dot(x);
+    const Eigen::Index row = free_rows_[static_cast<std::size_t>(i)];
+    free_solution_[i] = right_hand_side[row] - matrix.row(row).dot(x);
     for (Eigen::Index j = 0; j < count; ++j) {
-      sub_(i, j) = matrix(row, between_[static_cast<std::size_t>(j)]);
+      free_matrix_(i, j) = matrix(row, free_rows_[static_cast<std::size_t>(j)]);
     }
   }
-  Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>>(sub_).solveInPlace(sub_x_);
-  for (Eigen::Index i = 0; i < count; ++i) x[between_[static_cast<std::size_t>(i)]] = sub_x_[i];
+  Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>>(free_matrix_).solveInPlace(free_solution_);
+  for (Eigen::Index i = 0; i < count; ++i)
+    x[free_rows_[static_cast<std::size_t>(i)]] = free_solution_[i];
 }
 
-bool BoxLcp::solve(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& right,
-                   const Eigen::VectorXd& low, const Eigen::VectorXd& high, Eigen::VectorXd& x) {
-  const Eigen::Index count = right.size();
+bool BoxLcp::solve(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& right_hand_side,
+                   const Eigen::VectorXd& lower, const Eigen::VectorXd& upper, Eigen::VectorXd& x) {
+  const Eigen::Index count = right_hand_side.size();
   x.resize(count);
-  places_.clear();
+  states_.clear();
   for (Eigen::Index i = 0; i < count; ++i) {
     // Without a range there is nothing to find: it costs a pivot to get to where it has to be.
-    places_.push_back(low[i] < high[i] ? Place::between : Place::low);
+    states_.push_back(lower[i] < upper[i] ? BoundState::free : BoundState::lower);
   }
-  std::ptrdiff_t fewest = count + 1;
-  int patience = kPatience;
-  for (int pivot = 0; pivot < kMostPivots; ++pivot) {
-    solve_between(matrix, right, low, high, x);
-    std::ptrdiff_t wrong = 0;
+  std::ptrdiff_t min_infeasible = count + 1;
+  int stalled_pivots_left = kMaxStalledPivots;
+  for (int pivot = 0; pivot < kMaxPivots; ++pivot) {
+    solve_free(matrix, right_hand_side, lower, upper, x);
+    std::ptrdiff_t infeasible = 0;
     Eigen::Index last = 0;
-    Place last_place = Place::between;
-    const bool single = patience == 0;
+    BoundState last_state = BoundState::free;
+    const bool single = stalled_pivots_left == 0;
     for (Eigen::Index i = 0; i < count; ++i) {
-      Place& place = places_[static_cast<std::size_t>(i)];
-      Place wanted = place;
-      if (place == Place::between) {
-        if (x[i] < low[i]) wanted = Place::low;
-        if (x[i] > high[i]) wanted = Place::high;
-      } else if (low[i] < high[i]) {
-        const double w = matrix.row(i).dot(x) - right[i];
-        const double slack = kTolerance * (std::abs(right[i]) + matrix(i, i) * std::abs(x[i]));
-        if (place == Place::low ? w < -slack : w > slack) wanted = Place::between;
+      BoundState& state = states_[static_cast<std::size_t>(i)];
+      BoundState wanted = state;
+      if (state == BoundState::free) {
+        if (x[i] < lower[i]) wanted = BoundState::lower;
+        if (x[i] > upper[i]) wanted = BoundState::upper;
+      } else if (lower[i] < upper[i]) {
+        const double w = matrix.row(i).dot(x) - right_hand_side[i];
+        const double slack =
+            kRelativeTolerance * (std::abs(right_hand_side[i]) + matrix(i, i) * std::abs(x[i]));
+        if (state == BoundState::lower ? w < -slack : w > slack) wanted = BoundState::free;
       }
-      if (wanted == place) continue;
-      ++wrong;
+      if (wanted == state) continue;
+      ++infeasible;
       last = i;
-      last_place = wanted;
-      if (!single) place = wanted;
+      last_state = wanted;
+      if (!single) state = wanted;
     }
-    if (wrong == 0) return true;
-    if (single) places_[static_cast<std::size_t>(last)] = last_place;
-    if (wrong < fewest) {
-      fewest = wrong;
-      patience = kPatience;
-    } else if (patience > 0) {
-      --patience;
+    if (infeasible == 0) return true;
+    if (single) states_[static_cast<std::size_t>(last)] = last_state;
+    if (infeasible < min_infeasible) {
+      min_infeasible = infeasible;
+      stalled_pivots_left = kMaxStalledPivots;
+    } else if (stalled_pivots_left > 0) {
+      --stalled_pivots_left;
     }
   }
-  x = x.cwiseMax(low).cwiseMin(high);
+  x = x.cwiseMax(lower).cwiseMin(upper);
   return false;
 }
 

@@ -13,18 +13,18 @@ namespace flinch::sim {
 class BoxLcp {
  public:
   /// Whether it was found; if not, `x` is within its bounds and as near as pivoting came.
-  bool solve(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& right,
-             const Eigen::VectorXd& low, const Eigen::VectorXd& high, Eigen::VectorXd& x);
+  bool solve(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& right_hand_side,
+             const Eigen::VectorXd& lower, const Eigen::VectorXd& upper, Eigen::VectorXd& x);
 
  private:
-  enum class Place : signed char { low = -1, between = 0, high = 1 };
-  void solve_between(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& right,
-                     const Eigen::VectorXd& low, const Eigen::VectorXd& high, Eigen::VectorXd& x);
+  enum class BoundState : signed char { lower = -1, free = 0, upper = 1 };
+  void solve_free(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& right_hand_side,
+                  const Eigen::VectorXd& lower, const Eigen::VectorXd& upper, Eigen::VectorXd& x);
 
-  std::vector<Place> places_;
-  std::vector<Eigen::Index> between_;
-  Eigen::MatrixXd sub_;
-  Eigen::VectorXd sub_x_;
+  std::vector<BoundState> states_;
+  std::vector<Eigen::Index> free_rows_;
+  Eigen::MatrixXd free_matrix_;
+  Eigen::VectorXd free_solution_;
 };
 
 }  // namespace flinch::sim

@@ -56,11 +56,11 @@ Matrix3d symmetric_inverse(const Matrix3d& m) {
 
 // At a point whose velocity v' = v - [r]x w is that of one farther by r: with A symmetric,
 //   B' = B + A [r]x,   C' = C + H^T [r]x + (H^T [r]x)^T,   H = B + A [r]x / 2.
-Inertia moved_to(const Inertia& inertia, const Vector3d& arm) {
+SpatialInertia moved_to(const SpatialInertia& inertia, const Vector3d& arm) {
   const Matrix3d lever = times_cross(inertia.mass, arm);
   const Matrix3d half = inertia.coupling + 0.5 * lever;
   const Matrix3d turned = times_cross(half.transpose(), arm);
-  return {inertia.mass, inertia.coupling + lever, inertia.turning + turned + turned.transpose()};
+  return {inertia.mass, inertia.coupling + lever, inertia.angular + turned + turned.transpose()};
 }
 
 /// An impulse at a point that is `arm` from where `impulse` is taken.
@@ -72,7 +72,7 @@ Twist sum(const Twist& first, const Twist& second) {
   return {first.linear + second.linear, first.angular + second.angular};
 }
 
-Vector6d stacked(const Twist& twist) {
+Vector6d to_vector(const Twist& twist) {
   Vector6d both;
   both << twist.linear, twist.angular;
   return both;
@@ -84,64 +84,65 @@ Vector6d stacked(const Twist& twist) {
 //   I (w' - w) = h L x w',  L = I w   <=>   (I - h [L]x) w' = L
 //
 // which holds in the world's axes as well, of all of them. The momentum I w':
-Vector3d spun(const Matrix3d& inertia, const Vector3d& angular_velocity, double step_s) {
+Vector3d momentum_with_gyroscopic_torque(const Matrix3d& inertia, const Vector3d& angular_velocity,
+                                         double step_s) {
   const Vector3d momentum = inertia * angular_velocity;
   const Matrix3d equations = inertia - step_s * cross_matrix(momentum);
   return momentum + step_s * momentum.cross(equations.inverse() * momentum);
 }
 
 // At a point r from the centre of mass:  [m, m [r]x; sym., I + m (r^2 - r r^T)].
-Inertia rigid_inertia(double mass_kg, const Matrix3d& inertia, const Vector3d& arm) {
+SpatialInertia rigid_inertia(double mass_kg, const Matrix3d& inertia, const Vector3d& arm) {
   const Vector3d moment = mass_kg * arm;
-  Inertia rigid{mass_kg * Matrix3d::Identity(), cross_matrix(moment),
-                inertia - moment * arm.transpose()};
-  rigid.turning.diagonal().array() += moment.dot(arm);
+  SpatialInertia rigid{mass_kg * Matrix3d::Identity(), cross_matrix(moment),
+                       inertia - moment * arm.transpose()};
+  rigid.angular.diagonal().array() += moment.dot(arm);
   return rigid;
 }
 
 // [A B; B^T C]^-1 with the Schur complement S = C - B^T A^-1 B:
 //   [A^-1 + G S^-1 G^T, -G S^-1; -S^-1 G^T, S^-1],  G = A^-1 B.
-Eigen::Matrix<double, 6, 6> inverse(const Inertia& inertia) {
+Eigen::Matrix<double, 6, 6> inverse(const SpatialInertia& inertia) {
   const Matrix3d free = symmetric_inverse(inertia.mass);
   const Matrix3d lever = free * inertia.coupling;
-  const Matrix3d turning = symmetric_inverse(
-      inertia.turning - symmetric_product(inertia.coupling.transpose(), lever.transpose()));
-  const Matrix3d across = -lever * turning;
+  const Matrix3d angular = symmetric_inverse(
+      inertia.angular - symmetric_product(inertia.coupling.transpose(), lever.transpose()));
+  const Matrix3d across = -lever * angular;
   Eigen::Matrix<double, 6, 6> result;
-  result << free - symmetric_product(across, lever), across, across.transpose(), turning;
+  result << free - symmetric_product(across, lever), across, across.transpose(), angular;
   return result;
 }
 
 /// How a joint turns under the rows of its turning.
-struct Give {
-  Matrix3d share;             ///< E
-  Vector3d driven;            ///< e
-  Vector3d rigid;             ///< the turning part of c_0
-  double same_about_all = 0;  ///< D where it is the same about any axis; else 0
+struct JointMobility {
+  Matrix3d mobility;               ///< E
+  Vector3d bias;                   ///< e
+  Vector3d prescribed;             ///< the turning part of c_0
+  double isotropic_stiffness = 0;  ///< D where it is the same about any axis; else 0
 };
 
 /// Of a joint that turns about three axes equally.
-Give even_give(const JointRows& rows, double step_s, const Matrix3d& turning) {
-  const auto& [first, second, third] = rows.turning;
+JointMobility isotropic_mobility(const JointRows& rows, double step_s, const Matrix3d& angular) {
+  const auto& [first, second, third] = rows.angular;
   const double stiffness = step_s / first.softness;
-  const Matrix3d share = symmetric_inverse(turning + stiffness * Matrix3d::Identity());
+  const Matrix3d share = symmetric_inverse(angular + stiffness * Matrix3d::Identity());
   const Vector3d wanted(first.velocity, second.velocity, third.velocity);
   return {share, share * (rows.axes * (stiffness * wanted)), Vector3d::Zero(), stiffness};
 }
 
-Give give_of(const JointRows& rows, double step_s, const Matrix3d& turning) {
-  const auto& [first, second, third] = rows.turning;
+JointMobility joint_mobility(const JointRows& rows, double step_s, const Matrix3d& angular) {
+  const auto& [first, second, third] = rows.angular;
   if (first.softness > 0 && first.softness == second.softness && first.softness == third.softness) {
-    return even_give(rows, step_s, turning);
+    return isotropic_mobility(rows, step_s, angular);
   }
   int free = 0;
-  while (free < 3 && rows.turning[static_cast<std::size_t>(free)].softness > 0) ++free;
-  const Matrix3d in_axes = rows.axes.transpose() * turning * rows.axes;
+  while (free < 3 && rows.angular[static_cast<std::size_t>(free)].softness > 0) ++free;
+  const Matrix3d in_axes = rows.axes.transpose() * angular * rows.axes;
   Matrix3d equations = Matrix3d::Identity();
   Vector3d drive = Vector3d::Zero();
   Vector3d rigid = Vector3d::Zero();
   for (int i = 0; i < 3; ++i) {
-    const AxisRow& row = rows.turning[static_cast<std::size_t>(i)];
+    const AxisRow& row = rows.angular[static_cast<std::size_t>(i)];
     if (i >= free) {
       rigid[i] = row.velocity;
       continue;
@@ -158,25 +159,25 @@ Give give_of(const JointRows& rows, double step_s, const Matrix3d& turning) {
 
 }  // namespace
 
-FigureRows figure_rows(const FigurePlan& plan, const motion::PerBody<BodyState>& now,
+FigureRows figure_rows(const FigureModel& figure_model, const motion::PerBody<BodyState>& now,
                        const ReferenceState& target, double step_s) {
   FigureRows rows;
-  rows.pelvis = pelvis_rows(plan, now[Body::pelvis], target.body[Body::pelvis], step_s, {});
+  rows.pelvis = pelvis_rows(figure_model, now[Body::pelvis], target.body[Body::pelvis], step_s, {});
   for (Body body : motion::kBodies) {
     const auto parent = parent_of(body);
     if (!parent) continue;
-    rows.joints[body] =
-        joint_rows(plan, body, now[body].orientation, now[*parent].orientation, target, step_s, 1);
+    rows.joints[body] = joint_rows(figure_model, body, now[body].orientation,
+                                   now[*parent].orientation, target, step_s, 1);
   }
   return rows;
 }
 
-JointTree::JointTree(const FigurePlan& plan) : plan_(plan) {
+JointTree::JointTree(const FigureModel& figure_model) : figure_model_(figure_model) {
   for (Body body : motion::kBodies) {
     Link& link = links_[body];
     link.chain = set_of(body);
     if (const auto parent = parent_of(body)) {
-      link.joint_local = joint_of(plan, body);
+      link.joint_local = joint_offset(figure_model, body);
       link.parent = *parent;
       link.chain |= links_[*parent].chain;
     }
@@ -214,7 +215,8 @@ JointTree::JointTree(const FigurePlan& plan) : plan_(plan) {
 //
 // and C E, which is then symmetric. An impulse f on the bodies changes b, t and the root's velocity
 // in proportion: passed on alone it leaves f_0 at the root and at each joint a moment m, so that
-// the whole inverse is the sum of a term for each joint and the root (effect, pass, add),
+// the whole inverse is the sum of a term for each joint and the root (inverse_inertia_product,
+// propagate, add),
 //
 //   f^T M^-1 g = f_0^T M_0^-1 g_0 + sum m_f^T E m_g.
 void JointTree::set_step(const motion::PerBody<BodyState>& now, const FigureRows& rows,
@@ -222,18 +224,18 @@ void JointTree::set_step(const motion::PerBody<BodyState>& now, const FigureRows
   for (Body body : motion::kBodies) {
     const BodyState& state = now[body];
     const Matrix3d turn = state.orientation.toRotationMatrix();
-    const double mass_kg = static_cast<double>(plan_.model[body].mass_kg);
+    const double mass_kg = static_cast<double>(figure_model_.model[body].mass_kg);
     Link& link = links_[body];
     link.to_joint = turn * link.joint_local;
     if (body != Body::pelvis) {
       link.parent_to_joint = now[link.parent].orientation * rows.joints[body].socket;
       link.joint_to_joint = link.parent_to_joint - links_[link.parent].to_joint;
     }
-    const Matrix3d inertia = symmetric_product(turn * plan_.inertia[body], turn);
+    const Matrix3d inertia = symmetric_product(turn * figure_model_.inertia[body], turn);
     inertia_[body] = rigid_inertia(mass_kg, inertia, link.to_joint);
     momentum_[body] =
         moved_to(Twist{mass_kg * (state.velocity - step_s * gravity_mps2 * Vector3d::UnitZ()),
-                       spun(inertia, state.angular_velocity, step_s)},
+                       momentum_with_gyroscopic_torque(inertia, state.angular_velocity, step_s)},
                  link.to_joint);
   }
   for (std::size_t i = motion::kBodyCount - 1; i > 0; --i) {
@@ -246,90 +248,95 @@ void JointTree::set_step(const motion::PerBody<BodyState>& now, const FigureRows
 void JointTree::factor(const JointRows& rows, const motion::PerBody<BodyState>& now, Body body,
                        double step_s) {
   Link& link = links_[body];
-  const auto& [mass, coupling, turning] = inertia_[body];
-  const Give give = give_of(rows, step_s, turning);
-  link.give = give.share;
-  link.coupling_give = coupling * give.share;
+  const auto& [mass, coupling, angular] = inertia_[body];
+  const JointMobility joint = joint_mobility(rows, step_s, angular);
+  link.mobility = joint.mobility;
+  link.coupling_mobility = coupling * joint.mobility;
   const Vector3d gap =
       now[link.parent].position + link.parent_to_joint - now[body].position - link.to_joint;
-  link.forced = {joint_error_reduction(step_s) / step_s * gap, give.rigid};
+  link.prescribed = {joint_error_reduction(step_s) / step_s * gap, joint.prescribed};
 
-  Inertia passed;
-  passed.mass = mass - symmetric_product(link.coupling_give, coupling);
-  if (give.same_about_all > 0) {
-    link.turning_give = symmetric_product(turning, give.share);
-    passed.coupling = give.same_about_all * link.coupling_give;
-    passed.turning = give.same_about_all * link.turning_give;
+  SpatialInertia projected;
+  projected.mass = mass - symmetric_product(link.coupling_mobility, coupling);
+  if (joint.isotropic_stiffness > 0) {
+    link.angular_mobility = symmetric_product(angular, joint.mobility);
+    projected.coupling = joint.isotropic_stiffness * link.coupling_mobility;
+    projected.angular = joint.isotropic_stiffness * link.angular_mobility;
   } else {
-    link.turning_give = turning * give.share;
-    passed.coupling = coupling - link.coupling_give * turning;
-    passed.turning = turning - symmetric_product(link.turning_give, turning);
+    link.angular_mobility = angular * joint.mobility;
+    projected.coupling = coupling - link.coupling_mobility * angular;
+    projected.angular = angular - symmetric_product(link.angular_mobility, angular);
   }
 
   const Twist& own = momentum_[body];
-  const Twist& forced = link.forced;
-  const Twist free{own.linear - mass * forced.linear - coupling * forced.angular,
-                   own.angular - coupling.transpose() * forced.linear - turning * forced.angular};
-  link.turning = link.give * free.angular + give.driven;
-  const Twist handed{free.linear - coupling * link.turning, free.angular - turning * link.turning};
+  const Twist& prescribed = link.prescribed;
+  const Twist free{
+      own.linear - mass * prescribed.linear - coupling * prescribed.angular,
+      own.angular - coupling.transpose() * prescribed.linear - angular * prescribed.angular};
+  link.angular = link.mobility * free.angular + joint.bias;
+  const Twist to_parent{free.linear - coupling * link.angular,
+                        free.angular - angular * link.angular};
 
   Twist& momentum = momentum_[link.parent];
-  momentum = sum(momentum, moved_to(handed, -link.joint_to_joint));
-  const Inertia at_parent = moved_to(passed, -link.joint_to_joint);
-  Inertia& parent = inertia_[link.parent];
+  momentum = sum(momentum, moved_to(to_parent, -link.joint_to_joint));
+  const SpatialInertia at_parent = moved_to(projected, -link.joint_to_joint);
+  SpatialInertia& parent = inertia_[link.parent];
   parent.mass += at_parent.mass;
   parent.coupling += at_parent.coupling;
-  parent.turning += at_parent.turning;
+  parent.angular += at_parent.angular;
 }
 
 void JointTree::factor_root(const PelvisRows& rows, double step_s) {
-  Inertia inertia = inertia_[Body::pelvis];
+  SpatialInertia inertia = inertia_[Body::pelvis];
   Twist momentum = momentum_[Body::pelvis];
   for (int axis = 0; axis < 3; ++axis) {
-    const AxisRow& moving = rows.moving[static_cast<std::size_t>(axis)];
-    const AxisRow& turning = rows.turning[static_cast<std::size_t>(axis)];
+    const AxisRow& moving = rows.linear[static_cast<std::size_t>(axis)];
+    const AxisRow& angular = rows.angular[static_cast<std::size_t>(axis)];
     inertia.mass(axis, axis) += step_s / moving.softness;
-    inertia.turning(axis, axis) += step_s / turning.softness;
+    inertia.angular(axis, axis) += step_s / angular.softness;
     momentum.linear[axis] += step_s / moving.softness * moving.velocity;
-    momentum.angular[axis] += step_s / turning.softness * turning.velocity;
+    momentum.angular[axis] += step_s / angular.softness * angular.velocity;
   }
-  root_ = inverse(inertia);
-  root_velocity_ = root_ * stacked(momentum);
+  root_inverse_inertia_ = inverse(inertia);
+  root_velocity_ = root_inverse_inertia_ * to_vector(momentum);
 }
 
-void JointTree::pass(std::span<const Load> loads, PassedImpulse& passed) const {
+void JointTree::propagate(std::span<const BodyImpulse> body_impulses,
+                          PropagatedImpulse& propagated) const {
   motion::PerBody<Twist> own;  // at the joints
-  passed.chain = 0;
-  for (const Load& load : loads) {
-    own[load.body] = sum(own[load.body], moved_to(load.impulse, links_[load.body].to_joint));
-    passed.chain |= links_[load.body].chain;
+  propagated.chain = 0;
+  for (const BodyImpulse& body_impulse : body_impulses) {
+    own[body_impulse.body] = sum(
+        own[body_impulse.body], moved_to(body_impulse.impulse, links_[body_impulse.body].to_joint));
+    propagated.chain |= links_[body_impulse.body].chain;
   }
   for (std::size_t i = motion::kBodyCount - 1; i > 0; --i) {
     const Body body = motion::kBodies[i];
-    if (!(passed.chain & set_of(body))) continue;
+    if (!(propagated.chain & set_of(body))) continue;
     const Link& link = links_[body];
     const Twist& at_joint = own[body];
-    passed.moment[body] = at_joint.angular;
-    passed.turning[body] = link.give * at_joint.angular;
-    const Twist handed{at_joint.linear - link.coupling_give * at_joint.angular,
-                       at_joint.angular - link.turning_give * at_joint.angular};
-    own[link.parent] = sum(own[link.parent], moved_to(handed, -link.joint_to_joint));
+    propagated.moment[body] = at_joint.angular;
+    propagated.angular[body] = link.mobility * at_joint.angular;
+    const Twist to_parent{at_joint.linear - link.coupling_mobility * at_joint.angular,
+                          at_joint.angular - link.angular_mobility * at_joint.angular};
+    own[link.parent] = sum(own[link.parent], moved_to(to_parent, -link.joint_to_joint));
   }
-  passed.at_root = stacked(own[Body::pelvis]);
-  passed.root_change = root_ * passed.at_root;
+  propagated.root_impulse = to_vector(own[Body::pelvis]);
+  propagated.root_velocity_change = root_inverse_inertia_ * propagated.root_impulse;
 }
 
-double JointTree::effect(const PassedImpulse& first, const PassedImpulse& second) {
-  double sum = first.at_root.dot(second.root_change);
+double JointTree::inverse_inertia_product(const PropagatedImpulse& first,
+                                          const PropagatedImpulse& second) {
+  double sum = first.root_impulse.dot(second.root_velocity_change);
   for_each_body(first.chain & second.chain & ~set_of(Body::pelvis),
-                [&](Body body) { sum += first.moment[body].dot(second.turning[body]); });
+                [&](Body body) { sum += first.moment[body].dot(second.angular[body]); });
   return sum;
 }
 
-void JointTree::add(const PassedImpulse& passed, double size) {
-  root_velocity_ += size * passed.root_change;
-  for_each_body(passed.chain & ~set_of(Body::pelvis),
-                [&](Body body) { links_[body].turning += size * passed.turning[body]; });
+void JointTree::add(const PropagatedImpulse& propagated, double size) {
+  root_velocity_ += size * propagated.root_velocity_change;
+  for_each_body(propagated.chain & ~set_of(Body::pelvis),
+                [&](Body body) { links_[body].angular += size * propagated.angular[body]; });
 }
 
 void JointTree::velocities(BodySet wanted, motion::PerBody<Twist>& after) const {
@@ -338,11 +345,11 @@ void JointTree::velocities(BodySet wanted, motion::PerBody<Twist>& after) const 
     const Link& link = links_[body];
     const Twist& parent = after[link.parent];
     const Vector3d linear = parent.linear + parent.angular.cross(link.parent_to_joint);
-    const Vector3d angular = parent.angular + link.forced.angular + link.turning -
-                             link.coupling_give.transpose() * linear -
-                             link.turning_give.transpose() * parent.angular;
+    const Vector3d angular = parent.angular + link.prescribed.angular + link.angular -
+                             link.coupling_mobility.transpose() * linear -
+                             link.angular_mobility.transpose() * parent.angular;
     after[body].angular = angular;
-    after[body].linear = linear + link.forced.linear + link.to_joint.cross(angular);
+    after[body].linear = linear + link.prescribed.linear + link.to_joint.cross(angular);
   });
 }
 

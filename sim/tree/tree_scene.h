@@ -27,9 +27,9 @@ BallState ball_state(const Ball& ball);
 /// time. A plain value but for its plan.
 class TreeScene {
  public:
-  /// `plan` must outlive this.
-  TreeScene(const FigurePlan& plan, const motion::PerBody<BodyState>& start, const Ball* ball,
-            double gravity_mps2);
+  /// `figure_model` must outlive this.
+  TreeScene(const FigureModel& figure_model, const motion::PerBody<BodyState>& start,
+            const Ball* ball, double gravity_mps2);
 
   motion::PerBody<MovingShape> shapes() const;
   std::optional<features::FreeFlight> flight() const;
@@ -38,8 +38,8 @@ class TreeScene {
   void clear_contacts();
   void add_hit(motion::Body body, const motion::Clearance& at, double restitution);
   void add_bounce(double restitution);
-  void add_push(motion::Body first, motion::Body second, const motion::Clearance& at,
-                double free_closing_mps, bool measured);
+  void add_body_contact(motion::Body first, motion::Body second, const motion::Clearance& at,
+                        double free_closing_mps, bool measured);
   void add_supports(const ReferenceState& target, double step_s);
 
   /// A step, at whose end `target` is wanted.
@@ -52,14 +52,14 @@ class TreeScene {
 
  private:
   /// Who takes part in a contact: a body of the figure, the ball, or for a second the ground.
-  struct Party {
+  struct ContactBody {
     enum class Kind : unsigned char { body, ball, ground } kind = Kind::ground;
     motion::Body body{};
   };
   struct Contact {
-    Touch touch;
-    Party first;
-    Party second;
+    ContactConstraint constraint;
+    ContactBody first;
+    ContactBody second;
     bool measured = false;
     double impulse_ns = 0;
   };
@@ -72,21 +72,21 @@ class TreeScene {
     Eigen::Index normal = -1;       ///< row of the normal that bounds this one
   };
 
-  void fall(double time_s);
-  const BodyState& state_of(const Party& party) const;
+  void apply_gravity(double time_s);
+  const BodyState& state_of(const ContactBody& contact_body) const;
   /// The velocities of a party now, and after the step without contacts.
-  Twist motion_of(const Party& party) const;
-  Twist free_motion_of(const Party& party) const;
-  static double rate(const Row& row, const Twist& first, const Twist& second);
+  Twist current_velocity(const ContactBody& contact_body) const;
+  Twist free_velocity(const ContactBody& contact_body) const;
+  static double relative_velocity(const Row& row, const Twist& first, const Twist& second);
   void make_rows();
-  void pass_rows();
+  void propagate_rows();
   void make_equations(double step_s);
-  double wanted_rate(const Row& row, double step_s) const;
+  double target_relative_velocity(const Row& row, double step_s) const;
   bool solve_rows();
   void apply(Twist& on_ball);
   void move(BodyState& state, const Twist& after, double step_s) const;
 
-  const FigurePlan& plan_;
+  const FigureModel& figure_model_;
   double gravity_mps2_;
   motion::PerBody<BodyState> bodies_;
   std::optional<BallState> ball_;
@@ -98,9 +98,9 @@ class TreeScene {
   // Of a step, kept for their memory.
   motion::PerBody<Twist> after_;
   std::vector<Row> rows_;
-  std::vector<PassedImpulse> passed_;  // of each row; may be longer
+  std::vector<PropagatedImpulse> propagated_;  // of each row; may be longer
   Eigen::MatrixXd matrix_;
-  Eigen::VectorXd right_, low_, high_, x_;
+  Eigen::VectorXd right_hand_side_, lower_, upper_, solution_;
   BoxLcp lcp_;
 };
 

@@ -28,25 +28,25 @@ void balance_pose(benchmark::State& state) {
   const motion::Figure figure = motion::make_figure(motion::default_character());
   const motion::Pose start = standing_pose(figure);
   const motion::JointFrames frames = motion::forward_kinematics(figure.skeleton(), start);
-  std::vector<Danger> dangers;
+  std::vector<AimedThreat> dangers;
   for (const motion::Target target :
        {motion::Target::head, motion::Target::trunk, motion::Target::pelvis}) {
     for (int sector = 0; sector < 8; ++sector) {
       const float azimuth = motion::radians(45) * static_cast<float>(sector);
-      Danger danger;
-      danger.target_point = motion::target_centre(figure.bodies, frames, target);
-      danger.position =
-          danger.target_point + Eigen::Vector3f(4 * std::cos(azimuth), 4 * std::sin(azimuth), 1);
-      danger.speed_mps = 25;
-      dangers.push_back(danger);
+      AimedThreat threat;
+      threat.target_point = motion::target_centre(figure.bodies, frames, target);
+      threat.position =
+          threat.target_point + Eigen::Vector3f(4 * std::cos(azimuth), 4 * std::sin(azimuth), 1);
+      threat.speed_mps = 25;
+      dangers.push_back(threat);
     }
   }
   float worst = 0;
   std::size_t next = 0;
   for (auto unused : state) {
     (void)unused;
-    const Danger& danger = dangers[next++ % dangers.size()];
-    const BalancedPose pose = balanced_pose(figure, start, danger, rule_controls(danger));
+    const AimedThreat& threat = dangers[next++ % dangers.size()];
+    const BalancedPose pose = balanced_pose(figure, start, threat, rule_controls(threat));
     worst = std::max(worst, pose.error.total());
   }
   state.counters["worst_error"] = double{worst};  // that what is timed is right

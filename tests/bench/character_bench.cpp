@@ -28,10 +28,10 @@ Loaded& loaded() {
     Loaded made;
     const std::string file =
         tests::made_up_selector(database::authored_library(motion::default_character()), 2000,
-                                tests::Fitted::svm)
+                                tests::ModelKind::svm)
             .file();
     if (made.library.load(std::as_bytes(std::span(file))) != database::LoadStatus::ok ||
-        made.workspace.make_room(made.library.selection_bytes()) != database::LoadStatus::ok) {
+        made.workspace.reserve_memory(made.library.selection_bytes()) != database::LoadStatus::ok) {
       std::abort();
     }
     return made;
@@ -41,13 +41,13 @@ Loaded& loaded() {
 
 /// A ball that hits somewhere between shin and head of a character at `position`.
 features::Threat random_ball(std::mt19937& random, const Eigen::Vector2f& position) {
-  features::Approach approach;
+  features::ThreatDescription approach;
   approach.azimuth = tests::uniform(random, -3.1F, 3.1F);
   approach.elevation = tests::uniform(random, 0.1F, 0.5F);
   approach.speed_mps = tests::uniform(random, 8, 30);
   approach.time_to_impact_s = tests::uniform(random, 0.25F, 1.2F);
   const Eigen::Vector3f goal(position.x(), position.y(), tests::uniform(random, 0.4F, 1.7F));
-  return features::threat_from_approach(approach, goal, 0);
+  return features::threat_from_description(approach, goal, 0);
 }
 
 /// Whether a response blends and has its weight shifted at this moment.
@@ -55,14 +55,14 @@ bool is_shifting_and_blending(const Character& character) {
   const float now_s = character.response_time_s();
   return character.phase() == Phase::blending &&
          std::ranges::any_of(character.response().shifts, [now_s](const WeightShift& shift) {
-           return shift.window.begin_s < now_s && now_s < shift.window.end_s;
+           return shift.interval.begin_s < now_s && now_s < shift.interval.end_s;
          });
 }
 
 std::vector<Character> shifting_and_blending_characters(std::size_t count) {
   std::mt19937 random(1);
   const Library& library = loaded().library;
-  const auto clip_count = library.clips().clips.size();
+  const auto clip_count = library.clip_library().clips.size();
   std::vector<Character> found;
   while (found.size() < count) {
     Character character(library);
@@ -120,7 +120,7 @@ BENCHMARK(perceive_and_plan)->Unit(benchmark::kMicrosecond);
 /// A frame of all, in which a ball comes at each every three seconds: one iteration a frame.
 void frame_of_a_thousand(benchmark::State& state) {
   constexpr std::size_t kCount = 1000;
-  constexpr std::size_t kFramesABall = 180;
+  constexpr std::size_t kFramesPerBall = 180;
   std::mt19937 random(4);
   std::vector<Character> characters(kCount, Character(loaded().library));
   std::size_t frame = 0;
@@ -128,7 +128,7 @@ void frame_of_a_thousand(benchmark::State& state) {
   const auto play = [&] {
     for (std::size_t i = 0; i < kCount; ++i) {
       Character& character = characters[i];
-      if ((frame + i * 7) % kFramesABall == 0) {
+      if ((frame + i * 7) % kFramesPerBall == 0) {
         character.perceive(random_ball(random, character.state().position), loaded().workspace);
       }
       character.update(kFrame_s);
@@ -137,7 +137,7 @@ void frame_of_a_thousand(benchmark::State& state) {
     }
     ++frame;
   };
-  for (std::size_t i = 0; i < kFramesABall; ++i) play();  // until all are at it
+  for (std::size_t i = 0; i < kFramesPerBall; ++i) play();  // until all are at it
   responding = 0;
   for (auto _ : state) play();
   state.counters["responding"] = responding / static_cast<double>(state.iterations() * kCount);

@@ -63,7 +63,7 @@ BENCHMARK(forward_kinematics_of_bvh_frame)->Unit(benchmark::kMicrosecond);
 /// A library of four clips, about 5 minutes of poses at 60 Hz.
 void load_library_of_five_minutes(benchmark::State& state) {
   const std::string bytes = library_bytes(tests::random_library(1, 6000));
-  Library library;
+  ClipLibrary library;
   for (auto _ : state) {
     if (read_library(std::as_bytes(std::span(bytes)), library) != LoadStatus::ok) {
       state.SkipWithError("the library was refused");

@@ -45,8 +45,8 @@ Selector selector_with(Model model) {
     selector.clips.push_back({"clip", motion::Annotation{.target = target}});
   }
   selector.layout = features::feature_set_named("paper")->layout;
-  selector.scaling.least.assign(features::kFeatureCount, -1);
-  selector.scaling.most.assign(features::kFeatureCount, 1);
+  selector.scaling.min.assign(features::kFeatureCount, -1);
+  selector.scaling.max.assign(features::kFeatureCount, 1);
   selector.model = std::move(model);
   return selector;
 }
@@ -317,8 +317,8 @@ BENCHMARK(fit_one_svm)->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond)->Iteration
 template <typename Parameters>
 void choose_from(benchmark::State& state, const std::vector<Parameters>& grid) {
   const TrainingSet& set = training_set();
-  const std::vector<int> fold = make_folds(set.label, 5, 1);
-  const Score mistake = [&set](int observation, int chosen) {
+  const std::vector<int> fold = assign_folds(set.label, 5, 1);
+  const LossFunction mistake = [&set](int observation, int chosen) {
     return chosen == set.label[static_cast<std::size_t>(observation)] ? 0.0 : 1.0;
   };
   double score = 0;

@@ -15,7 +15,7 @@ std::vector<features::Threat> threats_passing(float least_aside, float most_asid
   std::mt19937 random(1);
   std::vector<features::Threat> threats;
   for (int i = 0; i < 512; ++i) {
-    features::Approach approach;
+    features::ThreatDescription approach;
     approach.azimuth = tests::uniform(random, -3.1F, 3.1F);
     approach.elevation = tests::uniform(random, 0.1F, 0.7F);
     approach.speed_mps = tests::uniform(random, 8, 30);
@@ -24,7 +24,7 @@ std::vector<features::Threat> threats_passing(float least_aside, float most_asid
     const Eigen::Vector3f goal(-std::sin(approach.azimuth) * aside,
                                std::cos(approach.azimuth) * aside,
                                tests::uniform(random, 0.3F, 1.7F));
-    threats.push_back(features::threat_from_approach(approach, goal, 0));
+    threats.push_back(features::threat_from_description(approach, goal, 0));
   }
   return threats;
 }
@@ -47,7 +47,8 @@ const tests::SwayingFigure& figure() {
 }
 
 features::PredictedImpact of_idle(const features::Threat& threat) {
-  return features::predict_impact(threat, figure().swept, figure().idle, figure().sway, {});
+  return features::predict_impact(threat, figure().collision_figure, figure().idle,
+                                  figure().motion_bounds, {});
 }
 
 void predict_hits(benchmark::State& state) {
@@ -57,7 +58,7 @@ BENCHMARK(predict_hits);
 
 void predict_hits_on_a_held_pose(benchmark::State& state) {
   predict_all(state, threats_passing(-0.05F, 0.05F), [](const features::Threat& threat) {
-    return features::predict_impact(threat, figure().swept, figure().standing);
+    return features::predict_impact(threat, figure().collision_figure, figure().standing);
   });
 }
 BENCHMARK(predict_hits_on_a_held_pose);
@@ -94,14 +95,14 @@ BENCHMARK_CAPTURE(feature_vectors, geometry, "geometry");
 void sway_of_the_idle(benchmark::State& state) {
   for (auto _ : state) {
     benchmark::DoNotOptimize(
-        features::sway_of(figure().character.skeleton, figure().model, figure().idle));
+        features::motion_bounds_of(figure().character.skeleton, figure().model, figure().idle));
   }
 }
 BENCHMARK(sway_of_the_idle)->Unit(benchmark::kMicrosecond);
 
 void perceive_as_a_human(benchmark::State& state) {
   const std::vector<features::Threat> threats = threats_passing(-1, 1);
-  const runtime::PerceptionLimits limits = runtime::human();
+  const runtime::PerceptionLimits limits = runtime::human_limits();
   std::uint64_t number = 0;
   float sum = 0;
   for (auto _ : state) {

@@ -37,13 +37,14 @@ struct Agreement {
 };
 
 /// Every threat as it is perceived within `limits` from between the eyes.
-Agreement agreement_of(const database::Library& library, const runtime::PerceptionLimits& limits,
-                       std::uint64_t count, std::uint64_t seed) {
+Agreement agreement_of(const database::ClipLibrary& library,
+                       const runtime::PerceptionLimits& limits, std::uint64_t count,
+                       std::uint64_t seed) {
   const motion::BodyModel model = make_body_model(library.character);
   const motion::Skeleton& skeleton = library.character.skeleton;
   const motion::Motion& idle = library.clips[static_cast<std::size_t>(library.idle)].motion;
-  const features::SweptFigure figure = features::make_swept_figure(skeleton, model);
-  const features::Sway sway = features::sway_of(skeleton, model, idle);
+  const features::CollisionFigure figure = features::make_collision_figure(skeleton, model);
+  const features::MotionBounds motion_bounds = features::motion_bounds_of(skeleton, model, idle);
   Agreement agreement;
   for (std::uint64_t number = 0; number < count; ++number) {
     const auto scenario = train::sample_scenario(library, model, {}, seed, number);
@@ -53,7 +54,7 @@ Agreement agreement_of(const database::Library& library, const runtime::Percepti
     const runtime::Perceived perceived =
         runtime::perceive(scenario.threat, eye, limits, seed, number);
     const PredictedImpact impact =
-        features::predict_impact(perceived.threat, figure, idle, sway, scenario.state);
+        features::predict_impact(perceived.threat, figure, idle, motion_bounds, scenario.state);
     Row& row = agreement.row[index_of(scenario.target)];
     if (impact.outcome != Outcome::impact) {
       ++row.misses;
@@ -111,7 +112,7 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "Usage: prediction_agreement LIBRARY [SCENARIOS [SEED]]\n");
     return 2;
   }
-  flinch::database::Library library;
+  flinch::database::ClipLibrary library;
   if (flinch::database::read_library(std::string(argv[1]), library) !=
       flinch::database::LoadStatus::ok) {
     std::fprintf(stderr, "prediction_agreement: %s: not a library that can be read\n", argv[1]);
@@ -121,5 +122,5 @@ int main(int argc, char** argv) {
   const std::uint64_t seed = argc > 3 ? std::strtoull(argv[3], nullptr, 10) : 1;
   print(flinch::agreement_of(library, {}, count, seed), count);
   std::printf("\nAs a human perceives them:\n\n");
-  print(flinch::agreement_of(library, flinch::runtime::human(), count, seed), count);
+  print(flinch::agreement_of(library, flinch::runtime::human_limits(), count, seed), count);
 }

@@ -32,18 +32,18 @@ void report(benchmark::State& state, std::vector<double>& frames_us) {
 
 /// A second of reaction an iteration; reports the frames in which the phase is one of `phases`.
 void frames(benchmark::State& state, const std::vector<ReactionPhase>& phases, double mass_kg) {
-  const motion::Character man = motion::default_character();
+  const motion::Physique man = motion::default_character();
   const auto motions = scenes::motions_by_rule(man.skeleton);
-  const auto blows = scenes::random_blows(man, motions, 96, 1, mass_kg);
-  reaction::Reaction reaction(reaction::make_figure_plan(man));
+  const auto cases = scenes::random_reaction_cases(man, motions, 96, 1, mass_kg);
+  reaction::Reaction reaction(reaction::make_figure_model(man));
   std::vector<double> frames_us;
   std::size_t next = 0;
   for (auto _ : state) {
-    const scenes::Blow& blow = blows[next++ % blows.size()];
-    scenes::begin(reaction, blow);
+    const scenes::ReactionCase& reaction_case = cases[next++ % cases.size()];
+    scenes::begin(reaction, reaction_case);
     for (int k = 1; k <= 60; ++k) {
       const motion::Pose wanted =
-          scenes::pose_at(*blow.motion, blow.begin_s + k * scenes::kFrame_s);
+          scenes::pose_at(*reaction_case.motion, reaction_case.begin_s + k * scenes::kFrame_s);
       const double begin_us = cpu_us();
       reaction.advance(scenes::kFrame_s, wanted, wanted);
       const double frame_us = cpu_us() - begin_us;
@@ -69,18 +69,18 @@ BENCHMARK_CAPTURE(frames, knocked_over, {ReactionPhase::knocked_over}, 20.0)
     ->Iterations(192);
 
 void begin(benchmark::State& state) {
-  const motion::Character man = motion::default_character();
+  const motion::Physique man = motion::default_character();
   const auto motions = scenes::motions_by_rule(man.skeleton);
-  const auto blows = scenes::random_blows(man, motions, 12, 1);
-  reaction::Reaction reaction(reaction::make_figure_plan(man));
+  const auto cases = scenes::random_reaction_cases(man, motions, 12, 1);
+  reaction::Reaction reaction(reaction::make_figure_model(man));
   std::size_t next = 0;
-  for (auto _ : state) scenes::begin(reaction, blows[next++ % blows.size()]);
+  for (auto _ : state) scenes::begin(reaction, cases[next++ % cases.size()]);
 }
 BENCHMARK(begin)->Unit(benchmark::kMicrosecond);
 
 /// Among 120 clips of two seconds, none of them near: what is never cut short by a good match.
 void find_clip(benchmark::State& state) {
-  const motion::Character man = motion::default_character();
+  const motion::Physique man = motion::default_character();
   std::vector<motion::Clip> clips(120);
   const motion::Pose stand = scenes::standing(man.skeleton);
   for (std::size_t i = 0; i < clips.size(); ++i) {

@@ -16,16 +16,16 @@ namespace flinch {
 namespace {
 
 using motion::Role;
-using scenes::Blow;
 using scenes::kFrame_s;
+using scenes::ReactionCase;
 
-constexpr std::size_t kBlows = 400;
+constexpr std::size_t kCases = 400;
 constexpr double kDuration_s = 0.9;
 
 struct Study {
-  motion::Character character;
+  motion::Physique character;
   std::vector<scenes::NamedMotion> motions;
-  std::shared_ptr<const sim::FigurePlan> plan;
+  std::shared_ptr<const sim::FigureModel> plan;
 };
 
 double quantile(std::vector<double> values, double share) {
@@ -58,13 +58,14 @@ double cpu_us() {
   return 1e6 * static_cast<double>(now.tv_sec) + 1e-3 * static_cast<double>(now.tv_nsec);
 }
 
-Played play(const Study& study, const Blow& blow, double frame_s) {
+Played play(const Study& study, const ReactionCase& reaction_case, double frame_s) {
   reaction::Reaction reaction(study.plan);
-  scenes::begin(reaction, blow);
+  scenes::begin(reaction, reaction_case);
   Played played;
   played.poses.push_back(reaction.pose());
   for (int k = 1; k * frame_s < kDuration_s + 1e-9; ++k) {
-    const motion::Pose wanted = scenes::pose_at(*blow.motion, blow.begin_s + k * frame_s);
+    const motion::Pose wanted =
+        scenes::pose_at(*reaction_case.motion, reaction_case.begin_s + k * frame_s);
     const double begin_us = cpu_us();
     reaction.advance(frame_s, wanted, wanted);
     if (reaction.phase() < reaction::ReactionPhase::returning) {
@@ -80,16 +81,16 @@ Played play(const Study& study, const Blow& blow, double frame_s) {
   return played;
 }
 
-void print_effect(const Study& study, const std::vector<Blow>& blows) {
+void print_effect(const Study& study, const std::vector<ReactionCase>& cases) {
   std::vector<double> off_mm[motion::kTargetCount];
   std::vector<double> frames_us;
-  for (const Blow& blow : blows) {
-    const Played played = play(study, blow, kFrame_s);
+  for (const ReactionCase& reaction_case : cases) {
+    const Played played = play(study, reaction_case, kFrame_s);
     double most = 0;
     for (std::size_t k = 0; k < played.poses.size(); ++k) {
-      const double time_s = blow.begin_s + static_cast<double>(k) * kFrame_s;
-      most = std::max(most,
-                      distance_mm(study, played.poses[k], scenes::pose_at(*blow.motion, time_s)));
+      const double time_s = reaction_case.begin_s + static_cast<double>(k) * kFrame_s;
+      most = std::max(most, distance_mm(study, played.poses[k],
+                                        scenes::pose_at(*reaction_case.motion, time_s)));
     }
     off_mm[static_cast<int>(target_of(played.most_hit))].push_back(most);
     frames_us.insert(frames_us.end(), played.frames_us.begin(), played.frames_us.end());
@@ -112,14 +113,14 @@ void print_effect(const Study& study, const std::vector<Blow>& blows) {
 }
 
 /// Against frames of 60 Hz, at every tenth of a second.
-void print_frame_rates(const Study& study, const std::vector<Blow>& blows) {
+void print_frame_rates(const Study& study, const std::vector<ReactionCase>& cases) {
   std::printf("\n### Frame rate: largest distance of a joint from where 60 Hz has it, mm\n\n");
   std::printf("| rate | median | p90 | p99 | worst |\n| --- | --- | --- | --- | --- |\n");
   for (int a_tenth : {3, 12, 24}) {
     std::vector<double> off_mm;
-    for (const Blow& blow : blows) {
-      const Played usual = play(study, blow, kFrame_s);
-      const Played other = play(study, blow, 0.1 / a_tenth);
+    for (const ReactionCase& reaction_case : cases) {
+      const Played usual = play(study, reaction_case, kFrame_s);
+      const Played other = play(study, reaction_case, 0.1 / a_tenth);
       double most = 0;
       for (std::size_t tenth = 1; tenth <= 9; ++tenth) {
         most = std::max(most, distance_mm(study, usual.poses[6 * tenth],
@@ -136,31 +137,33 @@ void print_knock_overs(const Study& study) {
   std::printf(
       "\n### Knocked over, of balls of 8 to 30 m/s\n\n| ball, kg | share |\n| --- | --- |\n");
   for (double mass_kg : {0.27, 1.0, 2.0, 5.0, 10.0, 20.0}) {
-    const auto blows = scenes::random_blows(study.character, study.motions, kBlows / 4, 2, mass_kg);
-    const auto fallen = std::count_if(blows.begin(), blows.end(), [&](const Blow& blow) {
-      return play(study, blow, kFrame_s).knocked_over;
-    });
+    const auto cases =
+        scenes::random_reaction_cases(study.character, study.motions, kCases / 4, 2, mass_kg);
+    const auto fallen =
+        std::count_if(cases.begin(), cases.end(), [&](const ReactionCase& reaction_case) {
+          return play(study, reaction_case, kFrame_s).knocked_over;
+        });
     std::printf("| %g | %.0f %% |\n", mass_kg,
-                100 * static_cast<double>(fallen) / static_cast<double>(blows.size()));
+                100 * static_cast<double>(fallen) / static_cast<double>(cases.size()));
   }
 }
 
 /// For the pose at the end of the time that the simulation has alone, among the clips themselves.
-void print_search(const Study& study, const database::Library& library,
-                  const std::vector<Blow>& blows) {
+void print_search(const Study& study, const database::ClipLibrary& library,
+                  const std::vector<ReactionCase>& cases) {
   const reaction::ReactionClips clips(library.character, library.clips,
                                       motion::Purpose::anticipation);
   std::vector<double> distances;
   double spent_us = 0;
-  for (const Blow& blow : blows) {
-    const Played played = play(study, blow, kFrame_s);
+  for (const ReactionCase& reaction_case : cases) {
+    const Played played = play(study, reaction_case, kFrame_s);
     const double begin_us = cpu_us();
     const auto match =
         clips.find(played.poses[5], played.poses[6], static_cast<float>(kFrame_s), 10.0F);
     spent_us += cpu_us() - begin_us;
     if (match) distances.push_back(static_cast<double>(match->distance_m));
   }
-  const double near = static_cast<double>(reaction::ReactionClips::kNear_m);
+  const double near = static_cast<double>(reaction::ReactionClips::kMaxMatchDistance_m);
   const auto found = std::count_if(distances.begin(), distances.end(),
                                    [&](double distance) { return distance <= near; });
   std::printf("\n### Search for a clip to go on with, among %zu frames\n\n", clips.size());
@@ -169,30 +172,30 @@ void print_search(const Study& study, const database::Library& library,
   std::printf("| %.3f m | %.3f m | %.0f %% | %.0f |\n", quantile(distances, 0.5),
               quantile(distances, 0.9),
               100 * static_cast<double>(found) / static_cast<double>(distances.size()),
-              spent_us / static_cast<double>(blows.size()));
+              spent_us / static_cast<double>(cases.size()));
 }
 
-std::vector<Blow> print(const char* title, const Study& study) {
+std::vector<ReactionCase> print(const char* title, const Study& study) {
   std::printf("\n## %s: %zu motions\n", title, study.motions.size());
-  auto blows = scenes::random_blows(study.character, study.motions, kBlows, 1);
-  print_effect(study, blows);
-  print_frame_rates(study, blows);
+  auto cases = scenes::random_reaction_cases(study.character, study.motions, kCases, 1);
+  print_effect(study, cases);
+  print_frame_rates(study, cases);
   print_knock_overs(study);
-  return blows;
+  return cases;
 }
 
 int run(int count, char** arguments) {
-  const motion::Character man = motion::default_character();
+  const motion::Physique man = motion::default_character();
   print("Motions by rule",
-        {man, scenes::motions_by_rule(man.skeleton), reaction::make_figure_plan(man)});
+        {man, scenes::motions_by_rule(man.skeleton), reaction::make_figure_model(man)});
   if (count < 2) return 0;
-  database::Library library;
+  database::ClipLibrary library;
   const auto status = database::read_library(std::string(arguments[1]), library);
   if (status != database::LoadStatus::ok) {
     std::fprintf(stderr, "%s: %s\n", arguments[1], database::message_of(status));
     return 1;
   }
-  Study study{library.character, {}, reaction::make_figure_plan(library.character)};
+  Study study{library.character, {}, reaction::make_figure_model(library.character)};
   for (const motion::Clip& clip : library.clips) study.motions.push_back({clip.name, clip.motion});
   print_search(study, library, print("The library's clips", study));
   return 0;

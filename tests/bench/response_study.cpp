@@ -33,7 +33,7 @@ void print_rows(const char* name, const char* unit, float scale, std::vector<Row
               rows.back().what.c_str());
 }
 
-int study(const database::Library& library, int threats) {
+int study(const database::ClipLibrary& library, int threats) {
   const runtime::PreparedLibrary prepared = runtime::prepare(library);
   std::mt19937 random(1);
   std::uniform_real_distribution<float> part(0, 1);
@@ -77,7 +77,7 @@ int study(const database::Library& library, int threats) {
 
 int main(int argument_count, char** arguments) {
   using namespace flinch;
-  database::Library library;
+  database::ClipLibrary library;
   if (argument_count < 2 ||
       database::read_library(arguments[1], library) != database::LoadStatus::ok) {
     std::fprintf(stderr, "usage: response_study LIBRARY [THREATS]\n");

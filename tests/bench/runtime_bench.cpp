@@ -17,13 +17,13 @@ namespace {
 using database::LoadStatus;
 
 constexpr int kClips = 131;
-constexpr std::size_t kPosesAClip = 87;
+constexpr std::size_t kPosesPerClip = 87;
 constexpr int kScenarios = 2000;
 
 const std::string& selector_file() {
   static const std::string kFile =
-      tests::made_up_selector(tests::made_up_library(kClips, kPosesAClip), kScenarios,
-                              tests::Fitted::svm)
+      tests::made_up_selector(tests::made_up_library(kClips, kPosesPerClip), kScenarios,
+                              tests::ModelKind::svm)
           .file();
   return kFile;
 }
@@ -61,7 +61,7 @@ BENCHMARK(hash_of_selector_file)->Unit(benchmark::kMillisecond);
 void prepare_library(benchmark::State& state) {
   Library library;
   if (library.load(selector_bytes()) != LoadStatus::ok) state.SkipWithError("was refused");
-  for (auto _ : state) benchmark::DoNotOptimize(prepare(library.clips()));
+  for (auto _ : state) benchmark::DoNotOptimize(prepare(library.clip_library()));
 }
 BENCHMARK(prepare_library)->Unit(benchmark::kMillisecond);
 
@@ -69,7 +69,7 @@ void select_in_workspace(benchmark::State& state) {
   Library library;
   Workspace workspace;
   if (library.load(selector_bytes()) != LoadStatus::ok ||
-      workspace.make_room(library.selection_bytes()) != LoadStatus::ok) {
+      workspace.reserve_memory(library.selection_bytes()) != LoadStatus::ok) {
     state.SkipWithError("was refused");
   }
   std::array<models::Candidate, 8> best;

@@ -28,8 +28,8 @@ double peak_megabytes() {
 
 /// The default library and all that is made ready once.
 struct Scene {
-  database::Library library = database::authored_library(motion::default_character());
-  SimulationSubject subject{library, {}};
+  database::ClipLibrary library = database::authored_library(motion::default_character());
+  SimulationSetup setup{library, {}};
 };
 Scene& scene() {
   static Scene scene;
@@ -38,17 +38,17 @@ Scene& scene() {
 
 /// All of `flinch simulate` but reading the library: scenarios, rehearsals, simulations, the store.
 void simulate_scenarios(benchmark::State& state) {
-  const SimulationSubject& subject = scene().subject;
+  const SimulationSetup& setup = scene().setup;
   SimulationRun run;
   run.wanted = {0, static_cast<std::uint64_t>(state.range(0))};
   run.batch.threads = static_cast<int>(state.range(1));
   run.batch.cpu_s = thread_cpu_s;
-  run.memory = plan_memory(subject, std::uint64_t{1} << 30, run.batch.threads);
+  run.memory = plan_memory(setup, std::uint64_t{1} << 30, run.batch.threads);
   SimulationProgress last;
   run.report = [&last](const SimulationProgress& progress) { last = progress; };
   for (auto _ : state) {
     const tests::TemporaryFolder folder;
-    simulate_store(subject, folder / "store", run);
+    simulate_store(setup, folder / "store", run);
   }
   const double cpu_s = last.cpu.total_s();
   const auto simulations = static_cast<double>(last.counts.simulations);
@@ -69,25 +69,25 @@ BENCHMARK(simulate_scenarios)
     ->Unit(benchmark::kSecond);
 
 void rehearse_responses(benchmark::State& state) {
-  const SimulationSubject& subject = scene().subject;
-  const int last = time_count(subject.plan.distribution) - 1;
+  const SimulationSetup& setup = scene().setup;
+  const int last = time_to_impact_count(setup.plan.distribution) - 1;
   int clip = 0;
   std::size_t bytes = 0;
   for (auto _ : state) {
-    clip = (clip + 1) % static_cast<int>(subject.library.clips.size());
-    if (!subject.library.clips[static_cast<std::size_t>(clip)].annotation) continue;
-    bytes = rehearse(subject, subject.responses.key_of(clip, {0, last})).byte_count();
+    clip = (clip + 1) % static_cast<int>(setup.library.clips.size());
+    if (!setup.library.clips[static_cast<std::size_t>(clip)].annotation) continue;
+    bytes = rehearse(setup, setup.responses.key_of(clip, {0, last})).byte_count();
   }
   state.counters["kilobytes"] = static_cast<double>(bytes) / 1e3;
-  state.counters["responses_of_library"] = static_cast<double>(subject.responses.count());
+  state.counters["responses_of_library"] = static_cast<double>(setup.responses.count());
 }
 BENCHMARK(rehearse_responses)->Unit(benchmark::kMillisecond);
 
 /// Observations as they come, without the time that simulating them takes.
-std::vector<Observation> posed(const SimulationSubject& subject, ScenarioRange range) {
+std::vector<Observation> posed(const SimulationSetup& setup, ScenarioRange range) {
   std::vector<Observation> observations;
   for (std::uint64_t number = range.first; number < range.end(); ++number) {
-    observations.push_back(pose_scenario(subject, number));
+    observations.push_back(make_observation(setup, number));
     for (Trial& trial : observations.back().trials) {
       trial.work_j = 100;
       trial.impulse[motion::Body::chest] = 3;
@@ -98,20 +98,20 @@ std::vector<Observation> posed(const SimulationSubject& subject, ScenarioRange r
 
 /// What the writer does with a helper's range: takes the message apart, and commits it.
 void write_ranges(benchmark::State& state) {
-  const SimulationSubject& subject = scene().subject;
+  const SimulationSetup& setup = scene().setup;
   const auto size = static_cast<std::uint64_t>(state.range(0));
-  Done done{{0, size}, {}, {}, {}};
-  for (const Observation& observation : posed(subject, done.range))
+  RangeResult done{{0, size}, {}, {}, {}};
+  for (const Observation& observation : posed(setup, done.range))
     done.trials.push_back(encode_trials(observation.trials));
   const std::vector<std::byte> message = encode(done);
   const tests::TemporaryFolder folder;
-  StoreWriter writer(folder / "store", make_store_header(subject), {0, std::uint64_t{1} << 40});
+  StoreWriter writer(folder / "store", make_store_header(setup), {0, std::uint64_t{1} << 40});
   std::uint64_t first = 0;
   for (auto _ : state) {
-    const Done arrived = std::get<Done>(decode(message));
+    const RangeResult arrived = std::get<RangeResult>(decode(message));
     std::vector<Observation> observations;
     for (std::uint64_t i = 0; i < size; ++i) {
-      observations.push_back(pose_scenario(subject, first + i));
+      observations.push_back(make_observation(setup, first + i));
       observations.back().trials = decode_trials(arrived.trials[i]);
     }
     writer.append(observations);

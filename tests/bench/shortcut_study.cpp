@@ -21,7 +21,7 @@ namespace {
 
 using motion::Body;
 
-constexpr double kMostChange = 0.005;  // of an impulse that counts as the same
+constexpr double kMaxChange = 0.005;  // of an impulse that counts as the same
 constexpr std::size_t kWorst = 10;
 
 double cpu_s() {
@@ -67,35 +67,35 @@ struct Study {
   double bytes = 0;
 };
 
-motion::Motion performed(const train::SimulationSubject& subject,
-                         const features::Scenario& scenario, int clip, double duration_s) {
+motion::Motion performed(const train::SimulationSetup& setup, const features::Scenario& scenario,
+                         int clip, double duration_s) {
   const runtime::Response response =
-      runtime::make_response(subject.prepared, scenario.state, clip, scenario.time_to_impact_s);
+      runtime::make_response(setup.prepared, scenario.state, clip, scenario.time_to_impact_s);
   motion::Motion motion;
-  motion.rate_hz = subject.library.rate_hz;
+  motion.rate_hz = setup.library.rate_hz;
   const auto last = static_cast<std::size_t>(std::ceil(duration_s * double{motion.rate_hz}));
   for (std::size_t k = 0; k <= last; ++k) {
     motion.poses.push_back(
-        runtime::pose_at(response, static_cast<float>(k) / subject.library.rate_hz));
+        runtime::pose_at(response, static_cast<float>(k) / setup.library.rate_hz));
   }
   return motion;
 }
 
-Pair try_both_ways(const train::SimulationSubject& subject, const features::Scenario& scenario,
+Pair try_both_ways(const train::SimulationSetup& setup, const features::Scenario& scenario,
                    int clip, Study& study, motion::PerBody<float>& expected,
                    motion::PerBody<float>& found) {
-  const double duration_s = double{scenario.time_to_impact_s} + subject.plan.tail_s;
+  const double duration_s = double{scenario.time_to_impact_s} + setup.plan.tail_s;
   const sim::Ball ball{scenario.threat.position.cast<double>(),
                        scenario.threat.velocity.cast<double>(), double{scenario.threat.radius},
                        double{scenario.threat.mass_kg}};
   double time_s = cpu_s();
-  const motion::Motion motion = performed(subject, scenario, clip, duration_s);
+  const motion::Motion motion = performed(setup, scenario, clip, duration_s);
   add_time(time_s, study.posing_s);
-  const sim::SimulationResult slow = subject.simulator.simulate(motion, &ball, duration_s);
+  const sim::SimulationResult slow = setup.simulator.simulate(motion, &ball, duration_s);
   add_time(time_s, study.unabridged_s);
-  const sim::Rehearsal rehearsal = subject.simulator.rehearse(motion, 0, duration_s);
+  const sim::Rehearsal rehearsal = setup.simulator.rehearse(motion, 0, duration_s);
   add_time(time_s, study.rehearsing_s);
-  const sim::SimulationResult fast = subject.simulator.simulate(rehearsal, ball);
+  const sim::SimulationResult fast = setup.simulator.simulate(rehearsal, ball);
   add_time(time_s, study.rehearsed_s);
 
   study.unabridged_steps += slow.steps;
@@ -125,16 +125,16 @@ Pair try_both_ways(const train::SimulationSubject& subject, const features::Scen
   return pair;
 }
 
-void compare_scenario(const train::SimulationSubject& subject, const train::CostModel& model,
+void compare_scenario(const train::SimulationSetup& setup, const train::CostModel& model,
                       std::uint64_t number, Study& study) {
-  train::Observation observation = train::pose_scenario(subject, number);
+  train::Observation observation = train::make_observation(setup, number);
   std::vector<train::Trial> rehearsed = observation.trials;
   for (std::size_t i = 0; i < rehearsed.size(); ++i) {
     train::Trial& trial = observation.trials[i];
     // The labels' work is the library's: the same for both.
-    trial.work_j = static_cast<float>(train::reference_work_j(subject, trial.clip));
+    trial.work_j = static_cast<float>(train::reference_work_j(setup, trial.clip));
     rehearsed[i].work_j = trial.work_j;
-    study.pairs.push_back(try_both_ways(subject, observation.scenario, trial.clip, study,
+    study.pairs.push_back(try_both_ways(setup, observation.scenario, trial.clip, study,
                                         trial.impulse, rehearsed[i].impulse));
     study.pairs.back().scenario = number;
   }
@@ -160,7 +160,7 @@ void print(Study study) {
     return std::count_if(study.pairs.begin(), study.pairs.end(), is);
   };
   const auto hits = of([](const Pair& p) { return p.expected_ns > 0; });
-  const auto same = of([](const Pair& p) { return p.expected_ns > 0 && p.change <= kMostChange; });
+  const auto same = of([](const Pair& p) { return p.expected_ns > 0 && p.change <= kMaxChange; });
   const auto made = of([](const Pair& p) { return p.expected_ns == 0 && p.found_ns > 0; });
   const auto lost = of([](const Pair& p) { return p.expected_ns > 0 && p.found_ns == 0; });
   std::printf("\n| | |\n| --- | --- |\n");
@@ -199,20 +199,19 @@ int run(int count, char** arguments) {
     std::fprintf(stderr, "usage: shortcut_study LIBRARY [SCENARIOS]\n");
     return 2;
   }
-  database::Library library;
+  database::ClipLibrary library;
   const auto status = database::read_library(std::string(arguments[1]), library);
   if (status != database::LoadStatus::ok) {
     std::fprintf(stderr, "%s: %s\n", arguments[1], database::message_of(status));
     return 1;
   }
   const auto scenarios = static_cast<std::uint64_t>(count > 2 ? std::atoi(arguments[2]) : 200);
-  const train::SimulationSubject subject(library, {});
-  const train::CostModel model =
-      train::make_cost_model(train::make_store_header(subject), train::CostModel{}.vulnerability,
-                             train::CostModel{}.brawn);
+  const train::SimulationSetup setup(library, {});
+  const train::CostModel model = train::make_cost_model(
+      train::make_store_header(setup), train::CostModel{}.vulnerability, train::CostModel{}.brawn);
   Study study;
   for (std::uint64_t number = 0; number < scenarios; ++number) {
-    compare_scenario(subject, model, number, study);
+    compare_scenario(setup, model, number, study);
   }
   print(std::move(study));
   return 0;

@@ -12,7 +12,7 @@ namespace flinch {
 namespace {
 
 void simulate_a_second(benchmark::State& state) {
-  const motion::Character character = motion::default_character();
+  const motion::Physique character = motion::default_character();
   const auto motions = scenes::motions_by_rule(character.skeleton);
   const auto hits = scenes::random_hits(character, motions, 96, 1);
   const sim::Simulator simulator(character, {});
@@ -35,7 +35,7 @@ void simulate_a_second(benchmark::State& state) {
 BENCHMARK(simulate_a_second)->Unit(benchmark::kMillisecond)->MinTime(2);
 
 void simulate_without_a_ball(benchmark::State& state) {
-  const motion::Character character = motion::default_character();
+  const motion::Physique character = motion::default_character();
   const auto motions = scenes::motions_by_rule(character.skeleton);
   const sim::Simulator simulator(character, {});
   std::size_t next = 0;
@@ -47,7 +47,7 @@ void simulate_without_a_ball(benchmark::State& state) {
 BENCHMARK(simulate_without_a_ball)->Unit(benchmark::kMillisecond);
 
 void rehearse_a_second(benchmark::State& state) {
-  const motion::Character character = motion::default_character();
+  const motion::Physique character = motion::default_character();
   const auto motions = scenes::motions_by_rule(character.skeleton);
   const sim::Simulator simulator(character, {});
   std::size_t next = 0;
@@ -59,7 +59,7 @@ void rehearse_a_second(benchmark::State& state) {
 BENCHMARK(rehearse_a_second)->Unit(benchmark::kMillisecond);
 
 void simulate_rehearsed(benchmark::State& state) {
-  const motion::Character character = motion::default_character();
+  const motion::Physique character = motion::default_character();
   const auto motions = scenes::motions_by_rule(character.skeleton);
   const auto hits = scenes::random_hits(character, motions, 96, 1);
   const sim::Simulator simulator(character, {});
@@ -86,7 +86,7 @@ BENCHMARK(simulate_rehearsed)->Unit(benchmark::kMicrosecond)->MinTime(1);
 /// A standing figure's free step, by ODE and along the tree.
 template <class Scene, class Start>
 void step_standing(benchmark::State& state, Start start) {
-  const sim::FigurePlan plan(motion::default_character());
+  const sim::FigureModel plan(motion::default_character());
   const sim::ReferenceState stand =
       sim::state_at_rest(plan.skeleton, plan.model, scenes::standing(plan.skeleton));
   constexpr double kStep_s = 1.0 / 60;
@@ -94,7 +94,7 @@ void step_standing(benchmark::State& state, Start start) {
   for (auto _ : state) {
     scene.clear_contacts();
     scene.add_supports(stand, kStep_s);
-    if constexpr (std::is_same_v<Scene, sim::OdeScene>) scene.figure().drive(stand, kStep_s);
+    if constexpr (std::is_same_v<Scene, sim::OdeScene>) scene.figure().set_motors(stand, kStep_s);
     scene.step(stand, kStep_s);
   }
 }

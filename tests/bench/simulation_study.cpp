@@ -19,7 +19,7 @@ namespace {
 constexpr std::size_t kHits = 200;
 
 struct Study {
-  motion::Character character;
+  motion::Physique character;
   std::vector<scenes::NamedMotion> motions;
 };
 
@@ -165,10 +165,10 @@ void print(const char* title, const Study& study) {
 }
 
 int run(int count, char** arguments) {
-  const motion::Character man = motion::default_character();
+  const motion::Physique man = motion::default_character();
   print("Motions by rule", {man, scenes::motions_by_rule(man.skeleton)});
   if (count < 2) return 0;
-  database::Library library;
+  database::ClipLibrary library;
   const auto status = database::read_library(std::string(arguments[1]), library);
   if (status != database::LoadStatus::ok) {
     std::fprintf(stderr, "%s: %s\n", arguments[1], database::message_of(status));

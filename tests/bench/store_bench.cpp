@@ -11,8 +11,8 @@
 namespace flinch::train {
 namespace {
 
-constexpr int kClips = 131;           // the default library's
-constexpr int kTrialsAScenario = 79;  // as many are tried in its mean scenario
+constexpr int kClips = 131;             // the default library's
+constexpr int kTrialsPerScenario = 79;  // as many are tried in its mean scenario
 constexpr std::uint64_t kAppended = 1000;
 constexpr std::int64_t kMany = 100'000;
 constexpr std::int64_t kMillion = 1'000'000;
@@ -35,12 +35,12 @@ int hit_count(features::Random& random) {
 }
 
 Observation random_observation(const StoreHeader& header, std::uint64_t number) {
-  features::Random random(header.seed, features::Purpose::baseline, number);
+  features::Random random(header.seed, features::RandomStream::baseline, number);
   Observation observation = made_up_observation(header, number);
-  observation.trials.assign(kTrialsAScenario, {});
-  for (int i = 0; i < kTrialsAScenario; ++i) {
+  observation.trials.assign(kTrialsPerScenario, {});
+  for (int i = 0; i < kTrialsPerScenario; ++i) {
     Trial& trial = observation.trials[static_cast<std::size_t>(i)];
-    trial.clip = i * (kClips - 1) / (kTrialsAScenario - 1);
+    trial.clip = i * (kClips - 1) / (kTrialsPerScenario - 1);
     trial.work_j = trial.clip == header.idle ? 0 : static_cast<float>(random.uniform(20, 900));
     for (int hit = hit_count(random); hit > 0; --hit)
       trial.impulse[motion::kBodies[random.index(motion::kBodyCount)]] =

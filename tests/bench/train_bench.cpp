@@ -9,14 +9,14 @@ namespace {
 
 /// Whole trials as `flinch simulate` runs them on one thread: response, simulation and work.
 void try_clips(benchmark::State& state) {
-  const database::Library library = scenes::synthetic_library();
-  const SimulationSubject subject(library, {});
+  const database::ClipLibrary library = scenes::synthetic_library();
+  const SimulationSetup setup(library, {});
   std::int64_t trials = 0;
   double impulse = 0;  // shows that it is the same work everywhere
   for (auto _ : state) {
-    const Observation posed = pose_scenario(subject, static_cast<std::uint64_t>(trials % 64));
+    const Observation posed = make_observation(setup, static_cast<std::uint64_t>(trials % 64));
     const Trial trial =
-        try_clip(subject, posed.scenario,
+        try_clip(setup, posed.scenario,
                  posed.trials[static_cast<std::size_t>(trials) % posed.trials.size()].clip);
     if (trials++ < 64)
       for (const float i : trial.impulse) impulse += double{i};
@@ -27,10 +27,10 @@ void try_clips(benchmark::State& state) {
 BENCHMARK(try_clips)->Name("unabridged_simulations")->Unit(benchmark::kMillisecond)->MinTime(3);
 
 void sample_scenarios(benchmark::State& state) {
-  const database::Library library = scenes::synthetic_library();
-  const SimulationSubject subject(library, {});
+  const database::ClipLibrary library = scenes::synthetic_library();
+  const SimulationSetup setup(library, {});
   std::uint64_t number = 0;
-  for (auto _ : state) benchmark::DoNotOptimize(pose_scenario(subject, number++));
+  for (auto _ : state) benchmark::DoNotOptimize(make_observation(setup, number++));
   state.SetItemsProcessed(static_cast<std::int64_t>(number));
 }
 BENCHMARK(sample_scenarios)->Name("scenarios")->Unit(benchmark::kMicrosecond);

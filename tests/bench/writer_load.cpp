@@ -46,8 +46,8 @@ struct Load {
 /// scenarios in what they cost, by a tenth each way.
 Load load_of(const Cluster& cluster, const Costs& costs, std::uint64_t scenarios) {
   constexpr std::uint64_t kMost = 128;
-  ScenarioRanges ranges({{0, scenarios}}, cluster.processes, kMost);
-  features::Random random(1, features::Purpose::baseline, 0);
+  ScenarioScheduler ranges({{0, scenarios}}, cluster.processes, kMost);
+  features::Random random(1, features::RandomStream::baseline, 0);
   std::priority_queue<Request> requests;
   for (int i = 0; i < cluster.processes; ++i) requests.push({0.001 * random.uniform(), 0});
   Load load;

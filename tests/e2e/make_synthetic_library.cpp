@@ -9,7 +9,7 @@
 int main(int argument_count, char** arguments) {
   if (argument_count < 2) return 2;
   try {
-    flinch::database::Library library = flinch::scenes::synthetic_library();
+    flinch::database::ClipLibrary library = flinch::scenes::synthetic_library();
     if (argument_count > 2) library.name = arguments[2];
     flinch::database::write_library(library, arguments[1]);
   } catch (const std::exception& error) {

@@ -19,8 +19,8 @@ Components components_of(const Geometry& geometry) {
   return std::bit_cast<Components>(geometry);
 }
 
-CharacterAhead upright() {
-  CharacterAhead character;
+PredictedCharacter upright() {
+  PredictedCharacter character;
   character.pelvis = {0, 0, 1};
   for (int i = 0; i < motion::kTargetCount; ++i) {
     character.target_centres[static_cast<std::size_t>(i)] = {0, 0,
@@ -64,21 +64,21 @@ TEST(Geometry, MissesAreAcrossThePathAndAsLongAsTheDistanceToIt) {
   for (int i = 0; i < 50; ++i) {
     const Eigen::Vector3f point = tests::random_vector(random, 1) + Eigen::Vector3f(0, 0, 1);
     const Eigen::Vector3f velocity = tests::random_vector(random, 20);
-    const CharacterAhead character = upright();
+    const PredictedCharacter character = upright();
     const Geometry g = geometry_of(passing(point, velocity), character);
     // Brute force: the least distance of points along the line.
     const Eigen::Vector3f head = character.target_centres[0];
-    float least = 1e9F;
+    float min_distance = 1e9F;
     for (int k = -4000; k <= 4000; ++k) {
       const float along = static_cast<float>(k) * 1e-3F;
-      least = std::min(least, (point + along * velocity.normalized() - head).norm());
+      min_distance = std::min(min_distance, (point + along * velocity.normalized() - head).norm());
     }
-    EXPECT_NEAR(std::hypot(g.miss_head_side, g.miss_head_up), least, 2e-3F);
+    EXPECT_NEAR(std::hypot(g.miss_head_side, g.miss_head_up), min_distance, 2e-3F);
   }
 }
 
 TEST(Geometry, DoesNotDependOnWhereAlongThePathTheTimeToImpactIs) {
-  const CharacterAhead character = upright();
+  const PredictedCharacter character = upright();
   Scenario early = passing({0.1F, -0.2F, 1.1F}, {-15, 8, 0});
   Scenario late = early;
   late.time_to_impact_s += 0.004F;
@@ -93,7 +93,7 @@ TEST(Geometry, DoesNotChangeWhenTheWholeWorldIsTurnedAndMoved) {
   for (int i = 0; i < 200; ++i) {
     Scenario scenario = passing(tests::random_vector(random, 1), tests::random_vector(random, 20));
     scenario.state.facing = tests::uniform(random, -3, 3);
-    CharacterAhead character = upright();
+    PredictedCharacter character = upright();
     for (Eigen::Vector3f& centre : character.target_centres)
       centre += tests::random_vector(random, 0.1F);
     const float yaw = tests::uniform(random, -3, 3);
@@ -104,7 +104,7 @@ TEST(Geometry, DoesNotChangeWhenTheWholeWorldIsTurnedAndMoved) {
     moved.state.facing += yaw;
     moved.threat.position = turn * scenario.threat.position + move;
     moved.threat.velocity = turn * scenario.threat.velocity;
-    CharacterAhead there = character;
+    PredictedCharacter there = character;
     there.pelvis = turn * character.pelvis + move;
     for (Eigen::Vector3f& centre : there.target_centres) centre = turn * centre + move;
     const Components before = components_of(geometry_of(scenario, character));

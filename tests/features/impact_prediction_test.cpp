@@ -22,7 +22,7 @@ using tests::uniform;
 
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
-constexpr double kTouch_m = 1e-3;
+constexpr double kContactTolerance_m = 1e-3;
 
 const tests::SwayingFigure& figure() {
   static const tests::SwayingFigure figure;
@@ -31,7 +31,8 @@ const tests::SwayingFigure& figure() {
 
 PredictedImpact predicted(const Threat& threat, const CharacterState& state = {},
                           const PredictionOptions& options = {}) {
-  return predict_impact(threat, figure().swept, figure().idle, figure().sway, state, options);
+  return predict_impact(threat, figure().collision_figure, figure().idle, figure().motion_bounds,
+                        state, options);
 }
 
 double gap_at(const Threat& threat, const motion::Pose& pose, double time_s, float gravity_mps2) {
@@ -40,8 +41,8 @@ double gap_at(const Threat& threat, const motion::Pose& pose, double time_s, flo
   return figure().gap(pose, ball.position_at(time_s), ball.radius);
 }
 
-/// When a threat is within kTouch_m / 2 of the figure, by looking at very many moments: one every
-/// 2 mm of the ball's path while it may be near. Infinite if never before it bounces.
+/// When a threat is within kContactTolerance_m / 2 of the figure, by looking at very many moments:
+/// one every 2 mm of the ball's path while it may be near. Infinite if never before it bounces.
 template <class PoseAt>
 double sampled_touch_s(const Threat& threat, const PoseAt& pose_at,
                        const PredictionOptions& options) {
@@ -58,7 +59,7 @@ double sampled_touch_s(const Threat& threat, const PoseAt& pose_at,
     if (ball.z() < radius && falls) break;
     const motion::Pose pose = pose_at(static_cast<float>(t));
     if ((ball - pose.root_position.cast<double>()).norm() > 1.6 + radius) continue;
-    if (figure().gap(pose, ball, radius) <= 0.5 * kTouch_m) return t;
+    if (figure().gap(pose, ball, radius) <= 0.5 * kContactTolerance_m) return t;
   }
   return std::numeric_limits<double>::infinity();
 }
@@ -81,7 +82,7 @@ void expect_as_sampled(const Threat& threat, const PredictedImpact& impact, cons
   const double rounding_m =
       1e-6 + 1e-7 * touch_s * static_cast<double>(threat.velocity.norm() + 30);
   const motion::Pose pose = pose_at(impact.touch_s);
-  EXPECT_LE(gap_at(threat, pose, touch_s, options.gravity_mps2), kTouch_m + rounding_m);
+  EXPECT_LE(gap_at(threat, pose, touch_s, options.gravity_mps2), kContactTolerance_m + rounding_m);
   EXPECT_LE(figure().gap_of(impact.body, pose, impact.point.cast<double>(), 0), 1e-5);
   EXPECT_EQ(impact.struck, motion::target_of(impact.body));
   EXPECT_NEAR(impact.normal.norm(), 1, 1e-5F);
@@ -166,8 +167,8 @@ TEST(PredictImpact, OfAHeldPoseIsWhatVeryManySamplesShow) {
     const Threat threat = hard_threat(random, pose);
     SCOPED_TRACE(i);
     expect_as_sampled(
-        threat, predict_impact(threat, figure().swept, pose, options), [&](float) { return pose; },
-        options, impacts, misses);
+        threat, predict_impact(threat, figure().collision_figure, pose, options),
+        [&](float) { return pose; }, options, impacts, misses);
   }
   EXPECT_GT(impacts, 100);
   EXPECT_GT(misses, 80);
@@ -178,17 +179,18 @@ TEST(PredictImpact, GivesTheTimesOfAThrowAtTheHead) {
   const motion::Pose& pose = figure().standing;
   const motion::JointFrames frames = forward_kinematics(figure().character.skeleton, pose);
   const Eigen::Vector3f middle = target_centre(figure().model, frames, Target::head);
-  const motion::Outline head = figure().outlines(pose)[Body::head];
+  const motion::CollisionShape head = figure().outlines(pose)[Body::head];
   Threat threat;
   threat.position = middle + Eigen::Vector3f(10, 0, 0);
   threat.velocity = {-20, 0, 0};
   ASSERT_LT(std::abs(middle.z() - static_cast<float>(head.centre.z())),
             static_cast<float>(head.half_length));
-  const PredictedImpact impact = predict_impact(threat, figure().swept, pose, {.gravity_mps2 = 0});
+  const PredictedImpact impact =
+      predict_impact(threat, figure().collision_figure, pose, {.gravity_mps2 = 0});
   const double surface = head.centre.x() + head.radius;
   ASSERT_EQ(impact.outcome, Outcome::impact);
   EXPECT_NEAR(impact.touch_s, (static_cast<double>(threat.position.x()) - 0.105 - surface) / 20,
-              kTouch_m / 20);
+              kContactTolerance_m / 20);
   EXPECT_NEAR(impact.time_to_impact_s, 0.5, 1e-6);
   EXPECT_EQ(impact.body, Body::head);
   EXPECT_EQ(impact.struck, Target::head);
@@ -201,32 +203,37 @@ TEST(PredictImpact, GivesTheTimesOfAThrowAtTheHead) {
 
 // sqrt(2 h / g) of free fall onto the crown.
 TEST(PredictImpact, OfABallAtRestIsWhenItHasFallenOnTheHead) {
-  const motion::Outline head = figure().outlines(figure().standing)[Body::head];
+  const motion::CollisionShape head = figure().outlines(figure().standing)[Body::head];
   const float crown = static_cast<float>(head.centre.z() + head.half_length + head.radius);
   Threat threat;
   threat.position = head.centre.cast<float>();
   threat.position.z() = crown + threat.radius + 0.5F;
-  const PredictedImpact impact = predict_impact(threat, figure().swept, figure().standing);
+  const PredictedImpact impact =
+      predict_impact(threat, figure().collision_figure, figure().standing);
   ASSERT_EQ(impact.outcome, Outcome::impact);
   EXPECT_EQ(impact.body, Body::head);
   EXPECT_NEAR(impact.touch_s, std::sqrt(1 / kGravity), 1e-3F);
   // Without a fall, or beside the figure, it comes to nothing.
-  EXPECT_EQ(predict_impact(threat, figure().swept, figure().standing, {.gravity_mps2 = 0}).outcome,
-            Outcome::miss);
+  EXPECT_EQ(
+      predict_impact(threat, figure().collision_figure, figure().standing, {.gravity_mps2 = 0})
+          .outcome,
+      Outcome::miss);
   threat.position.x() += 2;
-  EXPECT_EQ(predict_impact(threat, figure().swept, figure().standing).outcome, Outcome::miss);
+  EXPECT_EQ(predict_impact(threat, figure().collision_figure, figure().standing).outcome,
+            Outcome::miss);
 }
 
 // Down at 45 degrees before the toes: it would reach them by going on into the ground.
 TEST(PredictImpact, ABallThatBouncesFirstMisses) {
-  const motion::Outline foot = figure().outlines(figure().standing)[Body::left_foot];
+  const motion::CollisionShape foot = figure().outlines(figure().standing)[Body::left_foot];
   Threat threat;
   threat.velocity = {-10, 0, -10};
   Eigen::Vector3f bounce = foot.centre.cast<float>();
   bounce.z() = threat.radius;
   while (figure().gap(figure().standing, bounce.cast<double>(), 0.105) < 0.02) bounce.x() += 0.001F;
   const auto outcome = [&] {
-    return predict_impact(threat, figure().swept, figure().standing, {.gravity_mps2 = 0}).outcome;
+    return predict_impact(threat, figure().collision_figure, figure().standing, {.gravity_mps2 = 0})
+        .outcome;
   };
   threat.position = bounce - 0.1F * threat.velocity;
   EXPECT_EQ(outcome(), Outcome::miss);
@@ -240,9 +247,10 @@ TEST(PredictImpact, ABallThatRollsIsToldByNoGravity) {
                      figure().outlines(figure().standing)[Body::left_foot].centre.cast<float>().y(),
                      threat.radius};
   threat.velocity = {-3, 0, 0};
-  EXPECT_EQ(predict_impact(threat, figure().swept, figure().standing).outcome, Outcome::miss);
+  EXPECT_EQ(predict_impact(threat, figure().collision_figure, figure().standing).outcome,
+            Outcome::miss);
   const PredictedImpact impact =
-      predict_impact(threat, figure().swept, figure().standing, {.gravity_mps2 = 0});
+      predict_impact(threat, figure().collision_figure, figure().standing, {.gravity_mps2 = 0});
   ASSERT_EQ(impact.outcome, Outcome::impact);
   EXPECT_EQ(impact.struck, Target::legs);
   EXPECT_EQ(impact.aimed_at, Target::legs);
@@ -252,19 +260,21 @@ TEST(PredictImpact, LaterThanTheHorizonIsAMiss) {
   Threat threat;
   threat.position = {20, 0, 1.2F};
   threat.velocity = {-20, 0, kGravity / 2};
-  const PredictedImpact impact = predict_impact(threat, figure().swept, figure().standing);
+  const PredictedImpact impact =
+      predict_impact(threat, figure().collision_figure, figure().standing);
   ASSERT_EQ(impact.outcome, Outcome::impact);
   const PredictionOptions shorter{.horizon_s = impact.touch_s - 0.001F};
-  EXPECT_EQ(predict_impact(threat, figure().swept, figure().standing, shorter).outcome,
+  EXPECT_EQ(predict_impact(threat, figure().collision_figure, figure().standing, shorter).outcome,
             Outcome::miss);
 }
 
 TEST(PredictImpact, ABallInsideABodyTouchesIt) {
-  for (const motion::Outline& outline : figure().outlines(figure().standing)) {
+  for (const motion::CollisionShape& outline : figure().outlines(figure().standing)) {
     Threat threat;
     threat.position = outline.centre.cast<float>();
     threat.velocity = {0, 0, 3};
-    const PredictedImpact impact = predict_impact(threat, figure().swept, figure().standing);
+    const PredictedImpact impact =
+        predict_impact(threat, figure().collision_figure, figure().standing);
     EXPECT_EQ(impact.outcome, Outcome::touching);
     EXPECT_EQ(impact.touch_s, 0);
     EXPECT_GE(impact.time_to_impact_s, 0);
@@ -280,7 +290,7 @@ TEST(PredictImpact, DoesNotChangeWhenTheWholeWorldIsTurnedAndMoved) {
     CharacterState moved = state;
     moved.position = {3, -2};
     moved.facing = uniform(random, -3, 3);
-    const Eigen::Quaternionf turn = motion::turn_about(Eigen::Vector3f::UnitZ(), moved.facing);
+    const Eigen::Quaternionf turn = motion::rotation_about(Eigen::Vector3f::UnitZ(), moved.facing);
     Threat turned = threat;
     turned.position = turn * threat.position + Eigen::Vector3f(3, -2, 0);
     turned.velocity = turn * threat.velocity;
@@ -301,11 +311,14 @@ TEST(PredictImpact, AHeldPoseIsAnIdleClipOfOnePose) {
   std::mt19937 random(4);
   motion::Motion still;
   still.poses.push_back(figure().standing);
-  const Sway sway = sway_of(figure().character.skeleton, figure().model, still);
+  const MotionBounds motion_bounds =
+      motion_bounds_of(figure().character.skeleton, figure().model, still);
   for (int i = 0; i < 200; ++i) {
     const Threat threat = hard_threat(random, figure().standing);
-    const PredictedImpact held = predict_impact(threat, figure().swept, figure().standing);
-    const PredictedImpact idle = predict_impact(threat, figure().swept, still, sway, {});
+    const PredictedImpact held =
+        predict_impact(threat, figure().collision_figure, figure().standing);
+    const PredictedImpact idle =
+        predict_impact(threat, figure().collision_figure, still, motion_bounds, {});
     EXPECT_EQ(held.outcome, idle.outcome);
     EXPECT_EQ(held.body, idle.body);
     EXPECT_NEAR(held.touch_s, idle.touch_s, 1e-5F);
@@ -315,7 +328,7 @@ TEST(PredictImpact, AHeldPoseIsAnIdleClipOfOnePose) {
 
 TEST(PredictImpact, TakesPosesFromAnyFunctionOfTime) {
   // Walks into a ball that hangs in the air 1 m ahead of its chest.
-  const motion::Outline chest = figure().outlines(figure().standing)[Body::chest];
+  const motion::CollisionShape chest = figure().outlines(figure().standing)[Body::chest];
   Threat threat;
   threat.position = chest.centre.cast<float>() + Eigen::Vector3f(1, 0, 0);
   const auto walks = [&](float time_s) {
@@ -323,13 +336,15 @@ TEST(PredictImpact, TakesPosesFromAnyFunctionOfTime) {
     pose.root_position.x() += 1.5F * time_s;
     return pose;
   };
-  const Sway sway{.middle = walks(0.5F).root_position, .radius = 1, .most_speed_mps = 1.5F};
-  const PredictedImpact impact = predict_impact(threat, figure().swept, PosesAhead(walks, sway),
-                                                {.horizon_s = 1, .gravity_mps2 = 0});
+  const MotionBounds motion_bounds{
+      .pelvis_centre = walks(0.5F).root_position, .radius = 1, .max_speed_mps = 1.5F};
+  const PredictedImpact impact =
+      predict_impact(threat, figure().collision_figure, PredictedMotion(walks, motion_bounds),
+                     {.horizon_s = 1, .gravity_mps2 = 0});
   ASSERT_EQ(impact.outcome, Outcome::impact);
   EXPECT_EQ(impact.body, Body::chest);
   EXPECT_NEAR(static_cast<double>(impact.touch_s), (1 - 0.105 - chest.half_extents.x()) / 1.5,
-              kTouch_m / 1.5 + 1e-6);
+              kContactTolerance_m / 1.5 + 1e-6);
 }
 
 TEST(PredictImpact, RefusesWhatCannotBeUsed) {
@@ -358,16 +373,17 @@ TEST(PredictImpact, RefusesWhatCannotBeUsed) {
     EXPECT_EQ(predicted(threat, {.idle_time_s = bad}).outcome, Outcome::unusable);
     motion::Pose pose = figure().standing;
     pose.rotation[motion::Role::chest].x() = bad;
-    EXPECT_EQ(predict_impact(threat, figure().swept, pose).outcome, Outcome::unusable);
+    EXPECT_EQ(predict_impact(threat, figure().collision_figure, pose).outcome, Outcome::unusable);
     pose = figure().standing;
     pose.root_position.y() = bad;
-    EXPECT_EQ(predict_impact(threat, figure().swept, pose).outcome, Outcome::unusable);
+    EXPECT_EQ(predict_impact(threat, figure().collision_figure, pose).outcome, Outcome::unusable);
   }
   Threat negative = threat;
   negative.radius = -0.1F;
   EXPECT_EQ(predicted(negative).outcome, Outcome::unusable);
   EXPECT_EQ(predict_impact(threat, {}, figure().standing).outcome, Outcome::unusable);
-  EXPECT_EQ(predict_impact(threat, figure().swept, motion::Motion{}, Sway{}, {}).outcome,
+  EXPECT_EQ(predict_impact(threat, figure().collision_figure, motion::Motion{}, MotionBounds{}, {})
+                .outcome,
             Outcome::unusable);
 }
 
@@ -394,8 +410,9 @@ TEST(PredictImpact, EndsWithFiniteNumbersForAnyInput) {
     if (random() % 2 == 0) options.horizon_s = any_float(random);
     if (random() % 2 == 0) options.gravity_mps2 = any_float(random);
     const PredictedImpact impact =
-        random() % 2 == 0 ? predicted(threat, {}, options)
-                          : predict_impact(threat, figure().swept, figure().standing, options);
+        random() % 2 == 0
+            ? predicted(threat, {}, options)
+            : predict_impact(threat, figure().collision_figure, figure().standing, options);
     if (impact.outcome != Outcome::unusable) ++usable;
     if (impact.outcome == Outcome::impact || impact.outcome == Outcome::touching) ++impacts;
     EXPECT_TRUE(std::isfinite(impact.touch_s) && std::isfinite(impact.time_to_impact_s) &&

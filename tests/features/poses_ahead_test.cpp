@@ -19,24 +19,24 @@ const tests::SwayingFigure& figure() {
 TEST(Sway, HoldsThePelvisAndTheSpeedOfAllSurfaces) {
   std::mt19937 random(1);
   const CharacterState state{.idle_time_s = 0.3F, .position = {2, -1}, .facing = 0.7F};
-  const Sway sway = placed(figure().sway, state);
+  const MotionBounds bounds = placed(figure().motion_bounds, state);
   double fastest = 0;
   for (int i = 0; i < 4000; ++i) {
     const float time_s = tests::uniform(random, 0, 12);
     const float step_s = tests::uniform(random, 0.001F, 0.2F);
     const motion::Pose now = idle_pose(figure().idle, state, time_s);
     const motion::Pose then = idle_pose(figure().idle, state, time_s + step_s);
-    EXPECT_LE((now.root_position - sway.middle).norm(), sway.radius + 1e-5F);
+    EXPECT_LE((now.root_position - bounds.pelvis_centre).norm(), bounds.radius + 1e-5F);
     const Eigen::Vector3d point =
         (now.root_position + tests::random_vector(random, 1.2F)).cast<double>();
     const auto body = static_cast<motion::Body>(random() % motion::kBodyCount);
     const double change =
         std::abs(figure().gap_of(body, then, point, 0) - figure().gap_of(body, now, point, 0));
-    EXPECT_LE(change, static_cast<double>(sway.most_speed_mps * step_s) + 1e-6);
+    EXPECT_LE(change, static_cast<double>(bounds.max_speed_mps * step_s) + 1e-6);
     fastest = std::max(fastest, change / static_cast<double>(step_s));
   }
   // And is not far above them.
-  EXPECT_GT(fastest, 0.4 * static_cast<double>(sway.most_speed_mps));
+  EXPECT_GT(fastest, 0.4 * static_cast<double>(bounds.max_speed_mps));
 }
 
 // The fingertips move twice as fast as the middle of the hand.
@@ -48,15 +48,15 @@ TEST(Sway, CountsThatABodyTurns) {
         Eigen::AngleAxisf(0.05F * static_cast<float>(i), Eigen::Vector3f::UnitX());
     motion.poses.push_back(pose);
   }
-  const Sway sway = sway_of(figure().character.skeleton, figure().model, motion);
+  const MotionBounds bounds = motion_bounds_of(figure().character.skeleton, figure().model, motion);
   const float fingers_m = figure().character.skeleton.tip[motion::Role::left_hand].norm();
-  EXPECT_GE(sway.most_speed_mps, 0.05F * 60 * fingers_m);
-  EXPECT_LE(sway.most_speed_mps, 2 * 0.05F * 60 * fingers_m);
+  EXPECT_GE(bounds.max_speed_mps, 0.05F * 60 * fingers_m);
+  EXPECT_LE(bounds.max_speed_mps, 2 * 0.05F * 60 * fingers_m);
 }
 
 TEST(SweptFigure, NoPoseReachesBeyondItsReach) {
   std::mt19937 random(2);
-  const double reach = static_cast<double>(figure().swept.reach_m);
+  const double reach = static_cast<double>(figure().collision_figure.reach_m);
   double farthest = 0;
   for (int i = 0; i < 2000; ++i) {
     const motion::Pose pose = tests::random_pose(random);

@@ -24,23 +24,23 @@ TEST(Philox, GivesThePublishedAnswers) {
 
 TEST(Random, BeginsWithTheBlockOfItsSeedPurposeAndStream) {
   const Words block = philox4x32({0, 0, 7, 1}, {3, 2});
-  Random random((std::uint64_t{2} << 32) | 3, Purpose::scenario, (std::uint64_t{1} << 32) | 7);
+  Random random((std::uint64_t{2} << 32) | 3, RandomStream::scenario, (std::uint64_t{1} << 32) | 7);
   EXPECT_EQ(random.bits(), block[0] | std::uint64_t{block[1]} << 32);
   EXPECT_EQ(random.bits(), block[2] | std::uint64_t{block[3]} << 32);
 }
 
 TEST(Random, StreamsSeedsAndPurposesDiffer) {
   std::set<std::uint64_t> first;
-  for (std::uint64_t stream = 0; stream < 100; ++stream) {
-    first.insert(Random(1, Purpose::scenario, stream).bits());
-    first.insert(Random(2, Purpose::scenario, stream).bits());
-    first.insert(Random(1, Purpose::bootstrap, stream).bits());
+  for (std::uint64_t substream = 0; substream < 100; ++substream) {
+    first.insert(Random(1, RandomStream::scenario, substream).bits());
+    first.insert(Random(2, RandomStream::scenario, substream).bits());
+    first.insert(Random(1, RandomStream::bootstrap, substream).bits());
   }
   EXPECT_EQ(first.size(), 300U);
 }
 
 TEST(Random, UniformStaysInItsRangeWithTheRightMeanAndVariance) {
-  Random random(1, Purpose::scenario, 0);
+  Random random(1, RandomStream::scenario, 0);
   constexpr int kCount = 100'000;
   double sum = 0;
   double squares = 0;
@@ -57,7 +57,7 @@ TEST(Random, UniformStaysInItsRangeWithTheRightMeanAndVariance) {
 }
 
 TEST(Random, NormalHasTheMomentsAndTailsOfANormalDistribution) {
-  Random random(1, Purpose::perception, 0);
+  Random random(1, RandomStream::perception, 0);
   constexpr int kCount = 100'000;
   std::array<double, 4> moments{};
   int beyond_two = 0;
@@ -76,7 +76,7 @@ TEST(Random, NormalHasTheMomentsAndTailsOfANormalDistribution) {
 }
 
 TEST(Random, IndexGivesEveryValueItsShare) {
-  Random random(1, Purpose::scenario, 0);
+  Random random(1, RandomStream::scenario, 0);
   constexpr int kDraws = 70'000;
   std::vector<int> count(7);
   for (int i = 0; i < kDraws; ++i) ++count[random.index(7)];

@@ -14,26 +14,28 @@ namespace flinch::tests {
 /// The default character, that stands with its arms down and sways to and fro: the trunk turns, the
 /// arms swing and the pelvis circles, up to about 0.5 m/s at the hands.
 struct SwayingFigure {
-  motion::Character character = motion::default_character();
+  motion::Physique character = motion::default_character();
   motion::BodyModel model = make_body_model(character);
   motion::Pose standing = swayed(0);
   motion::Motion idle = swaying();
-  features::Sway sway = features::sway_of(character.skeleton, model, idle);
-  features::SweptFigure swept = features::make_swept_figure(character.skeleton, model);
+  features::MotionBounds motion_bounds =
+      features::motion_bounds_of(character.skeleton, model, idle);
+  features::CollisionFigure collision_figure =
+      features::make_collision_figure(character.skeleton, model);
 
   SwayingFigure() = default;
   SwayingFigure(const SwayingFigure&) = delete;
   SwayingFigure& operator=(const SwayingFigure&) = delete;
 
   /// Straight from the joints, in double.
-  motion::PerBody<motion::Outline> outlines(const motion::Pose& pose) const {
+  motion::PerBody<motion::CollisionShape> outlines(const motion::Pose& pose) const {
     const motion::JointFrames frames = forward_kinematics(character.skeleton, pose);
-    motion::PerBody<motion::Outline> outlines;
+    motion::PerBody<motion::CollisionShape> outlines;
     for (motion::Body body : motion::kBodies) {
       const motion::Role role = role_of(body);
       const motion::Shape& shape = model[body].shape;
-      motion::Outline& outline = outlines[body];
-      outline = motion::outline_of(shape);
+      motion::CollisionShape& outline = outlines[body];
+      outline = motion::collision_shape_of(shape);
       outline.centre =
           (frames.position[role] + frames.orientation[role] * shape.centre).cast<double>();
       outline.orientation = (frames.orientation[role] * shape.orientation).cast<double>();
@@ -46,11 +48,11 @@ struct SwayingFigure {
   }
   /// From the nearest body.
   double gap(const motion::Pose& pose, const Eigen::Vector3d& ball, double radius) const {
-    double least = std::numeric_limits<double>::infinity();
-    for (const motion::Outline& outline : outlines(pose)) {
-      least = std::min(least, clearance(ball, radius, outline).gap);
+    double min_gap = std::numeric_limits<double>::infinity();
+    for (const motion::CollisionShape& outline : outlines(pose)) {
+      min_gap = std::min(min_gap, clearance(ball, radius, outline).gap);
     }
-    return least;
+    return min_gap;
   }
 
  private:

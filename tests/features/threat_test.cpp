@@ -54,14 +54,15 @@ TEST(Threat, FollowsStepwiseIntegration) {
 TEST(ThreatFromApproach, ComesToTheImpactPointInTimeWithItsSpeed) {
   std::mt19937 random(1);
   for (int i = 0; i < 500; ++i) {
-    const Approach approach{.azimuth = tests::uniform(random, -kPi, kPi),
-                            .elevation = tests::uniform(random, -0.2F, 0.8F),
-                            .speed_mps = tests::uniform(random, 8, 30),
-                            .time_to_impact_s = tests::uniform(random, 0.25F, 1.2F),
-                            .radius = 0.2F,
-                            .mass_kg = 0.5F};
+    const ThreatDescription approach{.azimuth = tests::uniform(random, -kPi, kPi),
+                                     .elevation = tests::uniform(random, -0.2F, 0.8F),
+                                     .speed_mps = tests::uniform(random, 8, 30),
+                                     .time_to_impact_s = tests::uniform(random, 0.25F, 1.2F),
+                                     .radius = 0.2F,
+                                     .mass_kg = 0.5F};
     const Eigen::Vector3f point = tests::random_vector(random, 2);
-    const Threat threat = threat_from_approach(approach, point, tests::uniform(random, -kPi, kPi));
+    const Threat threat =
+        threat_from_description(approach, point, tests::uniform(random, -kPi, kPi));
     EXPECT_LT((position_at(threat, approach.time_to_impact_s) - point).norm(), 1e-4F);
     const Eigen::Vector3f velocity = velocity_at(threat, approach.time_to_impact_s);
     EXPECT_NEAR(velocity.norm(), approach.speed_mps, 1e-4F);
@@ -74,9 +75,10 @@ TEST(ThreatFromApproach, ComesToTheImpactPointInTimeWithItsSpeed) {
 // A character that faces +Y has its left at -X. A level ball from there flies towards +X; one from
 // 30 degrees above comes down with half its speed.
 TEST(ThreatFromApproach, AzimuthAndElevationSayWhereItComesFrom) {
-  Approach approach{.azimuth = kPi / 2, .elevation = 0, .speed_mps = 20, .time_to_impact_s = 0.5F};
+  ThreatDescription approach{
+      .azimuth = kPi / 2, .elevation = 0, .speed_mps = 20, .time_to_impact_s = 0.5F};
   const auto at_impact = [&] {
-    return velocity_at(threat_from_approach(approach, {0, 0, 1}, kPi / 2), 0.5F);
+    return velocity_at(threat_from_description(approach, {0, 0, 1}, kPi / 2), 0.5F);
   };
   EXPECT_LT((at_impact() - Eigen::Vector3f(20, 0, 0)).norm(), 1e-4F);
   approach.azimuth = 0;

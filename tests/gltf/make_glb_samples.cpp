@@ -29,8 +29,8 @@ database::BallTrack thrown_ball(const motion::Motion& motion) {
 }
 
 void write_samples(const std::string& folder) {
-  const database::Library library = scenes::synthetic_library();
-  const motion::Character& character = library.character;
+  const database::ClipLibrary library = scenes::synthetic_library();
+  const motion::Physique& character = library.character;
   for (const motion::Clip& clip : library.clips) {
     database::write_glb(folder + "/" + clip.name + ".glb", character, clip.motion,
                         thrown_ball(clip.motion));
@@ -44,7 +44,7 @@ void write_samples(const std::string& folder) {
   database::write_glb(folder + "/unseen_ball.glb", character, still,
                       database::BallTrack{0.2F, {std::nullopt}});
 
-  motion::Character child = character;
+  motion::Physique child = character;
   child.mass_kg = 20;
   for (Eigen::Vector3f& offset : child.skeleton.offset) offset *= 0.6F;
   for (Eigen::Vector3f& tip : child.skeleton.tip) tip *= 0.6F;
@@ -68,9 +68,9 @@ std::string replaced(std::string bytes, const std::string& what, const std::stri
 
 // What would be wrong if the writer made the mistakes that are easily made.
 void write_broken(const std::string& folder) {
-  const database::Library library = scenes::synthetic_library();
+  const database::ClipLibrary library = scenes::synthetic_library();
   const motion::Motion& idle = library.clips.front().motion;
-  const std::vector<std::byte> glb = database::glb_of(library.character, idle, thrown_ball(idle));
+  const std::vector<std::byte> glb = database::make_glb(library.character, idle, thrown_ball(idle));
   const std::string sound(reinterpret_cast<const char*>(glb.data()), glb.size());
   const auto write = [&](const std::string& name, const std::string& bytes) {
     database::write_file_atomically(folder + "/" + name + ".glb", bytes);

@@ -49,7 +49,7 @@ TEST(Network, ExpectsWhatItsEquationsSay) {
         const std::size_t count = model.shape().weight_count();
         const auto own =
             std::span(model.weights).subspan(static_cast<std::size_t>(member) * count, count);
-        const auto each = twin_answers(model.shape(), {own.begin(), own.end()}, x);
+        const auto each = reference_outputs(model.shape(), {own.begin(), own.end()}, x);
         for (std::size_t output = 0; output < 7; ++output) {
           answers[output] += each[output] / members;
         }
@@ -107,7 +107,7 @@ TEST(Network, ChoosesTheLowerOfTwinsAndIdleWhereItKnowsNothing) {
 
 TEST(Network, StaysFiniteWhateverIsAsked) {
   NetworkModel model = random_network(6, 40, 64, 5, 2);
-  for (float& weight : model.weights) weight = std::copysign(kMostNetworkWeight, weight);
+  for (float& weight : model.weights) weight = std::copysign(kMaxNetworkWeight, weight);
   const double infinity = std::numeric_limits<double>::infinity();
   for (const double value : {1e300, -1e300, infinity, -infinity, std::nan("")}) {
     for (const Candidate& candidate :

@@ -11,8 +11,8 @@ namespace flinch::models {
 
 /// One fully connected layer, number by number in double; `weight(to, from)`.
 template <typename Weight>
-std::vector<double> twin_layer(std::span<const double> in, std::size_t out_count,
-                               const Weight& weight, std::span<const double> biases) {
+std::vector<double> reference_layer(std::span<const double> in, std::size_t out_count,
+                                    const Weight& weight, std::span<const double> biases) {
   std::vector<double> out(biases.begin(), biases.end());
   for (std::size_t to = 0; to < out_count; ++to) {
     for (std::size_t from = 0; from < in.size(); ++from) {
@@ -23,25 +23,25 @@ std::vector<double> twin_layer(std::span<const double> in, std::size_t out_count
 }
 
 /// What one member answers, written down from the definition.
-inline std::vector<double> twin_answers(const NetworkShape& shape,
-                                        const std::vector<double>& weights,
-                                        const std::vector<double>& x) {
+inline std::vector<double> reference_outputs(const NetworkShape& shape,
+                                             const std::vector<double>& weights,
+                                             const std::vector<double>& x) {
   const std::span all(weights);
   const auto units = [&](std::vector<double> sums) {
     for (double& sum : sums) sum = std::max(sum, 0.0);
     return sums;
   };
   const std::size_t hidden = shape.hidden();
-  const auto first = units(twin_layer(
+  const auto first = units(reference_layer(
       x, hidden, [&](std::size_t to, std::size_t from) { return weights[from * hidden + to]; },
       all.subspan(shape.first_biases(), hidden)));
-  const auto second = units(twin_layer(
+  const auto second = units(reference_layer(
       first, hidden,
       [&](std::size_t to, std::size_t from) {
         return weights[shape.second_weights() + from * hidden + to];
       },
       all.subspan(shape.second_biases(), hidden)));
-  return twin_layer(
+  return reference_layer(
       second, shape.outputs(),
       [&](std::size_t to, std::size_t from) {
         return weights[shape.output_weights() + to * hidden + from];

@@ -32,7 +32,7 @@ PairwiseModel random_machines(std::uint64_t seed, int features, std::size_t clas
 }
 
 /// What the machine of the pair says, from the products of features in double precision.
-double twin_decision(const PairwiseModel& model, const std::vector<double>& x, int machine) {
+double reference_decision(const PairwiseModel& model, const std::vector<double>& x, int machine) {
   std::vector<double> z{1};
   z.insert(z.end(), x.begin(), x.end());
   std::size_t at = static_cast<std::size_t>(machine) * model.row_size();
@@ -51,8 +51,8 @@ std::vector<double> exact_point(std::mt19937_64& random, int features) {
 }
 
 /// All pairs of allowed classes decide, in the order of `machine`.
-std::vector<Candidate> twin_ranking(const PairwiseModel& model, const std::vector<double>& x,
-                                    const ClipMask& allowed) {
+std::vector<Candidate> reference_ranking(const PairwiseModel& model, const std::vector<double>& x,
+                                         const ClipMask& allowed) {
   std::vector<int> wins(model.clip.size());
   std::size_t pair = 0;
   int pairs = 0;
@@ -63,7 +63,7 @@ std::vector<Candidate> twin_ranking(const PairwiseModel& model, const std::vecto
     for (std::size_t b = a + 1; b < wins.size(); ++b, ++pair) {
       if (!is_allowed(a) || !is_allowed(b)) continue;
       const int machine = model.machine[pair];
-      const bool first = machine < 0 || twin_decision(model, x, machine) >= 0;
+      const bool first = machine < 0 || reference_decision(model, x, machine) >= 0;
       ++wins[first ? a : b];
       ++pairs;
     }
@@ -87,10 +87,10 @@ TEST(PairwiseLinear, RanksByTheVotesOfAllPairsHoweverManyAreAskedFor) {
     const std::vector<double> x = exact_point(random, features);
     ClipMask allowed(24);
     for (std::size_t clip = 0; clip < allowed.size(); ++clip) allowed[clip] = random() % 4 != 0;
-    const std::vector<Candidate> expected = twin_ranking(model, x, allowed);
-    for (std::size_t most = 0; most <= expected.size() + 1; ++most) {
-      const auto ranked = rank(model, x, allowed, most);
-      ASSERT_EQ(ranked.size(), std::min(most, expected.size()));
+    const std::vector<Candidate> expected = reference_ranking(model, x, allowed);
+    for (std::size_t max_count = 0; max_count <= expected.size() + 1; ++max_count) {
+      const auto ranked = rank(model, x, allowed, max_count);
+      ASSERT_EQ(ranked.size(), std::min(max_count, expected.size()));
       for (std::size_t i = 0; i < ranked.size(); ++i) {
         ASSERT_EQ(ranked[i].clip, expected[i].clip);
         ASSERT_EQ(ranked[i].vote, expected[i].vote);
@@ -123,15 +123,15 @@ TEST(PairwiseLinear, TermsAreTheProductsInOrder) {
 }
 
 TEST(PairwiseLinear, SumsHaveRoomWhateverIsAsked) {
-  PairwiseModel model = random_machines(2, features::kMostFeatures, 2);
+  PairwiseModel model = random_machines(2, features::kMaxFeatures, 2);
   model.machine = {0};
-  const std::size_t terms = PairwiseModel::term_count(features::kMostFeatures);
+  const std::size_t terms = PairwiseModel::term_count(features::kMaxFeatures);
   model.weights.assign(model.row_size(), 0);
-  const auto most = static_cast<std::int16_t>(PairwiseModel::kMostWeightSum / 100);
-  std::fill_n(model.weights.begin(), 100, most);
+  const auto max_count = static_cast<std::int16_t>(PairwiseModel::kMaxWeightSum / 100);
+  std::fill_n(model.weights.begin(), 100, max_count);
   ASSERT_GT(terms, 100U);
   const auto first_wins = [&](double value) {
-    const std::vector<double> x(features::kMostFeatures, value);
+    const std::vector<double> x(features::kMaxFeatures, value);
     return rank(model, x, ClipMask(4, true), 1)[0].clip == 1;
   };
   const double infinity = std::numeric_limits<double>::infinity();

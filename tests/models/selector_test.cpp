@@ -30,7 +30,7 @@ SvmModel hand_made_svm() {
   model.machines = {
       {.rho = 0, .count = {0, 1, 0, 0}}, {.rho = 2, .count = {0, 1, 0, 0}}, {.rho = -1}};
   model.vectors = {0, 0};
-  complete(model);
+  update_derived(model);
   return model;
 }
 
@@ -40,7 +40,7 @@ KnnModel make_knn(int k, int feature_count, std::vector<float> points, std::vect
   model.feature_count = feature_count;
   model.points = std::move(points);
   model.label = std::move(label);
-  index(model);
+  build_leaves(model);
   return model;
 }
 
@@ -155,8 +155,8 @@ TEST(Selector, ScalesAndMasksBeforeItAsksItsModel) {
   selector.clips = {
       {"idle", {}}, clip_for(Target::head), clip_for(Target::head), clip_for(Target::legs)};
   selector.layout = features::feature_set_named("paper")->layout;
-  selector.scaling.least.assign(features::kFeatureCount, 0);
-  selector.scaling.most.assign(features::kFeatureCount, 10);
+  selector.scaling.min.assign(features::kFeatureCount, 0);
+  selector.scaling.max.assign(features::kFeatureCount, 10);
   std::vector<float> points;
   for (const float value : {-1.0F, 0.0F, 1.0F}) {  // raw 0, 5 and 10
     points.insert(points.end(), features::kFeatureCount, value);

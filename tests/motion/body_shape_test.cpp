@@ -37,14 +37,14 @@ std::vector<Eigen::Vector3f> surface_points(const Shape& shape, std::mt19937& ra
   return points;
 }
 
-struct Placed {
+struct PlacedShape {
   Eigen::Isometry3f to_world;
 };
 
-Placed place(const Character& character, const BodyModel& model, Body body) {
+PlacedShape place(const Physique& character, const BodyModel& model, Body body) {
   const JointFrames rest = forward_kinematics(character.skeleton, rest_pose(character.skeleton));
   const Shape& shape = model[body].shape;
-  Placed placed;
+  PlacedShape placed;
   placed.to_world.setIdentity();
   placed.to_world.translate(rest.position[role_of(body)]);
   placed.to_world.translate(shape.centre);
@@ -56,7 +56,7 @@ bool are_adjacent(Body a, Body b) {
   return parent_of(a) == b || parent_of(b) == a;
 }
 
-float deepest_overlap(const Character& character, Body a, Body b, std::mt19937& random) {
+float deepest_overlap(const Physique& character, Body a, Body b, std::mt19937& random) {
   const BodyModel model = make_body_model(character);
   const Eigen::Isometry3f from_a =
       place(character, model, b).to_world.inverse() * place(character, model, a).to_world;
@@ -71,7 +71,7 @@ TEST(BodyShapes, PartsThatAreNotJointedAreClearOfEachOtherAtRest) {
   std::mt19937 random(1);
   int pairs = 0;
   for (Sex sex : {Sex::female, Sex::male}) {
-    Character character = default_character();
+    Physique character = default_character();
     character.sex = sex;
     for (Body a : kBodies) {
       for (Body b : kBodies) {
@@ -87,7 +87,7 @@ TEST(BodyShapes, PartsThatAreNotJointedAreClearOfEachOtherAtRest) {
 
 TEST(BodyShapes, JointedPartsAboutTouchAtRest) {
   std::mt19937 random(2);
-  const Character character = default_character();
+  const Physique character = default_character();
   for (Body body : kBodies) {
     const std::optional<Body> parent = parent_of(body);
     if (!parent) continue;
@@ -98,7 +98,7 @@ TEST(BodyShapes, JointedPartsAboutTouchAtRest) {
 }
 
 TEST(BodyShapes, SolesLieOnTheGround) {
-  const Character character = default_character();
+  const Physique character = default_character();
   const BodyModel model = make_body_model(character);
   for (Body foot : {Body::left_foot, Body::right_foot}) {
     const Eigen::Isometry3f to_world = place(character, model, foot).to_world;
@@ -113,7 +113,7 @@ TEST(BodyShapes, SolesLieOnTheGround) {
 }
 
 TEST(BodyShapes, HeadReachesFromChinToCrown) {
-  const Character character = default_character();
+  const Physique character = default_character();
   const BodyModel model = make_body_model(character);
   const Shape& head = model[Body::head].shape;
   const float middle = place(character, model, Body::head).to_world.translation().z();
@@ -135,7 +135,7 @@ TEST(BodyShapes, LimbsHoldTheirMass) {
 
 TEST(BodyShapes, CentresOfMassLieInside) {
   for (Sex sex : {Sex::female, Sex::male}) {
-    Character character = default_character();
+    Physique character = default_character();
     character.sex = sex;
     const BodyModel model = make_body_model(character);
     for (Body body : kBodies) {
@@ -148,7 +148,7 @@ TEST(BodyShapes, CentresOfMassLieInside) {
 }
 
 TEST(BodyShapes, ScaleWithTheCharacter) {
-  Character large = default_character();
+  Physique large = default_character();
   for (Role role : kRoles) {
     large.skeleton.offset[role] *= 1.2F;
     large.skeleton.tip[role] *= 1.2F;
@@ -167,7 +167,7 @@ TEST(BodyShapes, ScaleWithTheCharacter) {
 }
 
 TEST(BodyShapes, BonesWithoutLengthStillMakeParts) {
-  Character character = default_character();
+  Physique character = default_character();
   for (Role role : {Role::abdomen, Role::head, Role::left_foot, Role::left_toes}) {
     character.skeleton.offset[role].setZero();
   }

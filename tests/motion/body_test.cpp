@@ -19,8 +19,8 @@ float mass_of(const BodyModel& model) {
   return sum;
 }
 
-Character with_sex(Sex sex) {
-  Character character = default_character();
+Physique with_sex(Sex sex) {
+  Physique character = default_character();
   character.sex = sex;
   return character;
 }
@@ -60,7 +60,7 @@ TEST(Body, SexesAreNamed) {
 TEST(BodyModel, MassesAddUpToTheCharactersForBothSexes) {
   for (Sex sex : {Sex::female, Sex::male}) {
     for (float mass_kg : {45.0F, 75.0F, 120.0F}) {
-      Character character = with_sex(sex);
+      Physique character = with_sex(sex);
       character.mass_kg = mass_kg;
       EXPECT_NEAR(mass_of(make_body_model(character)), mass_kg, 1e-4F * mass_kg);
     }
@@ -93,7 +93,7 @@ TEST(BodyModel, FemaleMassesAreDeLevas) {
 // The thigh's centre 40.95 % (36.12 %) from hip to knee; the hand's 36.24 % from wrist to fingertip
 // (de Leva's own second row for the hand, where it is 34.27 % for women).
 TEST(BodyModel, CentresLieAsFarAlongTheBonesAsDeLevaSays) {
-  const Character man = with_sex(Sex::male);
+  const Physique man = with_sex(Sex::male);
   const BodyModel male = make_body_model(man);
   const BodyModel female = make_body_model(with_sex(Sex::female));
   const Skeleton& skeleton = man.skeleton;
@@ -107,7 +107,7 @@ TEST(BodyModel, CentresLieAsFarAlongTheBonesAsDeLevaSays) {
 
 // Head and neck together: 50.02 % from the crown to the seventh cervical vertebra.
 TEST(BodyModel, HeadAndNeckTogetherHaveDeLevasCentre) {
-  const Character man = default_character();
+  const Physique man = default_character();
   const BodyModel model = make_body_model(man);
   const JointFrames rest = forward_kinematics(man.skeleton, rest_pose(man.skeleton));
   const float neck_mass = model[Body::neck].mass_kg;
@@ -121,7 +121,7 @@ TEST(BodyModel, HeadAndNeckTogetherHaveDeLevasCentre) {
 // A standing man's centre of mass is at 0.55 to 0.58 of his height with the arms down; raising the
 // arms to the T-pose lifts it a little, by less than 0.02.
 TEST(CentreOfMass, OfAStandingManIsAtHisPelvis) {
-  const Character man = default_character();
+  const Physique man = default_character();
   const BodyModel model = make_body_model(man);
   Pose pose = rest_pose(man.skeleton);
   const Eigen::Vector3f spread = centre_of_mass(model, forward_kinematics(man.skeleton, pose));
@@ -137,7 +137,7 @@ TEST(CentreOfMass, OfAStandingManIsAtHisPelvis) {
 
 // Lifting one arm by an angle about the shoulder moves the whole centre by m_arm / m of the arm's.
 TEST(CentreOfMass, MovesByTheShareOfThePartThatMoves) {
-  const Character man = default_character();
+  const Physique man = default_character();
   const BodyModel model = make_body_model(man);
   Pose pose = rest_pose(man.skeleton);
   const Eigen::Vector3f before = centre_of_mass(model, forward_kinematics(man.skeleton, pose));
@@ -150,7 +150,7 @@ TEST(CentreOfMass, MovesByTheShareOfThePartThatMoves) {
 
 TEST(CentreOfMass, OfAMirroredPoseIsTheMirroredCentre) {
   std::mt19937 random(1);
-  const Character man = default_character();
+  const Physique man = default_character();
   const BodyModel model = make_body_model(man);
   for (int i = 0; i < 50; ++i) {
     const Pose pose = tests::random_pose(random);
@@ -162,7 +162,7 @@ TEST(CentreOfMass, OfAMirroredPoseIsTheMirroredCentre) {
 }
 
 TEST(TargetCentre, OfTheRestPoseStackFromHeadToLegs) {
-  const Character man = default_character();
+  const Physique man = default_character();
   const BodyModel model = make_body_model(man);
   const JointFrames rest = forward_kinematics(man.skeleton, rest_pose(man.skeleton));
   const auto height = [&](Target target) { return target_centre(model, rest, target).z(); };

@@ -53,11 +53,11 @@ TEST(SamplePingPong, GoesToAndFroWithoutAJump) {
   std::mt19937 random(2);
   const Motion motion = smooth_motion(random, 31);
   const float step_s = 0.001F;
-  const float most = tests::distance(motion.poses.front(), motion.poses.back()) * 0.01F;
+  const float max_step = tests::distance(motion.poses.front(), motion.poses.back()) * 0.01F;
   Pose last = sample_ping_pong(motion, 0);
   for (int i = 1; i < 3000; ++i) {
     const Pose pose = sample_ping_pong(motion, static_cast<float>(i) * step_s);
-    EXPECT_LT(tests::distance(pose, last), most) << i;
+    EXPECT_LT(tests::distance(pose, last), max_step) << i;
     last = pose;
   }
   const float duration = motion.duration_s();

@@ -79,7 +79,7 @@ TEST(BlendOnFirstArc, DoesNotJumpWhereTheShorterArcChangesSides) {
     const float weight = 0.01F * static_cast<float>(i);
     Pose to = turned(170 + 0.2F * static_cast<float>(i));
     if (i % 2 == 1) to.rotation[Role::left_upper_arm].coeffs() *= -1;  // signs mean nothing
-    const Pose pose = blend_on_first_arc(still, to, weight, still, turned(170));
+    const Pose pose = blend_along_initial_arc(still, to, weight, still, turned(170));
     const Pose plain = blend(still, to, weight);
     jump = std::max(jump, tests::distance(pose, last));
     plain_jump = std::max(plain_jump, tests::distance(plain, plain_last));
@@ -97,7 +97,8 @@ TEST(BlendOnFirstArc, IsThePlainBlendAtItsStart) {
     const Pose a = random_pose(random);
     const Pose b = random_pose(random);
     const float weight = uniform(random, 0, 1);
-    EXPECT_LT(tests::distance(blend_on_first_arc(a, b, weight, a, b), blend(a, b, weight)), 1e-5F);
+    EXPECT_LT(tests::distance(blend_along_initial_arc(a, b, weight, a, b), blend(a, b, weight)),
+              1e-5F);
   }
 }
 

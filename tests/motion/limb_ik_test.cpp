@@ -137,8 +137,8 @@ TEST(LimbIk, TargetsOutOfReachAreClampedOnTheLine) {
     const auto length_at = [&](float bend) {
       return std::sqrt(a * a + b * b + 2 * a * b * std::cos(bend));
     };
-    EXPECT_LT((end_for(3) - length_at(limits.least) * line).norm(), 1e-4F);
-    EXPECT_LT((end_for(0.02F) - length_at(limits.most) * line).norm(), 1e-4F);
+    EXPECT_LT((end_for(3) - length_at(limits.min) * line).norm(), 1e-4F);
+    EXPECT_LT((end_for(0.02F) - length_at(limits.max) * line).norm(), 1e-4F);
   }
 }
 
@@ -224,10 +224,10 @@ Pose with_random_leg(std::mt19937& random) {
   Pose pose = rest_pose(default_character().skeleton);
   std::uniform_real_distribution<float> angle(-0.3F, 0.3F);
   std::uniform_real_distribution<float> bend(0.0F, 1.6F);
-  pose.rotation[Role::left_thigh] = turn_about(Eigen::Vector3f::UnitY(), -0.6F * bend(random)) *
-                                    turn_about(Eigen::Vector3f::UnitX(), angle(random));
-  pose.rotation[Role::left_shin] = turn_about(Eigen::Vector3f::UnitY(), bend(random)) *
-                                   turn_about(Eigen::Vector3f::UnitZ(), angle(random));
+  pose.rotation[Role::left_thigh] = rotation_about(Eigen::Vector3f::UnitY(), -0.6F * bend(random)) *
+                                    rotation_about(Eigen::Vector3f::UnitX(), angle(random));
+  pose.rotation[Role::left_shin] = rotation_about(Eigen::Vector3f::UnitY(), bend(random)) *
+                                   rotation_about(Eigen::Vector3f::UnitZ(), angle(random));
   return pose;
 }
 
@@ -256,7 +256,7 @@ TEST(MoveLimbEnd, LandsOnNearbyPlacesAndChangesLittle) {
     const Eigen::Vector3f place = frames.position[Role::left_foot] +
                                   0.03F * Eigen::Vector3f(part(random), part(random), part(random));
     const Eigen::Quaternionf orientation =
-        turn_about(Eigen::Vector3f::UnitZ(), 0.3F * part(random));
+        rotation_about(Eigen::Vector3f::UnitZ(), 0.3F * part(random));
     Pose after = before;
     const bool reached = move_limb_end(frames, Limb::left_leg, place, orientation, after);
     const JointFrames moved = forward_kinematics(skeleton, after);

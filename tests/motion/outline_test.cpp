@@ -11,7 +11,7 @@ namespace flinch::motion {
 namespace {
 
 /// A point of the surface or inside, by its definition rather than by the code under test.
-bool contains(const Outline& outline, const Eigen::Vector3d& point) {
+bool contains(const CollisionShape& outline, const Eigen::Vector3d& point) {
   const Eigen::Vector3d local = outline.orientation.conjugate() * (point - outline.centre);
   if (outline.kind == Shape::Kind::box) {
     return ((outline.half_extents - local.cwiseAbs()).array() >= 0).all();
@@ -21,9 +21,9 @@ bool contains(const Outline& outline, const Eigen::Vector3d& point) {
 }
 
 TEST(Clearance, GapIsTheRadiusAtWhichTheBallFirstReachesTheShape) {
-  tests::RandomOutlines random(11);
+  tests::RandomShapes random(11);
   for (int i = 0; i < 300; ++i) {
-    const Outline outline = random.outline();
+    const CollisionShape outline = random.outline();
     const Eigen::Vector3d centre = random.vector(0.8);
     const Clearance near = clearance(centre, 0, outline);
     EXPECT_EQ(gap(centre, 0, outline), near.gap);
@@ -43,7 +43,7 @@ TEST(Clearance, GapIsTheRadiusAtWhichTheBallFirstReachesTheShape) {
 }
 
 TEST(Clearance, FromInsideABoxGoesThroughTheNearestFace) {
-  Outline box;
+  CollisionShape box;
   box.kind = Shape::Kind::box;
   box.half_extents = {0.3, 0.2, 0.1};
   const Clearance near = clearance({0.05, 0.05, -0.08}, 0.01, box);

@@ -7,8 +7,8 @@
 
 namespace flinch::tests {
 
-inline float uniform(std::mt19937& random, float least, float most) {
-  return std::uniform_real_distribution<float>(least, most)(random);
+inline float uniform(std::mt19937& random, float min, float max) {
+  return std::uniform_real_distribution<float>(min, max)(random);
 }
 
 inline Eigen::Vector3f random_vector(std::mt19937& random, float reach) {
@@ -24,9 +24,9 @@ inline Eigen::Vector3f random_direction(std::mt19937& random) {
   return vector.normalized();
 }
 
-inline Eigen::Quaternionf random_rotation(std::mt19937& random, float most_angle = 3.1F) {
+inline Eigen::Quaternionf random_rotation(std::mt19937& random, float max_angle = 3.1F) {
   const Eigen::Vector3f axis = random_direction(random);
-  return Eigen::Quaternionf(Eigen::AngleAxisf(uniform(random, 0, most_angle), axis));
+  return Eigen::Quaternionf(Eigen::AngleAxisf(uniform(random, 0, max_angle), axis));
 }
 
 /// Any rotation, each as likely as another.
@@ -37,24 +37,24 @@ inline Eigen::Quaterniond uniform_rotation(std::mt19937& random) {
   return Eigen::Quaterniond(coefficients).normalized();
 }
 
-inline motion::Pose random_pose(std::mt19937& random, float most_angle = 3.1F) {
+inline motion::Pose random_pose(std::mt19937& random, float max_angle = 3.1F) {
   motion::Pose pose;
   pose.root_position = random_vector(random, 2);
   for (motion::Role role : motion::kRoles) {
-    pose.rotation[role] = random_rotation(random, most_angle);
+    pose.rotation[role] = random_rotation(random, max_angle);
   }
   return pose;
 }
 
 /// Largest difference of any joint: of the root in m, of rotations in radians.
 inline float distance(const motion::Pose& a, const motion::Pose& b) {
-  float most = (a.root_position - b.root_position).norm();
+  float max = (a.root_position - b.root_position).norm();
   for (motion::Role role : motion::kRoles) {
     const float along = a.rotation[role].coeffs().dot(b.rotation[role].coeffs()) < 0 ? -1.0F : 1.0F;
     const float chord = (a.rotation[role].coeffs() - along * b.rotation[role].coeffs()).norm();
-    most = std::max(most, 2 * chord);
+    max = std::max(max, 2 * chord);
   }
-  return most;
+  return max;
 }
 
 /// The skeleton with bones that are not parallel to its axes, as recorded people's are; left and

@@ -9,22 +9,22 @@
 namespace flinch::tests {
 
 /// Outlines of a figure's parts near the origin, and balls that fly at them.
-class RandomOutlines {
+class RandomShapes {
  public:
-  explicit RandomOutlines(unsigned seed) : generator_(seed) {}
+  explicit RandomShapes(unsigned seed) : generator_(seed) {}
 
   double number(double low, double high) {
     return std::uniform_real_distribution<double>(low, high)(generator_);
   }
-  Eigen::Vector3d vector(double most) {
-    const double x = number(-most, most);
-    const double y = number(-most, most);
-    const double z = number(-most, most);
+  Eigen::Vector3d vector(double max) {
+    const double x = number(-max, max);
+    const double y = number(-max, max);
+    const double z = number(-max, max);
     return {x, y, z};
   }
 
-  motion::Outline outline() {
-    motion::Outline outline;
+  motion::CollisionShape outline() {
+    motion::CollisionShape outline;
     outline.kind = number(0, 1) < 0.5 ? motion::Shape::Kind::capsule : motion::Shape::Kind::box;
     outline.radius = number(0.02, 0.15);
     outline.half_length = number(0, 0.3);

@@ -18,14 +18,14 @@ TEST(RotationVector, TakesTheShorterWayAndComesBack) {
     const Eigen::Quaterniond rotation = tests::uniform_rotation(generator);
     const Eigen::Vector3d vector = rotation_vector(rotation);
     EXPECT_LE(vector.norm(), std::numbers::pi + 1e-12);
-    EXPECT_LT(rotation_by<double>(vector).angularDistance(rotation), 1e-9);
+    EXPECT_LT(rotation_from_vector<double>(vector).angularDistance(rotation), 1e-9);
   }
 }
 
 TEST(RotationVector, OfNoRotationIsZeroInFloatToo) {
   EXPECT_EQ(rotation_vector(Eigen::Quaternionf::Identity()).norm(), 0);
   const Eigen::Vector3f tiny(1e-20F, 0, 0);
-  EXPECT_TRUE(rotation_by<float>(tiny).coeffs().allFinite());
+  EXPECT_TRUE(rotation_from_vector<float>(tiny).coeffs().allFinite());
 }
 
 TEST(RotationBetween, TakesOneDirectionToTheOtherByTheShortestWay) {
@@ -54,8 +54,8 @@ TEST(SwingAndTwist, GiveTheRotationBackAboutAnyAxis) {
     const Eigen::Quaterniond rotation = tests::uniform_rotation(generator);
     const Eigen::Vector3d axis =
         Eigen::Vector3d(normal(generator), normal(generator), normal(generator)).normalized();
-    const Eigen::Vector3d angles = swing_and_twist<double>(rotation, axis);
-    EXPECT_LT(from_swing_and_twist<double>(angles, axis).angularDistance(rotation), 1e-9);
+    const Eigen::Vector3d angles = swing_twist_vector<double>(rotation, axis);
+    EXPECT_LT(rotation_from_swing_twist<double>(angles, axis).angularDistance(rotation), 1e-9);
   }
 }
 

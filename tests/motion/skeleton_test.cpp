@@ -86,7 +86,7 @@ TEST(Placed, MovesEveryJointRigidly) {
 }
 
 TEST(DefaultCharacter, IsAManOf175CentimetresOnTheGround) {
-  const Character man = default_character();
+  const Physique man = default_character();
   const JointFrames rest = forward_kinematics(man.skeleton, rest_pose(man.skeleton));
   EXPECT_NEAR((rest.position[Role::head] + man.skeleton.tip[Role::head]).z(), 1.75F, 1e-5F);
   EXPECT_NEAR(rest.position[Role::left_foot].z(), 0.039F * 1.75F, 1e-5F);

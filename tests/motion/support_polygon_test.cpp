@@ -57,7 +57,7 @@ TEST(SupportPolygon, IsConvexCounterClockwiseAndMirrorSymmetric) {
 }
 
 TEST(SupportPolygon, HoldsTheStandingMansCentreOfMass) {
-  const Character man = default_character();
+  const Physique man = default_character();
   const JointFrames rest = forward_kinematics(man.skeleton, rest_pose(man.skeleton));
   const Eigen::Vector3f centre = centre_of_mass(make_body_model(man), rest);
   const std::vector<Eigen::Vector2f> polygon = support_polygon(man.skeleton, rest);

@@ -53,38 +53,42 @@ TEST(DistanceOutside, OfALineAndOfAPoint) {
   EXPECT_DOUBLE_EQ(distance_outside(std::span(line).first(1), {3, 4}), 5);
 }
 
-motion::PerBody<sim::BodyState> standing_that_moves(const sim::FigurePlan& plan,
+motion::PerBody<sim::BodyState> standing_that_moves(const sim::FigureModel& figure_model,
                                                     const Eigen::Vector3d& velocity) {
-  auto bodies = sim::state_at_rest(plan.skeleton, plan.model, scenes::standing(plan.skeleton)).body;
+  auto bodies = sim::state_at_rest(figure_model.skeleton, figure_model.model,
+                                   scenes::standing(figure_model.skeleton))
+                    .body;
   for (sim::BodyState& body : bodies) body.velocity = velocity;
   return bodies;
 }
 
 TEST(Balance, IsLostByTheExtrapolatedCentreBeyondTheToes) {
-  const sim::FigurePlan plan(motion::default_character());
-  const auto still = standing_that_moves(plan, Eigen::Vector3d::Zero());
-  EXPECT_EQ(out_of_balance_m(plan, still), 0);
+  const sim::FigureModel figure_model(motion::default_character());
+  const auto still = standing_that_moves(figure_model, Eigen::Vector3d::Zero());
+  EXPECT_EQ(out_of_balance_m(figure_model, still), 0);
   double toes = 0;
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();
-  const auto frames = forward_kinematics(plan.skeleton, scenes::standing(plan.skeleton));
-  centre = motion::centre_of_mass(plan.model, frames).cast<double>();
-  toes = static_cast<double>(
-      (frames.position[motion::Role::left_toes] + plan.skeleton.tip[motion::Role::left_toes]).x());
+  const auto frames =
+      forward_kinematics(figure_model.skeleton, scenes::standing(figure_model.skeleton));
+  centre = motion::centre_of_mass(figure_model.model, frames).cast<double>();
+  toes = static_cast<double>((frames.position[motion::Role::left_toes] +
+                              figure_model.skeleton.tip[motion::Role::left_toes])
+                                 .x());
   for (double speed : {0.5, 1.0, 3.0}) {
     const double beyond = centre.x() + speed * std::sqrt(centre.z() / 9.81) - toes;  // Hof's XcoM
-    const auto moving = standing_that_moves(plan, {speed, 0, 0});
-    EXPECT_NEAR(out_of_balance_m(plan, moving), std::max(beyond, 0.0), 0.01) << speed;
+    const auto moving = standing_that_moves(figure_model, {speed, 0, 0});
+    EXPECT_NEAR(out_of_balance_m(figure_model, moving), std::max(beyond, 0.0), 0.01) << speed;
   }
 }
 
 TEST(Balance, AStepSavesAPushOfOneMetreASecondAndNotOneOfThree) {
-  const sim::FigurePlan plan(motion::default_character());
+  const sim::FigureModel figure_model(motion::default_character());
   const auto out_m = [&](double speed) {
-    return out_of_balance_m(plan, standing_that_moves(plan, {0, speed, 0}));
+    return out_of_balance_m(figure_model, standing_that_moves(figure_model, {0, speed, 0}));
   };
-  EXPECT_FALSE(is_beyond_a_step(plan, out_m(0)));
-  EXPECT_FALSE(is_beyond_a_step(plan, out_m(1)));
-  EXPECT_TRUE(is_beyond_a_step(plan, out_m(3)));
+  EXPECT_FALSE(is_beyond_a_step(figure_model, out_m(0)));
+  EXPECT_FALSE(is_beyond_a_step(figure_model, out_m(1)));
+  EXPECT_TRUE(is_beyond_a_step(figure_model, out_m(3)));
 }
 
 }  // namespace

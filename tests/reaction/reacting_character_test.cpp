@@ -23,7 +23,7 @@ constexpr float kImpact_s = 0.6F;
 /// The made-up library; with a clip of purpose push that moves as the protective clip `clip` does
 /// from its peak on, if asked for.
 runtime::Library loaded(std::optional<int> push_like) {
-  database::Library clips = tests::made_up_library(5, 120);
+  database::ClipLibrary clips = tests::made_up_library(5, 120);
   if (push_like) {
     motion::Clip push = clips.clips[static_cast<std::size_t>(*push_like)];
     push.name = "recover";
@@ -32,7 +32,7 @@ runtime::Library loaded(std::optional<int> push_like) {
     clips.clips.push_back(push);
   }
   runtime::Library library;
-  const std::string file = tests::made_up_selector(clips, 60, tests::Fitted::knn).file();
+  const std::string file = tests::made_up_selector(clips, 60, tests::ModelKind::knn).file();
   EXPECT_EQ(library.load(std::as_bytes(std::span(file))), database::LoadStatus::ok);
   return library;
 }
@@ -50,7 +50,7 @@ const runtime::Library& with_push() {
 
 /// A volleyball at the middle of the chest as it is shown, there in 0.05 s.
 sim::Ball ball_at_chest(const runtime::Library& library, const motion::Pose& pose, double mass_kg) {
-  const motion::Skeleton& skeleton = library.clips().character.skeleton;
+  const motion::Skeleton& skeleton = library.clip_library().character.skeleton;
   const Eigen::Vector3f chest = forward_kinematics(skeleton, pose).position[Role::chest];
   sim::Ball ball = scenes::aimed_ball(chest.cast<double>(), {-14, 2, 0}, 0.05);
   ball.mass_kg = mass_kg;
@@ -59,7 +59,7 @@ sim::Ball ball_at_chest(const runtime::Library& library, const motion::Pose& pos
 
 struct Played {
   std::vector<motion::Pose> poses;
-  std::vector<Mover> movers;
+  std::vector<PoseSource> pose_sources;
 };
 
 /// Plays `duration_s` of an answer that is hit at its peak.
@@ -70,19 +70,19 @@ Played play(ReactingCharacter& character, const runtime::Library& library, float
   bool met = false;
   for (float time_s = 0; time_s < duration_s; time_s += kFrame_s) {
     if (!met && time_s > kImpact_s) {
-      EXPECT_EQ(character.meet(ball_at_chest(library, character.pose(), mass_kg)),
+      EXPECT_EQ(character.react_to(ball_at_chest(library, character.pose(), mass_kg)),
                 ReactionStatus::ok);
       met = true;
     }
     EXPECT_EQ(character.update(kFrame_s), ReactionStatus::ok);
     played.poses.push_back(character.pose());
-    played.movers.push_back(character.mover());
+    played.pose_sources.push_back(character.pose_source());
   }
   return played;
 }
 
 TEST(ReactingCharacter, UntilItIsHitAndAfterwardsMovesAsTheRunTimeHasIt) {
-  ReactingCharacter hit(plain(), make_reaction_kit(plain()));
+  ReactingCharacter hit(plain(), make_reaction_data(plain()));
   const Played played = play(hit, plain(), 5);
   runtime::Character twin(plain());
   twin.respond(kClip, kImpact_s);
@@ -90,7 +90,7 @@ TEST(ReactingCharacter, UntilItIsHitAndAfterwardsMovesAsTheRunTimeHasIt) {
   int physical = 0;
   for (std::size_t k = 0; k < played.poses.size(); ++k) {
     twin.update(kFrame_s);
-    if (played.movers[k] == Mover::character) {
+    if (played.pose_sources[k] == PoseSource::character) {
       EXPECT_TRUE(same_bits(played.poses[k], twin.pose())) << "frame " << k;
       ++alike;
     } else {
@@ -101,20 +101,21 @@ TEST(ReactingCharacter, UntilItIsHitAndAfterwardsMovesAsTheRunTimeHasIt) {
   EXPECT_EQ(hit.reaction().phase(), ReactionPhase::over);
   EXPECT_GT(alike, 200);
   EXPECT_GT(physical, 40);
-  EXPECT_EQ(hit.mover(), Mover::character);
+  EXPECT_EQ(hit.pose_source(), PoseSource::character);
   EXPECT_EQ(hit.character().phase(), runtime::Phase::idle);
 }
 
 TEST(ReactingCharacter, GoesOnWithAClipThatMovesAlikeAndThenIdles) {
-  ReactingCharacter hit(with_push(), make_reaction_kit(with_push()));
+  ReactingCharacter hit(with_push(), make_reaction_data(with_push()));
   const Played played = play(hit, with_push(), 7);
-  const auto first = std::ranges::find(played.movers, Mover::reaction_clip);
-  ASSERT_NE(first, played.movers.end());
-  EXPECT_EQ(*(first - 1), Mover::physics);
-  const auto last = std::find_if(first, played.movers.end(),
-                                 [](Mover mover) { return mover != Mover::reaction_clip; });
-  ASSERT_NE(last, played.movers.end());
-  EXPECT_EQ(*last, Mover::character);
+  const auto first = std::ranges::find(played.pose_sources, PoseSource::reaction_clip);
+  ASSERT_NE(first, played.pose_sources.end());
+  EXPECT_EQ(*(first - 1), PoseSource::physics);
+  const auto last = std::find_if(first, played.pose_sources.end(), [](PoseSource mover) {
+    return mover != PoseSource::reaction_clip;
+  });
+  ASSERT_NE(last, played.pose_sources.end());
+  EXPECT_EQ(*last, PoseSource::character);
   EXPECT_FALSE(hit.reaction_clip());
   EXPECT_EQ(hit.character().phase(), runtime::Phase::idle);
 }
@@ -134,11 +135,11 @@ float velocity_step(const std::vector<motion::Pose>& poses, std::size_t k) {
 
 TEST(ReactingCharacter, NothingSnapsWhereTheBodyChangesHands) {
   for (const runtime::Library* library : {&plain(), &with_push()}) {
-    ReactingCharacter hit(*library, make_reaction_kit(*library));
+    ReactingCharacter hit(*library, make_reaction_data(*library));
     const Played played = play(hit, *library, 7);
     int changes = 0;
     for (std::size_t k = 2; k + 1 < played.poses.size(); ++k) {
-      if (played.movers[k] == played.movers[k - 1]) continue;
+      if (played.pose_sources[k] == played.pose_sources[k - 1]) continue;
       ++changes;
       // A spring of 10 1/s that lets go of a joint a radian off changes its velocity by 1.7 rad/s
       // in a frame; a jump by 3 degrees in one would change it by 3.
@@ -151,21 +152,21 @@ TEST(ReactingCharacter, NothingSnapsWhereTheBodyChangesHands) {
 }
 
 TEST(ReactingCharacter, KnockedOverStaysWithPhysicsUntilTheGameHelpsItUp) {
-  ReactingCharacter hit(plain(), make_reaction_kit(plain()));
+  ReactingCharacter hit(plain(), make_reaction_data(plain()));
   play(hit, plain(), 3, 40);
   ASSERT_EQ(hit.reaction().phase(), ReactionPhase::knocked_over);
-  EXPECT_EQ(hit.mover(), Mover::physics);
+  EXPECT_EQ(hit.pose_source(), PoseSource::physics);
   hit.character().place({2, 1}, 0.5F, 0);
   hit.stop();
-  EXPECT_EQ(hit.mover(), Mover::character);
+  EXPECT_EQ(hit.pose_source(), PoseSource::character);
   EXPECT_TRUE(same_bits(hit.pose(), hit.character().pose()));
   EXPECT_EQ(hit.update(kFrame_s), ReactionStatus::ok);
 }
 
 TEST(ReactingCharacter, RefusesBadInputAndGoesOn) {
   constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
-  ReactingCharacter hit(plain(), make_reaction_kit(plain()));
-  ReactingCharacter untroubled(plain(), make_reaction_kit(plain()));
+  ReactingCharacter hit(plain(), make_reaction_data(plain()));
+  ReactingCharacter untroubled(plain(), make_reaction_data(plain()));
   const Played played = play(untroubled, plain(), 2);
   ASSERT_EQ(hit.character().respond(kClip, kImpact_s), runtime::Status::ok);
   bool met = false;
@@ -174,21 +175,21 @@ TEST(ReactingCharacter, RefusesBadInputAndGoesOn) {
     for (float dt_s : {0.0F, -1.0F, kNan}) EXPECT_EQ(hit.update(dt_s), ReactionStatus::bad_time);
     sim::Ball bad = ball_at_chest(plain(), hit.pose(), 0.27);
     bad.velocity.x() = static_cast<double>(kNan);
-    EXPECT_EQ(hit.meet(bad), ReactionStatus::bad_ball);
-    if (hit.mover() == Mover::physics) {
+    EXPECT_EQ(hit.react_to(bad), ReactionStatus::bad_ball);
+    if (hit.pose_source() == PoseSource::physics) {
       EXPECT_EQ(hit.update(0.2F), ReactionStatus::bad_time);
     }
     if (!met && time_s > kImpact_s) {
-      hit.meet(ball_at_chest(plain(), hit.pose(), 0.27));
+      hit.react_to(ball_at_chest(plain(), hit.pose(), 0.27));
       met = true;
     }
     EXPECT_EQ(hit.update(kFrame_s), ReactionStatus::ok);
     EXPECT_TRUE(same_bits(hit.pose(), played.poses[k++]));
   }
   ReactingCharacter bare(plain(), nullptr);
-  EXPECT_EQ(bare.meet(ball_at_chest(plain(), bare.pose(), 0.27)), ReactionStatus::bad_options);
+  EXPECT_EQ(bare.react_to(ball_at_chest(plain(), bare.pose(), 0.27)), ReactionStatus::bad_options);
   EXPECT_EQ(bare.update(kFrame_s), ReactionStatus::ok);
-  EXPECT_EQ(make_reaction_kit(runtime::Library()), nullptr);
+  EXPECT_EQ(make_reaction_data(runtime::Library()), nullptr);
 }
 
 }  // namespace

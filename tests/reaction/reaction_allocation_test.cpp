@@ -9,17 +9,17 @@ namespace flinch::reaction {
 namespace {
 
 TEST(Reaction, AllocatesNothingOnceBegun) {
-  const motion::Character character = motion::default_character();
+  const motion::Physique character = motion::default_character();
   const auto motions = scenes::motions_by_rule(character.skeleton);
-  const auto plan = make_figure_plan(character);
+  const auto figure_model = make_figure_model(character);
   const ReactionClips clips(character, {});
-  Reaction reaction(plan);
+  Reaction reaction(figure_model);
   int hits = 0;
-  for (const auto& blow : scenes::random_blows(character, motions, 12, 5)) {
-    ASSERT_EQ(scenes::begin(reaction, blow), ReactionStatus::ok);
+  for (const auto& reaction_case : scenes::random_reaction_cases(character, motions, 12, 5)) {
+    ASSERT_EQ(scenes::begin(reaction, reaction_case), ReactionStatus::ok);
     for (int k = 1; k < 60; ++k) {
       const motion::Pose wanted =
-          scenes::pose_at(*blow.motion, blow.begin_s + k * scenes::kFrame_s);
+          scenes::pose_at(*reaction_case.motion, reaction_case.begin_s + k * scenes::kFrame_s);
       const motion::Pose before = reaction.pose();
       const std::size_t allocations = tests::allocation_count();
       ASSERT_EQ(reaction.advance(scenes::kFrame_s, wanted, wanted), ReactionStatus::ok);

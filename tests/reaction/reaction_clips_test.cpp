@@ -14,8 +14,8 @@ namespace {
 
 constexpr float kFrame_s = 1.0F / 60;
 
-const motion::Character& character() {
-  static const motion::Character man = motion::default_character();
+const motion::Physique& character() {
+  static const motion::Physique man = motion::default_character();
   return man;
 }
 

@@ -11,8 +11,8 @@
 // One character that is hit, for the tests of reactions.
 namespace flinch::scenes {
 
-inline const motion::Character& character() {
-  static const motion::Character man = motion::default_character();
+inline const motion::Physique& character() {
+  static const motion::Physique man = motion::default_character();
   return man;
 }
 
@@ -21,13 +21,13 @@ inline const std::vector<NamedMotion>& motions() {
   return all;
 }
 
-inline std::shared_ptr<const sim::FigurePlan> plan() {
-  static const auto shared = reaction::make_figure_plan(character());
+inline std::shared_ptr<const sim::FigureModel> figure_model() {
+  static const auto shared = reaction::make_figure_model(character());
   return shared;
 }
 
-inline const std::vector<Blow>& blows() {
-  static const auto all = random_blows(character(), motions(), 48, 5);
+inline const std::vector<ReactionCase>& cases() {
+  static const auto all = random_reaction_cases(character(), motions(), 48, 5);
   return all;
 }
 
@@ -77,27 +77,29 @@ inline const motion::Motion& hovering() {
 }
 
 /// A ball that is to hit the middle of a part of a figure that keeps still, level, within 0.035 s.
-inline Blow aimed_at(motion::Body body, const Eigen::Vector3d& velocity, double mass_kg = 0.27,
-                     const motion::Motion& still = standing()) {
+inline ReactionCase aimed_at(motion::Body body, const Eigen::Vector3d& velocity,
+                             double mass_kg = 0.27, const motion::Motion& still = standing()) {
   const Eigen::Vector3d place = middle_of(body, still.poses.front());
   sim::Ball ball = aimed_ball(place, velocity, 0.035);
   ball.mass_kg = mass_kg;
   return {&still, ball, kFrame_s};
 }
 
-inline reaction::ReactionStatus advance(reaction::Reaction& reaction, const Blow& blow,
-                                        double since_s, double dt_s) {
-  const motion::Pose wanted = pose_at(*blow.motion, blow.begin_s + since_s);
+inline reaction::ReactionStatus advance(reaction::Reaction& reaction,
+                                        const ReactionCase& reaction_case, double since_s,
+                                        double dt_s) {
+  const motion::Pose wanted = pose_at(*reaction_case.motion, reaction_case.begin_s + since_s);
   return reaction.advance(dt_s, wanted, wanted);
 }
 
 /// The poses shown, frame by frame, the one at begin first.
-inline std::vector<motion::Pose> play(reaction::Reaction& reaction, const Blow& blow,
-                                      double duration_s, double frame_s = kFrame_s) {
-  EXPECT_EQ(begin(reaction, blow), reaction::ReactionStatus::ok);
+inline std::vector<motion::Pose> play(reaction::Reaction& reaction,
+                                      const ReactionCase& reaction_case, double duration_s,
+                                      double frame_s = kFrame_s) {
+  EXPECT_EQ(begin(reaction, reaction_case), reaction::ReactionStatus::ok);
   std::vector<motion::Pose> poses{reaction.pose()};
   for (int k = 1; k * frame_s < duration_s + 1e-9; ++k) {
-    EXPECT_EQ(advance(reaction, blow, k * frame_s, frame_s), reaction::ReactionStatus::ok);
+    EXPECT_EQ(advance(reaction, reaction_case, k * frame_s, frame_s), reaction::ReactionStatus::ok);
     poses.push_back(reaction.pose());
   }
   return poses;

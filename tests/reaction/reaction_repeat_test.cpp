@@ -15,19 +15,19 @@ namespace {
 
 using motion::Role;
 using scenes::advance;
-using scenes::Blow;
-using scenes::blows;
+using scenes::cases;
 using scenes::distance;
+using scenes::figure_model;
 using scenes::kFrame_s;
-using scenes::plan;
 using scenes::play;
 using scenes::pose_at;
+using scenes::ReactionCase;
 using scenes::same_bits;
 
 TEST(Reaction, RepeatsBitForBitAlsoOnThreadsAtOnce) {
   const auto run = [&](std::vector<std::vector<motion::Pose>>& results) {
-    Reaction reaction(plan());  // one for all: what it did before does not count
-    for (std::size_t i = 0; i < 12; ++i) results.push_back(play(reaction, blows()[i], 0.5));
+    Reaction reaction(figure_model());  // one for all: what it did before does not count
+    for (std::size_t i = 0; i < 12; ++i) results.push_back(play(reaction, cases()[i], 0.5));
   };
   std::vector<std::vector<motion::Pose>> alone;
   run(alone);
@@ -38,19 +38,22 @@ TEST(Reaction, RepeatsBitForBitAlsoOnThreadsAtOnce) {
   for (const auto& results : together) {
     for (std::size_t i = 0; i < alone.size(); ++i) {
       EXPECT_TRUE(same_bits(alone[i], results[i])) << i;
-      EXPECT_TRUE(same_bits(alone[i], play(*std::make_unique<Reaction>(plan()), blows()[i], 0.5)));
+      EXPECT_TRUE(
+          same_bits(alone[i], play(*std::make_unique<Reaction>(figure_model()), cases()[i], 0.5)));
     }
   }
 }
 
 TEST(Reaction, GoesOnOnAnotherThread) {
-  const Blow& blow = blows().front();
-  Reaction here(plan());
-  const auto poses = play(here, blow, 0.4);
-  Reaction there(plan());
-  ASSERT_EQ(scenes::begin(there, blow), ReactionStatus::ok);
+  const ReactionCase& reaction_case = cases().front();
+  Reaction here(figure_model());
+  const auto poses = play(here, reaction_case, 0.4);
+  Reaction there(figure_model());
+  ASSERT_EQ(scenes::begin(there, reaction_case), ReactionStatus::ok);
   for (std::size_t k = 1; k < poses.size(); ++k) {
-    std::thread([&] { advance(there, blow, static_cast<double>(k) * kFrame_s, kFrame_s); }).join();
+    std::thread([&] {
+      advance(there, reaction_case, static_cast<double>(k) * kFrame_s, kFrame_s);
+    }).join();
     EXPECT_TRUE(same_bits(there.pose(), poses[k])) << k;
   }
 }
@@ -58,11 +61,11 @@ TEST(Reaction, GoesOnOnAnotherThread) {
 TEST(Reaction, UnevenFramesGiveTheSameMotion) {
   std::mt19937 generator(7);
   std::vector<double> worst_m;
-  for (const Blow& blow : blows()) {
-    Reaction even(plan());
-    const auto poses = play(even, blow, 0.8);
-    Reaction uneven(plan());
-    scenes::begin(uneven, blow);
+  for (const ReactionCase& reaction_case : cases()) {
+    Reaction even(figure_model());
+    const auto poses = play(even, reaction_case, 0.8);
+    Reaction uneven(figure_model());
+    scenes::begin(uneven, reaction_case);
     double since_s = 0;
     double worst = 0;
     for (std::size_t tenth = 1; tenth <= 8; ++tenth) {
@@ -71,7 +74,7 @@ TEST(Reaction, UnevenFramesGiveTheSameMotion) {
         double dt_s = std::uniform_real_distribution<double>(0.001, 0.05)(generator);
         if (since_s + dt_s > until_s - 1e-3) dt_s = until_s - since_s;
         since_s += dt_s;
-        EXPECT_EQ(advance(uneven, blow, since_s, dt_s), ReactionStatus::ok);
+        EXPECT_EQ(advance(uneven, reaction_case, since_s, dt_s), ReactionStatus::ok);
       }
       worst = std::max(worst, distance(uneven.pose(), poses[6 * tenth]));
     }
@@ -84,15 +87,15 @@ TEST(Reaction, UnevenFramesGiveTheSameMotion) {
 
 TEST(Reaction, RefusesBadInputAndStaysUsable) {
   const float nan = std::numeric_limits<float>::quiet_NaN();
-  const Blow& blow = blows().front();
-  const motion::Pose good = pose_at(*blow.motion, blow.begin_s);
+  const ReactionCase& reaction_case = cases().front();
+  const motion::Pose good = pose_at(*reaction_case.motion, reaction_case.begin_s);
   motion::Pose no_place = good;
   no_place.root_position.x() = nan;
   motion::Pose no_turn = good;
   no_turn.rotation[Role::head].w() = nan;
   motion::Pose not_unit = good;
   not_unit.rotation[Role::head].coeffs() *= 2;
-  std::vector<sim::Ball> bad_balls(6, blow.ball);
+  std::vector<sim::Ball> bad_balls(6, reaction_case.ball);
   bad_balls[0].position.x() = static_cast<double>(nan);
   bad_balls[1].velocity.z() = std::numeric_limits<double>::infinity();
   bad_balls[2].radius = 0;
@@ -100,15 +103,15 @@ TEST(Reaction, RefusesBadInputAndStaysUsable) {
   bad_balls[4].mass_kg = static_cast<double>(nan);
   bad_balls[5].velocity.x() = 1e9;
 
-  Reaction reaction(plan());
+  Reaction reaction(figure_model());
   EXPECT_EQ(reaction.advance(kFrame_s, good, good), ReactionStatus::not_begun);
   const auto try_all = [&] {
     for (double dt_s : {0.0, -1.0, 0.2, static_cast<double>(nan)}) {
-      EXPECT_EQ(reaction.begin(good, good, dt_s, &blow.ball), ReactionStatus::bad_time);
+      EXPECT_EQ(reaction.begin(good, good, dt_s, &reaction_case.ball), ReactionStatus::bad_time);
     }
     for (const motion::Pose& bad : {no_place, no_turn, not_unit}) {
-      EXPECT_EQ(reaction.begin(bad, good, kFrame_s, &blow.ball), ReactionStatus::bad_pose);
-      EXPECT_EQ(reaction.begin(good, bad, kFrame_s, &blow.ball), ReactionStatus::bad_pose);
+      EXPECT_EQ(reaction.begin(bad, good, kFrame_s, &reaction_case.ball), ReactionStatus::bad_pose);
+      EXPECT_EQ(reaction.begin(good, bad, kFrame_s, &reaction_case.ball), ReactionStatus::bad_pose);
     }
     for (const sim::Ball& bad : bad_balls) {
       EXPECT_EQ(reaction.begin(good, good, kFrame_s, &bad), ReactionStatus::bad_ball);
@@ -117,9 +120,9 @@ TEST(Reaction, RefusesBadInputAndStaysUsable) {
   try_all();
   EXPECT_EQ(reaction.phase(), ReactionPhase::none);
 
-  Reaction untroubled(plan());
-  const auto poses = play(untroubled, blow, 0.3);
-  ASSERT_EQ(scenes::begin(reaction, blow), ReactionStatus::ok);
+  Reaction untroubled(figure_model());
+  const auto poses = play(untroubled, reaction_case, 0.3);
+  ASSERT_EQ(scenes::begin(reaction, reaction_case), ReactionStatus::ok);
   for (std::size_t k = 1; k < poses.size(); ++k) {
     try_all();
     for (double dt_s : {0.0, -1.0, 0.2, static_cast<double>(nan)}) {
@@ -129,15 +132,16 @@ TEST(Reaction, RefusesBadInputAndStaysUsable) {
       EXPECT_EQ(reaction.advance(kFrame_s, bad, good), ReactionStatus::bad_pose);
       EXPECT_EQ(reaction.advance(kFrame_s, good, bad), ReactionStatus::bad_pose);
     }
-    advance(reaction, blow, static_cast<double>(k) * kFrame_s, kFrame_s);
+    advance(reaction, reaction_case, static_cast<double>(k) * kFrame_s, kFrame_s);
     EXPECT_TRUE(same_bits(reaction.pose(), poses[k]));
   }
   EXPECT_EQ(Reaction(nullptr).begin(good, good, kFrame_s, nullptr), ReactionStatus::bad_options);
   for (const ReactionOptions& bad :
-       {ReactionOptions{.schedule = {.alone_s = 0}, .stiffness = 0.1},
-        ReactionOptions{.schedule = {.alone_s = static_cast<double>(nan)}, .stiffness = 0.1},
+       {ReactionOptions{.schedule = {.simulation_only_s = 0}, .stiffness = 0.1},
+        ReactionOptions{.schedule = {.simulation_only_s = static_cast<double>(nan)},
+        .stiffness = 0.1},
         ReactionOptions{.schedule = {}, .stiffness = 0}}) {
-    EXPECT_EQ(Reaction(plan(), bad).begin(good, good, kFrame_s, nullptr),
+    EXPECT_EQ(Reaction(figure_model(), bad).begin(good, good, kFrame_s, nullptr),
               ReactionStatus::bad_options);
   }
 }

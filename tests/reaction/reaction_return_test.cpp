@@ -13,30 +13,30 @@ namespace {
 using motion::Body;
 using motion::Role;
 using scenes::aimed_at;
-using scenes::Blow;
-using scenes::blows;
+using scenes::cases;
 using scenes::character;
 using scenes::distance;
+using scenes::figure_model;
 using scenes::frames_of;
 using scenes::kFrame_s;
 using scenes::motions;
-using scenes::plan;
 using scenes::play;
 using scenes::pose_at;
+using scenes::ReactionCase;
 
 TEST(Reaction, ReturnsToTheMotionWhenTheScheduleIsOver) {
   const double over_s = scenes::kLead_s + duration_s(RecoverySchedule{});
   int returned = 0;
-  for (const Blow& blow : blows()) {
+  for (const ReactionCase& reaction_case : cases()) {
     // To another motion than the one tracked.
-    const motion::Motion& other = motions()[(&blow - blows().data()) % 6].motion;
-    Reaction reaction(plan());
-    scenes::begin(reaction, blow);
+    const motion::Motion& other = motions()[(&reaction_case - cases().data()) % 6].motion;
+    Reaction reaction(figure_model());
+    scenes::begin(reaction, reaction_case);
     motion::Pose returning;
     for (int k = 1; k * kFrame_s < over_s + 2 * kFrame_s; ++k) {
-      const double time_s = blow.begin_s + k * kFrame_s;
+      const double time_s = reaction_case.begin_s + k * kFrame_s;
       returning = pose_at(other, time_s);
-      reaction.advance(kFrame_s, pose_at(*blow.motion, time_s), returning);
+      reaction.advance(kFrame_s, pose_at(*reaction_case.motion, time_s), returning);
     }
     EXPECT_EQ(reaction.phase(), ReactionPhase::over);
     EXPECT_LT(distance(reaction.pose(), returning), 1e-3);
@@ -51,13 +51,14 @@ TEST(Reaction, ReturnsToTheMotionWhenTheScheduleIsOver) {
 
 /// The most by which a joint's velocity, less that of the motion, changes from one frame to the
 /// next, m/s; frame by frame.
-std::vector<double> velocity_changes(const std::vector<motion::Pose>& poses, const Blow& blow) {
+std::vector<double> velocity_changes(const std::vector<motion::Pose>& poses,
+                                     const ReactionCase& reaction_case) {
   std::vector<double> changes;
   std::vector<motion::PerRole<Eigen::Vector3f>> off;
   for (std::size_t k = 0; k < poses.size(); ++k) {
     const auto shown = frames_of(poses[k]);
-    const auto wanted =
-        frames_of(pose_at(*blow.motion, blow.begin_s + static_cast<double>(k) * kFrame_s));
+    const auto wanted = frames_of(
+        pose_at(*reaction_case.motion, reaction_case.begin_s + static_cast<double>(k) * kFrame_s));
     off.emplace_back();
     for (Role role : motion::kRoles) {
       off.back()[role] = shown.position[role] - wanted.position[role];
@@ -77,16 +78,16 @@ std::vector<double> velocity_changes(const std::vector<motion::Pose>& poses, con
 
 TEST(Reaction, NothingSnapsWhereItIsTakenOverOrHandedBack) {
   const RecoverySchedule schedule;
-  for (const Blow& blow : blows()) {
-    Reaction reaction(plan());
-    const auto poses = play(reaction, blow, 0.9);
-    EXPECT_LT(distance(poses.front(), pose_at(*blow.motion, blow.begin_s)), 1e-5);
-    const auto changes = velocity_changes(poses, blow);
+  for (const ReactionCase& reaction_case : cases()) {
+    Reaction reaction(figure_model());
+    const auto poses = play(reaction, reaction_case, 0.9);
+    EXPECT_LT(distance(poses.front(), pose_at(*reaction_case.motion, reaction_case.begin_s)), 1e-5);
+    const auto changes = velocity_changes(poses, reaction_case);
     EXPECT_LT(changes[1], 0.3);  // the contact comes after the first frame
     for (std::size_t k = 2; k < changes.size(); ++k) {
       const double since_contact_s = static_cast<double>(k) * kFrame_s - scenes::kLead_s;
       // A hand that is hit may well get to several m/s, and may strike another part.
-      EXPECT_LT(changes[k], since_contact_s < schedule.alone_s + kFrame_s ? 8 : 0.5)
+      EXPECT_LT(changes[k], since_contact_s < schedule.simulation_only_s + kFrame_s ? 8 : 0.5)
           << since_contact_s << " s after the contact";
     }
   }
@@ -101,13 +102,14 @@ bool is_hit_on_the_leg(const Reaction& reaction, Role foot) {
 
 TEST(Reaction, StandingFeetHardlySlide) {
   int feet = 0;
-  for (const Blow& blow : blows()) {
-    Reaction reaction(plan());
-    const auto poses = play(reaction, blow, 0.8);
+  for (const ReactionCase& reaction_case : cases()) {
+    Reaction reaction(figure_model());
+    const auto poses = play(reaction, reaction_case, 0.8);
     for (Role foot : {Role::left_foot, Role::right_foot}) {
       if (is_hit_on_the_leg(reaction, foot)) continue;
       const auto first = frames_of(poses.front()).position[foot];
-      if ((frames_of(blow.motion->poses.back()).position[foot] - first).norm() > 1e-3F) continue;
+      if ((frames_of(reaction_case.motion->poses.back()).position[foot] - first).norm() > 1e-3F)
+        continue;
       ++feet;
       for (const motion::Pose& pose : poses) {
         EXPECT_LT((frames_of(pose).position[foot] - first).norm(), 0.003F);
@@ -118,7 +120,7 @@ TEST(Reaction, StandingFeetHardlySlide) {
 }
 
 TEST(Reaction, StretchesNoBone) {
-  Reaction reaction(plan());
+  Reaction reaction(figure_model());
   for (const motion::Pose& pose : play(reaction, aimed_at(Body::left_hand, {-30, 0, 0}), 0.4)) {
     const auto frames = frames_of(pose);
     for (Role role : motion::kRoles) {

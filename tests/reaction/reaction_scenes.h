@@ -10,7 +10,7 @@
 namespace flinch::scenes {
 
 /// A motion, a ball, and when in the motion the reaction begins, from when on the ball is told.
-struct Blow {
+struct ReactionCase {
   const motion::Motion* motion;
   sim::Ball ball;
   double begin_s;
@@ -24,11 +24,12 @@ inline motion::Pose pose_at(const motion::Motion& motion, double time_s) {
 }
 
 /// Of the balls of random_hits, those that hit, by balls of `mass_kg`.
-inline std::vector<Blow> random_blows(const motion::Character& character,
-                                      const std::vector<NamedMotion>& motions, std::size_t count,
-                                      unsigned seed, double mass_kg = 0.27) {
+inline std::vector<ReactionCase> random_reaction_cases(const motion::Physique& character,
+                                                       const std::vector<NamedMotion>& motions,
+                                                       std::size_t count, unsigned seed,
+                                                       double mass_kg = 0.27) {
   const sim::Simulator simulator(character, {});
-  std::vector<Blow> blows;
+  std::vector<ReactionCase> cases;
   for (const Hit& hit : random_hits(character, motions, count, seed)) {
     const motion::Motion& motion = motions[hit.motion].motion;
     const double contact_s = simulator.simulate(motion, &hit.ball, 1).first_contact_s;
@@ -39,14 +40,16 @@ inline std::vector<Blow> random_blows(const motion::Character& character,
     ball.position += begin_s * ball.velocity + begin_s * begin_s / 2 * gravity;
     ball.velocity += begin_s * gravity;
     ball.mass_kg = mass_kg;
-    blows.push_back({&motion, ball, begin_s});
+    cases.push_back({&motion, ball, begin_s});
   }
-  return blows;
+  return cases;
 }
 
-inline reaction::ReactionStatus begin(reaction::Reaction& reaction, const Blow& blow) {
-  return reaction.begin(pose_at(*blow.motion, blow.begin_s - kFrame_s),
-                        pose_at(*blow.motion, blow.begin_s), kFrame_s, &blow.ball);
+inline reaction::ReactionStatus begin(reaction::Reaction& reaction,
+                                      const ReactionCase& reaction_case) {
+  return reaction.begin(pose_at(*reaction_case.motion, reaction_case.begin_s - kFrame_s),
+                        pose_at(*reaction_case.motion, reaction_case.begin_s), kFrame_s,
+                        &reaction_case.ball);
 }
 
 }  // namespace flinch::scenes

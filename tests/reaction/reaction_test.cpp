@@ -15,24 +15,24 @@ using motion::Body;
 using motion::Role;
 using scenes::advance;
 using scenes::aimed_at;
-using scenes::Blow;
-using scenes::blows;
+using scenes::cases;
 using scenes::character;
 using scenes::distance;
+using scenes::figure_model;
 using scenes::frames_of;
 using scenes::hovering;
 using scenes::kFrame_s;
 using scenes::middle_of;
 using scenes::model;
 using scenes::motions;
-using scenes::plan;
 using scenes::play;
 using scenes::pose_at;
+using scenes::ReactionCase;
 using scenes::standing;
 
 TEST(Reaction, WithoutABallFollowsTheMotion) {
   for (const auto& [name, motion] : motions()) {
-    Reaction reaction(plan());
+    Reaction reaction(figure_model());
     const double begin_s = 0.1;
     ASSERT_EQ(reaction.begin(pose_at(motion, begin_s - kFrame_s), pose_at(motion, begin_s),
                              kFrame_s, nullptr),
@@ -53,16 +53,18 @@ TEST(Reaction, TouchesWhenAndAsTheTrainersFigureDoes) {
   const sim::Simulator simulator(character(), {});
   int hits = 0;
   int alike = 0;
-  for (const Blow& blow : blows()) {
-    Reaction reaction(plan());
-    play(reaction, blow, 0.1);
+  for (const ReactionCase& reaction_case : cases()) {
+    Reaction reaction(figure_model());
+    play(reaction, reaction_case, 0.1);
     EXPECT_NEAR(reaction.contact_s(), scenes::kLead_s, 0.001);
     ++hits;
-    sim::Ball ball = blow.ball;
+    sim::Ball ball = reaction_case.ball;
     const Eigen::Vector3d gravity(0, 0, -9.81);
-    ball.velocity -= blow.begin_s * gravity;
-    ball.position -= blow.begin_s * ball.velocity + blow.begin_s * blow.begin_s / 2 * gravity;
-    const auto trained = simulator.simulate(*blow.motion, &ball, blow.begin_s + 0.1);
+    ball.velocity -= reaction_case.begin_s * gravity;
+    ball.position -= reaction_case.begin_s * ball.velocity +
+                     reaction_case.begin_s * reaction_case.begin_s / 2 * gravity;
+    const auto trained =
+        simulator.simulate(*reaction_case.motion, &ball, reaction_case.begin_s + 0.1);
     double sum = 0;
     double difference = 0;
     for (Body body : motion::kBodies) {
@@ -83,14 +85,14 @@ TEST(Reaction, FigureTakesTheMomentumThatTheBallLoses) {
                                        {Body::chest, {-15, 0, 0}},
                                        {Body::left_forearm, {-12, 0, 0}},
                                        {Body::pelvis, {-18, 0, 0}}}) {
-    const Blow blow = aimed_at(body, velocity, 0.27, hovering());
-    Reaction reaction(plan());
-    scenes::begin(reaction, blow);
+    const ReactionCase reaction_case = aimed_at(body, velocity, 0.27, hovering());
+    Reaction reaction(figure_model());
+    scenes::begin(reaction, reaction_case);
     double since_s = 0;
     const auto step = [&] {
       const motion::Pose before = reaction.pose();
       since_s += kShort_s;
-      advance(reaction, blow, since_s, kShort_s);
+      advance(reaction, reaction_case, since_s, kShort_s);
       Eigen::Vector3d momentum = Eigen::Vector3d::Zero();
       for (Body part : motion::kBodies) {
         momentum += static_cast<double>(model()[part].mass_kg) / kShort_s *
@@ -102,12 +104,13 @@ TEST(Reaction, FigureTakesTheMomentumThatTheBallLoses) {
     // Until what is shown lies within the step of the blow.
     while (since_s - kShort_s < reaction.contact_s() && since_s < 0.1) figure = step();
     ASSERT_LT(reaction.contact_s(), since_s) << name_of(body);
-    const Eigen::Vector3d ball_before = blow.ball.velocity;
-    const Eigen::Vector3d lost = blow.ball.mass_kg * (ball_before - reaction.ball().velocity);
+    const Eigen::Vector3d ball_before = reaction_case.ball.velocity;
+    const Eigen::Vector3d lost =
+        reaction_case.ball.mass_kg * (ball_before - reaction.ball().velocity);
     EXPECT_LT((figure - lost).head<2>().norm(), 0.03 * lost.norm()) << name_of(body);
     // A free ball against a mass at rest loses between m v and (1 + e) m v; here the mass gives.
-    EXPECT_GT(lost.norm(), 0.5 * blow.ball.mass_kg * velocity.norm());
-    EXPECT_LT(lost.norm(), 1.75 * blow.ball.mass_kg * velocity.norm());
+    EXPECT_GT(lost.norm(), 0.5 * reaction_case.ball.mass_kg * velocity.norm());
+    EXPECT_LT(lost.norm(), 1.75 * reaction_case.ball.mass_kg * velocity.norm());
   }
 }
 
@@ -125,7 +128,7 @@ TEST(Reaction, FigureMovesFromTheVeryBeginning) {
   ball.position =
       (frames_of(now).position[Role::head] + skull.centre).cast<double>() +
       (static_cast<double>(skull.radius) + ball.radius + 5e-5) * Eigen::Vector3d::UnitX();
-  Reaction reaction(plan());
+  Reaction reaction(figure_model());
   ASSERT_EQ(reaction.begin(at(-kFrame_s), now, kFrame_s, &ball), ReactionStatus::ok);
   ASSERT_EQ(reaction.advance(0.002, at(0.002), at(0.002)), ReactionStatus::ok);
   EXPECT_EQ(reaction.contact_s(), 0);
@@ -143,12 +146,13 @@ TEST(Reaction, StruckPartGivesWayAlongTheBallsFlight) {
         {Body::left_hand, {0, 0, -20}, 0.03, 0.5},
         {Body::left_shin, {-20, 0, 0}, 0.002, 0.2}}) {
     const bool arm = target_of(body) == motion::Target::trunk && body != Body::chest;
-    const Blow blow = aimed_at(body, velocity, 0.27, arm ? hovering() : standing());
-    Reaction reaction(plan());
+    const ReactionCase reaction_case =
+        aimed_at(body, velocity, 0.27, arm ? hovering() : standing());
+    Reaction reaction(figure_model());
     double most = 0;
-    for (const motion::Pose& pose : play(reaction, blow, 0.25)) {
+    for (const motion::Pose& pose : play(reaction, reaction_case, 0.25)) {
       const Eigen::Vector3d moved =
-          middle_of(body, pose) - middle_of(body, blow.motion->poses.front());
+          middle_of(body, pose) - middle_of(body, reaction_case.motion->poses.front());
       most = std::max(most, moved.dot(velocity.normalized()));
     }
     EXPECT_GT(most, least_m) << name_of(body);
@@ -158,13 +162,13 @@ TEST(Reaction, StruckPartGivesWayAlongTheBallsFlight) {
 
 TEST(Reaction, AHeavyFastBallKnocksOverAndNothingBreaks) {
   for (Body body : {Body::chest, Body::abdomen, Body::pelvis}) {
-    const Blow blow = aimed_at(body, {-10, 0, 0}, 20);
-    Reaction reaction(plan());
-    play(reaction, blow, 0.2);
+    const ReactionCase reaction_case = aimed_at(body, {-10, 0, 0}, 20);
+    Reaction reaction(figure_model());
+    play(reaction, reaction_case, 0.2);
     EXPECT_EQ(reaction.phase(), ReactionPhase::knocked_over) << name_of(body);
     double lowest = 1;
     for (int k = 0; k < 180; ++k) {
-      ASSERT_EQ(advance(reaction, blow, 0.2 + k * kFrame_s, kFrame_s), ReactionStatus::ok);
+      ASSERT_EQ(advance(reaction, reaction_case, 0.2 + k * kFrame_s, kFrame_s), ReactionStatus::ok);
       for (const Eigen::Vector3f& joint : frames_of(reaction.pose()).position) {
         ASSERT_TRUE(joint.allFinite());
         lowest = std::min(lowest, static_cast<double>(joint.z()));
@@ -177,29 +181,29 @@ TEST(Reaction, AHeavyFastBallKnocksOverAndNothingBreaks) {
 }
 
 TEST(Reaction, VolleyballsKnockNobodyOver) {
-  for (const Blow& blow : blows()) {
-    Reaction reaction(plan());
-    play(reaction, blow, 0.5);
+  for (const ReactionCase& reaction_case : cases()) {
+    Reaction reaction(figure_model());
+    play(reaction, reaction_case, 0.5);
     EXPECT_NE(reaction.phase(), ReactionPhase::knocked_over);
   }
 }
 
 TEST(Reaction, BallFliesOnAndBouncesUntilItIsOver) {
-  const Blow blow = aimed_at(Body::chest, {-12, 0, 0});
-  Reaction reaction(plan());
-  ASSERT_EQ(scenes::begin(reaction, blow), ReactionStatus::ok);
+  const ReactionCase reaction_case = aimed_at(Body::chest, {-12, 0, 0});
+  Reaction reaction(figure_model());
+  ASSERT_EQ(scenes::begin(reaction, reaction_case), ReactionStatus::ok);
   Eigen::Vector3d last = reaction.ball().position;
   double lowest = 2;
   double highest_after = 0;
   for (int k = 1; k <= 120; ++k) {
-    advance(reaction, blow, k * kFrame_s, kFrame_s);
+    advance(reaction, reaction_case, k * kFrame_s, kFrame_s);
     const sim::Ball ball = reaction.ball();
     EXPECT_LT((ball.position - last).norm(), 14 * kFrame_s);
     last = ball.position;
     lowest = std::min(lowest, ball.position.z());
     if (lowest < 0.15) highest_after = std::max(highest_after, ball.position.z());
   }
-  EXPECT_NEAR(lowest, blow.ball.radius, 0.05);
+  EXPECT_NEAR(lowest, reaction_case.ball.radius, 0.05);
   EXPECT_GT(highest_after, 0.3);
   EXPECT_GT(last.x(), 0.5);  // thrown back
 }

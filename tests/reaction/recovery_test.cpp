@@ -9,17 +9,17 @@ namespace flinch::reaction {
 namespace {
 
 TEST(RecoverySchedule, LeavesTheSimulationAloneThenBlendsInTheTimesOfThePaper) {
-  for (double alone_s : {0.05, 0.075, 0.1}) {
-    const RecoverySchedule schedule{.alone_s = alone_s};
-    const double part_one_end_s = alone_s + 0.260;
+  for (double simulation_only_s : {0.05, 0.075, 0.1}) {
+    const RecoverySchedule schedule{.simulation_only_s = simulation_only_s};
+    const double part_one_end_s = simulation_only_s + 0.260;
     const double part_two_end_s = part_one_end_s + 0.375;
     EXPECT_DOUBLE_EQ(simulation_end_s(schedule), part_one_end_s);
     EXPECT_DOUBLE_EQ(duration_s(schedule), part_two_end_s);
-    for (double time_s : {-1.0, 0.0, alone_s}) {
+    for (double time_s : {-1.0, 0.0, simulation_only_s}) {
       EXPECT_EQ(weights_at(schedule, time_s).simulated, 1);
       EXPECT_EQ(weights_at(schedule, time_s).returning, 0);
     }
-    EXPECT_NEAR(weights_at(schedule, alone_s + 0.13).simulated, 0.5, 1e-12);
+    EXPECT_NEAR(weights_at(schedule, simulation_only_s + 0.13).simulated, 0.5, 1e-12);
     EXPECT_NEAR(weights_at(schedule, part_one_end_s).simulated, 0, 1e-12);
     EXPECT_NEAR(weights_at(schedule, part_one_end_s).returning, 0.25, 1e-12);
     EXPECT_LT(weights_at(schedule, part_two_end_s - 0.01).returning, 1);

@@ -29,7 +29,7 @@ const Library& library() {
   static const Library kLibrary = [] {
     const std::string file =
         tests::made_up_selector(database::authored_library(motion::default_character()), 400,
-                                tests::Fitted::knn)
+                                tests::ModelKind::knn)
             .file();
     Library loaded;
     loaded.load(std::as_bytes(std::span(file)));
@@ -40,7 +40,7 @@ const Library& library() {
 
 Workspace make_workspace() {
   Workspace workspace;
-  workspace.make_room(library().selection_bytes());
+  workspace.reserve_memory(library().selection_bytes());
   return workspace;
 }
 
@@ -49,17 +49,17 @@ features::Threat threat_to(Target target, float azimuth_deg, float time_s) {
   const PreparedLibrary& prepared = library().prepared();
   const motion::JointFrames frames =
       motion::forward_kinematics(prepared.skeleton(), prepared.idle().poses.front());
-  features::Approach approach;
+  features::ThreatDescription approach;
   approach.azimuth = motion::radians(azimuth_deg);
   approach.elevation = motion::radians(10);
   approach.speed_mps = 20;
   approach.time_to_impact_s = time_s;
-  return features::threat_from_approach(approach,
-                                        motion::target_centre(prepared.bodies, frames, target), 0);
+  return features::threat_from_description(
+      approach, motion::target_centre(prepared.body_model, frames, target), 0);
 }
 
 int clip_named(std::string_view name) {
-  const auto& clips = library().clips().clips;
+  const auto& clips = library().clip_library().clips;
   for (std::size_t i = 0; i < clips.size(); ++i) {
     if (clips[i].name == name) return static_cast<int>(i);
   }
@@ -93,7 +93,7 @@ TEST(Character, AnswersNothingThatMisses) {
   EXPECT_EQ(character.phase(), Phase::idle);
   threat.velocity *= -1;
   EXPECT_EQ(character.perceive(threat, workspace), Status::misses);
-  EXPECT_EQ(character.clip(), library().clips().idle);
+  EXPECT_EQ(character.clip(), library().clip_library().idle);
 }
 
 TEST(Character, PlaysTheTrainersMotionBitForBit) {
@@ -190,14 +190,14 @@ TEST(Character, RespondsFromMotionOfTheGames) {
   for (Role arm : {Role::left_forearm, Role::right_forearm}) {
     now.rotation[arm] =
         now.rotation[arm] *
-        motion::turn_about(Eigen::Vector3f::UnitZ(), arm == Role::left_forearm ? -1.4F : 1.4F);
+        motion::rotation_about(Eigen::Vector3f::UnitZ(), arm == Role::left_forearm ? -1.4F : 1.4F);
   }
   Pose before = now;
   before.root_position -= kFrame_s * Eigen::Vector3f(std::cos(1.1F), std::sin(1.1F), 0);
   Character character(library());
-  ASSERT_EQ(character.stand_in(before, now, kFrame_s), Status::ok);
+  ASSERT_EQ(character.set_pose(before, now, kFrame_s), Status::ok);
   features::Threat threat = threat_to(Target::head, 0, 0.5F);
-  const Eigen::Quaternionf turn = motion::turn_about(Eigen::Vector3f::UnitZ(), 1.1F);
+  const Eigen::Quaternionf turn = motion::rotation_about(Eigen::Vector3f::UnitZ(), 1.1F);
   threat.position = turn * threat.position + Eigen::Vector3f(3, -2, 0);
   threat.velocity = turn * threat.velocity;
   ASSERT_EQ(character.perceive(threat, workspace), Status::ok);
@@ -207,8 +207,8 @@ TEST(Character, RespondsFromMotionOfTheGames) {
   EXPECT_LT((gone / 1e-3F - (now.root_position - before.root_position) / kFrame_s).norm(), 0.2F);
   // Feet that stood stay until a step.
   const auto feet = [&](const Pose& pose) {
-    return motion::foot_place(motion::forward_kinematics(library().prepared().skeleton(), pose),
-                              character.response().support);
+    return motion::foot_pose(motion::forward_kinematics(library().prepared().skeleton(), pose),
+                             character.response().support);
   };
   EXPECT_LT((feet(character.pose()).ankle - feet(now).ankle).norm(), 1e-3F);
 }
@@ -313,8 +313,8 @@ TEST(Character, RefusesWhatIsNoInputAndStaysUsable) {
     EXPECT_EQ(character.respond(1, bad), Status::bad_threat);
     Pose pose = character.pose();
     pose.root_position.y() = bad;
-    EXPECT_EQ(character.stand_in(pose, pose, 0.01F), Status::bad_pose);
-    EXPECT_EQ(character.stand_in(character.pose(), character.pose(), bad), Status::bad_time);
+    EXPECT_EQ(character.set_pose(pose, pose, 0.01F), Status::bad_pose);
+    EXPECT_EQ(character.set_pose(character.pose(), character.pose(), bad), Status::bad_time);
   }
   EXPECT_EQ(character.update(0), Status::bad_time);
   EXPECT_EQ(character.update(-0.1F), Status::bad_time);
@@ -323,7 +323,7 @@ TEST(Character, RefusesWhatIsNoInputAndStaysUsable) {
   EXPECT_EQ(character.respond(100000, 0.5F), Status::bad_clip);
   Pose stretched = character.pose();
   stretched.rotation[Role::head].coeffs() *= 2;
-  EXPECT_EQ(character.stand_in(stretched, stretched, 0.01F), Status::bad_pose);
+  EXPECT_EQ(character.set_pose(stretched, stretched, 0.01F), Status::bad_pose);
   Workspace none;
   EXPECT_EQ(character.perceive(good, none), Status::other_workspace);
   EXPECT_EQ(character.phase(), Phase::idle);

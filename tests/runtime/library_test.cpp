@@ -18,8 +18,8 @@ namespace {
 
 using database::LoadStatus;
 using motion::Target;
-using tests::Fitted;
 using tests::MadeUpSelector;
+using tests::ModelKind;
 
 std::span<const std::byte> bytes_of(const std::string& text) {
   return std::as_bytes(std::span(text));
@@ -27,7 +27,7 @@ std::span<const std::byte> bytes_of(const std::string& text) {
 
 const MadeUpSelector& made_up() {
   static const MadeUpSelector kMadeUp =
-      tests::made_up_selector(tests::made_up_library(12, 61), 60, Fitted::svm);
+      tests::made_up_selector(tests::made_up_library(12, 61), 60, ModelKind::svm);
   return kMadeUp;
 }
 
@@ -39,11 +39,11 @@ const std::string& whole_file() {
 /// Whether a library is the one that whole_file() holds.
 void expect_whole(const Library& library) {
   ASSERT_TRUE(library.is_loaded());
-  EXPECT_EQ(database::library_bytes(library.clips()), made_up().library_file);
-  EXPECT_EQ(library.clips().hash, made_up().selector.library_hash);
+  EXPECT_EQ(database::library_bytes(library.clip_library()), made_up().library_file);
+  EXPECT_EQ(library.clip_library().hash, made_up().selector.library_hash);
   EXPECT_EQ(train::selector_bytes(library.selector(), made_up().library_bytes()), whole_file());
-  EXPECT_EQ(library.prepared().library, &library.clips());
-  EXPECT_EQ(library.prepared().footwork.size(), library.clips().clips.size());
+  EXPECT_EQ(library.prepared().library, &library.clip_library());
+  EXPECT_EQ(library.prepared().footwork.size(), library.clip_library().clips.size());
   EXPECT_EQ(library.selection_bytes(), selection_bytes(made_up().selector));
 }
 
@@ -64,16 +64,16 @@ TEST(Library, BytesMayStandAnywhereInMemory) {
     const std::string moved = std::string(shift, 'x') + whole_file();
     Library library;
     ASSERT_EQ(library.load(bytes_of(moved).subspan(shift)), LoadStatus::ok) << shift;
-    EXPECT_EQ(database::library_bytes(library.clips()), made_up().library_file);
+    EXPECT_EQ(database::library_bytes(library.clip_library()), made_up().library_file);
   }
 }
 
 TEST(Library, StaysInPlaceWhenItIsMoved) {
   Library library;
   ASSERT_EQ(library.load(bytes_of(whole_file())), LoadStatus::ok);
-  const database::Library* clips = &library.clips();
+  const database::ClipLibrary* clips = &library.clip_library();
   const Library moved = std::move(library);
-  EXPECT_EQ(&moved.clips(), clips);
+  EXPECT_EQ(&moved.clip_library(), clips);
   expect_whole(moved);
 }
 
@@ -128,8 +128,8 @@ TEST(Library, AFlippedByteAnywhereIsNoticed) {
 }
 
 void reseal(std::string& bytes) {
-  const auto seal =
-      database::make_seal(database::kSelectorKind, bytes_of(bytes).subspan(database::kSealSize));
+  const auto seal = database::make_file_header(database::kSelectorFormat,
+                                               bytes_of(bytes).subspan(database::kFileHeaderSize));
   bytes.replace(0, seal.size(), reinterpret_cast<const char*>(seal.data()), seal.size());
 }
 
@@ -147,8 +147,8 @@ TEST(Library, SealedNonsenseIsRefusedOrHarmless) {
   for (int i = 0; i < 1500; ++i) {
     std::string changed = whole;
     const std::size_t places[] = {
-        database::kSealSize + random() % (whole.size() - database::kSealSize),
-        database::kSealSize + random() % 400, clips + random() % 400,
+        database::kFileHeaderSize + random() % (whole.size() - database::kFileHeaderSize),
+        database::kFileHeaderSize + random() % 400, clips + random() % 400,
         clips + random() % made_up().library_file.size(), whole.size() - 1 - random() % 4000};
     changed[places[random() % 5]] = static_cast<char>(random());
     reseal(changed);
@@ -158,18 +158,18 @@ TEST(Library, SealedNonsenseIsRefusedOrHarmless) {
       continue;
     }
     ++loaded;
-    ASSERT_EQ(workspace.make_room(library.selection_bytes()), LoadStatus::ok);
+    ASSERT_EQ(workspace.reserve_memory(library.selection_bytes()), LoadStatus::ok);
     const Selection selection = workspace.select(library.selector(), {}, Target::trunk, {});
     ASSERT_EQ(selection.status, SelectStatus::ok);
-    ASSERT_LT(static_cast<std::size_t>(selection.clip), library.clips().clips.size());
+    ASSERT_LT(static_cast<std::size_t>(selection.clip), library.clip_library().clips.size());
   }
   EXPECT_GT(refused, 100);
   EXPECT_GT(loaded, 100);
 }
 
 TEST(SelectorFile, ClipsThatAreNotTheSelectorsAreNotWritten) {
-  const auto other_library = [](const std::function<void(database::Library&)>& change) {
-    database::Library library = tests::made_up_library(12, 61);
+  const auto other_library = [](const std::function<void(database::ClipLibrary&)>& change) {
+    database::ClipLibrary library = tests::made_up_library(12, 61);
     change(library);
     return database::library_bytes(library);
   };
@@ -182,7 +182,7 @@ TEST(SelectorFile, ClipsThatAreNotTheSelectorsAreNotWritten) {
   fails(selector, made_up().library_file.substr(0, 5000));
 
   // The hash is right in these.
-  const auto fails_by = [&](const std::function<void(database::Library&)>& change) {
+  const auto fails_by = [&](const std::function<void(database::ClipLibrary&)>& change) {
     const std::string library_file = other_library(change);
     models::Selector renamed = selector;
     renamed.library_hash = database::content_hash(bytes_of(library_file).subspan(16));

@@ -18,8 +18,8 @@ namespace flinch::tests {
 
 /// The synthetic library's motions under as many names as asked for, each held at its end until it
 /// has `pose_count` poses. Clip 0 is the idle one.
-inline database::Library made_up_library(int clip_count, std::size_t pose_count) {
-  database::Library library = scenes::synthetic_library();
+inline database::ClipLibrary made_up_library(int clip_count, std::size_t pose_count) {
+  database::ClipLibrary library = scenes::synthetic_library();
   const std::vector<motion::Clip> posed(library.clips.begin() + 1, library.clips.end());
   library.clips.resize(1);
   for (std::size_t i = 1; i < static_cast<std::size_t>(clip_count); ++i) {
@@ -44,39 +44,40 @@ struct MadeUpSelector {
   std::string file() const { return train::selector_bytes(selector, library_bytes()); }
 };
 
-enum class Fitted : std::uint8_t { svm, knn, knn_cost, network, pairwise };
+enum class ModelKind : std::uint8_t { svm, knn, knn_cost, network, pairwise };
 
-inline MadeUpSelector made_up_selector(const database::Library& library, int observation_count,
-                                       Fitted model) {
+inline MadeUpSelector made_up_selector(const database::ClipLibrary& library, int observation_count,
+                                       ModelKind model) {
   MadeUpSelector made{database::library_bytes(library), {}};
   models::Selector& selector = made.selector;
-  selector.library_hash = database::unseal(database::kLibraryKind, made.library_bytes()).hash;
+  selector.library_hash =
+      database::verify_file(database::kLibraryFormat, made.library_bytes()).hash;
   for (const motion::Clip& clip : library.clips)
     selector.clips.push_back({clip.name, clip.annotation});
   selector.idle = library.idle;
   selector.layout = features::feature_set_named("paper")->layout;
-  selector.scaling.least.assign(features::kFeatureCount, -1);
-  selector.scaling.most.assign(features::kFeatureCount, 1);
+  selector.scaling.min.assign(features::kFeatureCount, -1);
+  selector.scaling.max.assign(features::kFeatureCount, 1);
   const int class_count = static_cast<int>(library.clips.size()) - 1;
   models::TrainingSet set =
       models::random_clouds(1, observation_count, class_count, features::kFeatureCount);
   for (int& label : set.label) label = 1 + label / 2;
   set.masks = {models::ClipMask(library.clips.size(), true)};
   switch (model) {
-    case Fitted::svm:
+    case ModelKind::svm:
       selector.model =
           models::fit_svm(set, models::default_svm_parameters(features::kFeatureCount));
       break;
-    case Fitted::knn:
+    case ModelKind::knn:
       selector.model = models::fit_knn(set, {10, models::KnnVote::inverse_distance});
       break;
-    case Fitted::knn_cost:
+    case ModelKind::knn_cost:
       selector.model = models::fit_knn(models::with_costs(set, 2), {10, models::KnnVote::cost});
       break;
-    case Fitted::network:
+    case ModelKind::network:
       selector.model = models::fit_network(models::with_costs(set, 2), {.epoch_count = 1});
       break;
-    case Fitted::pairwise:
+    case ModelKind::pairwise:
       selector.model = models::fit_pairwise(models::with_costs(set, 2), {});
       break;
   }

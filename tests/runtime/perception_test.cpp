@@ -130,7 +130,7 @@ TEST(Perception, WithoutLimitsKeepsEveryBit) {
 }
 
 TEST(Perception, SameSeedAndNumberGiveTheSameBitsAndOthersOthers) {
-  const PerceptionLimits limits = human();
+  const PerceptionLimits limits = human_limits();
   const Perceived once = perceive(thrown(), kEye, limits, 11, 4);
   EXPECT_TRUE(same_bits(once.threat, perceive(thrown(), kEye, limits, 11, 4).threat));
   EXPECT_FALSE(same_bits(once.threat, perceive(thrown(), kEye, limits, 11, 5).threat));
@@ -157,12 +157,13 @@ TEST(Perception, ALimitDoesNotChangeWhatAnotherDraws) {
 }
 
 TEST(Perception, HumansTakeLongerOverMoreChoices) {
-  EXPECT_TRUE(is_valid(human()));
-  EXPECT_FLOAT_EQ(human().reaction_delay_s, 0.22F);
-  EXPECT_FLOAT_EQ(human(0).reaction_delay_s, 0.22F);
-  EXPECT_NEAR(human(2).reaction_delay_s, 0.37F, 1e-6F);
-  EXPECT_NEAR(human(8).reaction_delay_s, 0.67F, 1e-6F);
-  EXPECT_EQ(perceive(thrown(), kEye, human(2), 1, 1).delay_s, human(2).reaction_delay_s);
+  EXPECT_TRUE(is_valid(human_limits()));
+  EXPECT_FLOAT_EQ(human_limits().reaction_delay_s, 0.22F);
+  EXPECT_FLOAT_EQ(human_limits(0).reaction_delay_s, 0.22F);
+  EXPECT_NEAR(human_limits(2).reaction_delay_s, 0.37F, 1e-6F);
+  EXPECT_NEAR(human_limits(8).reaction_delay_s, 0.67F, 1e-6F);
+  EXPECT_EQ(perceive(thrown(), kEye, human_limits(2), 1, 1).delay_s,
+            human_limits(2).reaction_delay_s);
 }
 
 TEST(Perception, LimitsThatCannotBeMeantCountAsOff) {
@@ -173,7 +174,7 @@ TEST(Perception, LimitsThatCannotBeMeantCountAsOff) {
         &PerceptionLimits::distance_noise, &PerceptionLimits::heading_noise,
         &PerceptionLimits::speed_noise, &PerceptionLimits::chance_to_fail}) {
     for (float bad : {kNan, kInfinity, -0.1F}) {
-      PerceptionLimits limits = human();
+      PerceptionLimits limits = human_limits();
       limits.*member = bad;
       EXPECT_FALSE(is_valid(limits));
       const Perceived perceived = perceive(thrown(), kEye, limits, 1, 1);
@@ -193,13 +194,13 @@ TEST(Perception, HandsOnThreatsThatAreNotFinite) {
   for (int i = 0; i < 3; ++i) {
     Threat threat = thrown();
     threat.velocity[i] = kNan;
-    EXPECT_TRUE(same_bits(perceive(threat, kEye, human(), 1, 1).threat, threat));
+    EXPECT_TRUE(same_bits(perceive(threat, kEye, human_limits(), 1, 1).threat, threat));
     threat = thrown();
     threat.position[i] = kNan;
-    EXPECT_TRUE(same_bits(perceive(threat, kEye, human(), 1, 1).threat, threat));
+    EXPECT_TRUE(same_bits(perceive(threat, kEye, human_limits(), 1, 1).threat, threat));
     Eigen::Vector3f eye = kEye;
     eye[i] = kNan;
-    EXPECT_TRUE(same_bits(perceive(thrown(), eye, human(), 1, 1).threat, thrown()));
+    EXPECT_TRUE(same_bits(perceive(thrown(), eye, human_limits(), 1, 1).threat, thrown()));
   }
 }
 
@@ -207,27 +208,29 @@ TEST(Perception, OfAThreatAtRestOrAtTheEyeIsFinite) {
   Threat threat;
   threat.position = kEye;
   for (std::uint64_t number = 0; number < 100; ++number) {
-    const Threat perceived = perceive(threat, kEye, human(), 1, number).threat;
+    const Threat perceived = perceive(threat, kEye, human_limits(), 1, number).threat;
     EXPECT_TRUE(same_bits(perceived, threat));
   }
 }
 
 TEST(Perception, NeitherItNorThePredictionAllocates) {
-  const motion::Character character = motion::default_character();
+  const motion::Physique character = motion::default_character();
   const motion::BodyModel model = make_body_model(character);
   motion::Motion idle;
   for (int i = 0; i < 10; ++i) idle.poses.push_back(rest_pose(character.skeleton));
   const std::size_t before = tests::allocation_count();
-  const features::SweptFigure figure = features::make_swept_figure(character.skeleton, model);
-  const features::Sway sway = features::sway_of(character.skeleton, model, idle);
+  const features::CollisionFigure figure =
+      features::make_collision_figure(character.skeleton, model);
+  const features::MotionBounds motion_bounds =
+      features::motion_bounds_of(character.skeleton, model, idle);
   int impacts = 0;
   for (std::uint64_t number = 0; number < 50; ++number) {
     Threat threat;
     threat.position = {8, 0, 1.3F};
     threat.velocity = {-20, 0, 1.5F};
-    const Perceived perceived = perceive(threat, {0, 0, 1.7F}, human(), 1, number);
+    const Perceived perceived = perceive(threat, {0, 0, 1.7F}, human_limits(), 1, number);
     for (const features::PredictedImpact& impact :
-         {features::predict_impact(perceived.threat, figure, idle, sway, {}),
+         {features::predict_impact(perceived.threat, figure, idle, motion_bounds, {}),
           features::predict_impact(perceived.threat, figure, idle.poses.front())}) {
       if (impact.outcome == features::Outcome::impact) ++impacts;
     }

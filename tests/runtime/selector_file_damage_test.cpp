@@ -62,8 +62,8 @@ std::string resealed_with(std::string bytes, const std::string& from, const std:
     ++replaced;
   }
   EXPECT_GT(replaced, 0U) << from;
-  const auto seal = database::make_seal(database::kSelectorKind,
-                                        tests::bytes_of(bytes).subspan(database::kSealSize));
+  const auto seal = database::make_file_header(
+      database::kSelectorFormat, tests::bytes_of(bytes).subspan(database::kFileHeaderSize));
   return bytes.replace(0, seal.size(), reinterpret_cast<const char*>(seal.data()), seal.size());
 }
 
@@ -84,11 +84,11 @@ TEST(SelectorFileDamage, SealedNonsenseNeverGetsThroughUnsound) {
     for (int i = 0; i < 3000; ++i) {
       std::string changed = bytes;
       // Half of the changes go to the tables, which stand before and after the long vectors.
-      const std::size_t content = bytes.size() - database::kSealSize;
+      const std::size_t content = bytes.size() - database::kFileHeaderSize;
       const std::size_t at = random() % 2 == 0 ? random() % content : random() % 400;
-      changed[database::kSealSize + at] = static_cast<char>(random());
-      const auto seal = database::make_seal(database::kSelectorKind,
-                                            tests::bytes_of(changed).subspan(database::kSealSize));
+      changed[database::kFileHeaderSize + at] = static_cast<char>(random());
+      const auto seal = database::make_file_header(
+          database::kSelectorFormat, tests::bytes_of(changed).subspan(database::kFileHeaderSize));
       changed.replace(0, seal.size(), reinterpret_cast<const char*>(seal.data()), seal.size());
       Selector selector;
       if (tests::read(changed, selector) != LoadStatus::ok) {

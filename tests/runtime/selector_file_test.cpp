@@ -111,8 +111,8 @@ void expect_same(const Selector& a, const Selector& b) {
   ASSERT_EQ(a.clips.size(), b.clips.size());
   for (std::size_t i = 0; i < a.clips.size(); ++i) expect_same(a.clips[i], b.clips[i]);
   EXPECT_EQ(a.layout, b.layout);
-  EXPECT_EQ(bits_of(a.scaling.least), bits_of(b.scaling.least));
-  EXPECT_EQ(bits_of(a.scaling.most), bits_of(b.scaling.most));
+  EXPECT_EQ(bits_of(a.scaling.min), bits_of(b.scaling.min));
+  EXPECT_EQ(bits_of(a.scaling.max), bits_of(b.scaling.max));
   EXPECT_EQ(bits_of({a.brawn}), bits_of({b.brawn}));
   EXPECT_EQ(a.target_centres, b.target_centres);
   ASSERT_EQ(a.model.index(), b.model.index());

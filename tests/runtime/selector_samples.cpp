@@ -37,8 +37,8 @@ Selector selector_without_model() {
   selector.idle = 7;
   selector.layout = features::feature_set_named("paper")->layout;
   for (int i = 0; i < features::kFeatureCount; ++i) {
-    selector.scaling.least.push_back(-1.0 / (i + 3));
-    selector.scaling.most.push_back(1.0 / (i + 7));
+    selector.scaling.min.push_back(-1.0 / (i + 3));
+    selector.scaling.max.push_back(1.0 / (i + 7));
   }
   selector.brawn = 0.1;
   for (Eigen::Vector3f& centre : selector.target_centres) centre = {0.1F, -0.2F, 1.0F / 3};
@@ -55,8 +55,8 @@ Selector rbf_selector() {
   Selector selector = selector_without_model();
   selector.layout = features::feature_set_named("geometry")->layout;
   const int features = selector.layout.size();
-  selector.scaling.least.assign(static_cast<std::size_t>(features), -1.0 / 3);
-  selector.scaling.most.assign(static_cast<std::size_t>(features), 1.0 / 7);
+  selector.scaling.min.assign(static_cast<std::size_t>(features), -1.0 / 3);
+  selector.scaling.max.assign(static_cast<std::size_t>(features), 1.0 / 7);
   selector.model = models::fit_svm(
       models::random_clouds(1, 80, 4, features),
       {.gamma = 1.0 / 3, .cost = 1.0 / 7, .kernel = models::SvmKernel::rbf, .balance = 0.5});

@@ -14,12 +14,12 @@ namespace {
 
 using models::Candidate;
 using motion::Target;
-using tests::Fitted;
+using tests::ModelKind;
 
 constexpr int kClips = 24;
 constexpr std::array kTargets{Target::head, Target::trunk, Target::pelvis, Target::legs};
 
-models::Selector selector_with(Fitted model) {
+models::Selector selector_with(ModelKind model) {
   return tests::made_up_selector(tests::made_up_library(kClips, 61), 300, model).selector;
 }
 
@@ -41,15 +41,15 @@ std::vector<features::FeatureVector> queries() {
   return queries;
 }
 
-class WorkspaceOf : public testing::TestWithParam<Fitted> {};
-INSTANTIATE_TEST_SUITE_P(Models, WorkspaceOf,
-                         testing::Values(Fitted::svm, Fitted::knn, Fitted::knn_cost,
-                                         Fitted::network, Fitted::pairwise));
+class WorkspaceOfModel : public testing::TestWithParam<ModelKind> {};
+INSTANTIATE_TEST_SUITE_P(Models, WorkspaceOfModel,
+                         testing::Values(ModelKind::svm, ModelKind::knn, ModelKind::knn_cost,
+                                         ModelKind::network, ModelKind::pairwise));
 
-TEST_P(WorkspaceOf, SelectsWhatTheModelDoesWithoutAllocation) {
+TEST_P(WorkspaceOfModel, SelectsWhatTheModelDoesWithoutAllocation) {
   const models::Selector selector = selector_with(GetParam());
   Workspace workspace;
-  ASSERT_EQ(workspace.make_room(selection_bytes(selector)), database::LoadStatus::ok);
+  ASSERT_EQ(workspace.reserve_memory(selection_bytes(selector)), database::LoadStatus::ok);
   std::array<Candidate, kClips> best;
   for (const features::FeatureVector& query : queries()) {
     for (const Target target : kTargets) {
@@ -71,10 +71,10 @@ TEST_P(WorkspaceOf, SelectsWhatTheModelDoesWithoutAllocation) {
   }
 }
 
-TEST_P(WorkspaceOf, WritesAsManyCandidatesAsAreAskedFor) {
+TEST_P(WorkspaceOfModel, WritesAsManyCandidatesAsAreAskedFor) {
   const models::Selector selector = selector_with(GetParam());
   Workspace workspace;
-  ASSERT_EQ(workspace.make_room(selection_bytes(selector)), database::LoadStatus::ok);
+  ASSERT_EQ(workspace.reserve_memory(selection_bytes(selector)), database::LoadStatus::ok);
   const features::FeatureVector query = queries()[1];
   const auto expected = models::candidates(selector, query, Target::trunk);
   ASSERT_GT(expected.size(), 2U);
@@ -89,27 +89,27 @@ TEST_P(WorkspaceOf, WritesAsManyCandidatesAsAreAskedFor) {
   EXPECT_EQ(none.count, 0U);
 }
 
-TEST_P(WorkspaceOf, TooSmallIsAStatus) {
+TEST_P(WorkspaceOfModel, TooSmallIsAStatus) {
   const models::Selector selector = selector_with(GetParam());
   const std::size_t need = selection_bytes(selector);
   std::array<Candidate, kClips> best;
   Workspace workspace;
-  EXPECT_EQ(workspace.select(selector, {}, Target::trunk, best).status, SelectStatus::no_room);
+  EXPECT_EQ(workspace.select(selector, {}, Target::trunk, best).status, SelectStatus::too_small);
   for (std::size_t size = 0; size < need / 2; size += 1 + need / 50) {
-    ASSERT_EQ(workspace.make_room(size), database::LoadStatus::ok);
+    ASSERT_EQ(workspace.reserve_memory(size), database::LoadStatus::ok);
     const Selection selection = workspace.select(selector, {}, Target::trunk, best);
-    EXPECT_EQ(selection.status, SelectStatus::no_room) << size << " of " << need << " bytes";
+    EXPECT_EQ(selection.status, SelectStatus::too_small) << size << " of " << need << " bytes";
     EXPECT_EQ(selection.count, 0U);
   }
-  ASSERT_EQ(workspace.make_room(need), database::LoadStatus::ok);
+  ASSERT_EQ(workspace.reserve_memory(need), database::LoadStatus::ok);
   EXPECT_EQ(workspace.select(selector, {}, Target::trunk, best).status, SelectStatus::ok);
 }
 
 TEST(Workspace, KeepsItsRoomWhereThereIsNoMore) {
-  const models::Selector selector = selector_with(Fitted::knn);
+  const models::Selector selector = selector_with(ModelKind::knn);
   Workspace workspace;
-  ASSERT_EQ(workspace.make_room(selection_bytes(selector)), database::LoadStatus::ok);
-  EXPECT_EQ(workspace.make_room(std::numeric_limits<std::size_t>::max()),
+  ASSERT_EQ(workspace.reserve_memory(selection_bytes(selector)), database::LoadStatus::ok);
+  EXPECT_EQ(workspace.reserve_memory(std::numeric_limits<std::size_t>::max()),
             database::LoadStatus::out_of_memory);
   EXPECT_EQ(workspace.select(selector, {}, Target::head, {}).status, SelectStatus::ok);
 }

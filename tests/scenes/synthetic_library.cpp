@@ -77,9 +77,9 @@ motion::Motion swaying(const motion::Skeleton& skeleton, const motion::Pose& sta
 
 }  // namespace
 
-database::Library synthetic_library() {
+database::ClipLibrary synthetic_library() {
   using motion::Role;
-  database::Library library;
+  database::ClipLibrary library;
   library.name = "synthetic";
   library.character = motion::default_character();
   const motion::Skeleton& skeleton = library.character.skeleton;

@@ -8,6 +8,6 @@ namespace flinch::scenes {
 /// A small library whose clips are posed by rule, for tests that need one anywhere: the default
 /// character raises its hands, ducks, turns its shoulder, steps aside and lifts a leg, each also
 /// mirrored where it has a side.
-database::Library synthetic_library();
+database::ClipLibrary synthetic_library();
 
 }  // namespace flinch::scenes

@@ -18,7 +18,7 @@ struct Hit {
 
 /// Volleyballs as threats are: 8 to 30 m/s, from anywhere, elevations of -10 to 45 degrees, at the
 /// middle of each target in turn between a third and two thirds into each motion in turn.
-inline std::vector<Hit> random_hits(const motion::Character& character,
+inline std::vector<Hit> random_hits(const motion::Physique& character,
                                     const std::vector<NamedMotion>& motions, std::size_t count,
                                     unsigned seed) {
   std::mt19937 generator(seed);

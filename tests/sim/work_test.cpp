@@ -15,7 +15,7 @@ using motion::Body;
 
 constexpr double kPi = std::numbers::pi;
 
-motion::Motion moved_rest_pose(const motion::Character& character, float rate_hz, int poses,
+motion::Motion moved_rest_pose(const motion::Physique& character, float rate_hz, int poses,
                                double (*offset_at)(double time_s)) {
   motion::Motion motion;
   motion.rate_hz = rate_hz;
@@ -36,7 +36,7 @@ double total(const motion::PerBody<double>& work) {
 // x = A sin(2 pi f t) along a line: W = m int |a v| dt = m A^2 w^2 per half period, 2 m A^2 w^2 per
 // period. At 1 Hz the low-pass takes nothing that shows.
 TEST(MechanicalWork, OfASinusoidIsItsClosedForm) {
-  const motion::Character character = motion::default_character();
+  const motion::Physique character = motion::default_character();
   const auto motion = moved_rest_pose(character, 240, 240 * 3 + 1,
                                       [](double t) { return 0.2 * std::sin(2 * kPi * t); });
   const double omega = 2 * kPi;
@@ -50,26 +50,26 @@ TEST(MechanicalWork, OfASinusoidIsItsClosedForm) {
 }
 
 TEST(MechanicalWork, OfConstantVelocityIsNothing) {
-  const motion::Character character = motion::default_character();
+  const motion::Physique character = motion::default_character();
   const auto moving = moved_rest_pose(character, 60, 120, [](double t) { return 2 * t; });
   EXPECT_LT(total(mechanical_work(character, moving)), 0.05);  // J; float positions' noise
 }
 
 TEST(MechanicalWork, OfStandingStillIsNothing) {
-  const motion::Character character = motion::default_character();
+  const motion::Physique character = motion::default_character();
   const auto still = moved_rest_pose(character, 60, 120, [](double) { return 0.0; });
   EXPECT_LT(total(mechanical_work(character, still)), 1e-12);
 }
 
 TEST(MechanicalWork, OfTooFewPosesIsNothing) {
-  const motion::Character character = motion::default_character();
+  const motion::Physique character = motion::default_character();
   const auto motion = moved_rest_pose(character, 60, 3, [](double t) { return t * t; });
   EXPECT_EQ(total(mechanical_work(character, motion)), 0);
 }
 
 // Both the speeding up and the slowing down cost: from rest to rest the signed sum is nothing.
 TEST(MechanicalWork, FromRestToRestIsTwiceTheKineticEnergy) {
-  const motion::Character character = motion::default_character();
+  const motion::Physique character = motion::default_character();
   const auto motion = moved_rest_pose(character, 240, 481, [](double t) {
     return 0.5 * (1 - std::cos(kPi * std::fmin(std::fmax(t - 0.5, 0.0), 1.0)));
   });
@@ -83,7 +83,7 @@ double amplitude_after(double frequency_hz, double rate_hz) {
   for (int k = 0; k < 4000; ++k) {
     path.push_back(std::sin(2 * kPi * frequency_hz * k / rate_hz) * Eigen::Vector3d::UnitX());
   }
-  const auto smooth = low_passed(path, rate_hz);
+  const auto smooth = low_pass_filtered(path, rate_hz);
   double squares = 0;
   for (std::size_t k = 800; k < 3200; ++k) squares += smooth[k].squaredNorm();
   return std::sqrt(2 * squares / 2400);
@@ -106,7 +106,7 @@ TEST(LowPass, HasButterworthsGain) {
 TEST(LowPass, KeepsConstantsAndStraightLines) {
   std::vector<Eigen::Vector3d> path;
   for (int k = 0; k < 40; ++k) path.emplace_back(3, 0.01 * k, -1 - 0.2 * k);
-  const auto smooth = low_passed(path, 60);
+  const auto smooth = low_pass_filtered(path, 60);
   ASSERT_EQ(smooth.size(), path.size());
   for (std::size_t k = 0; k < path.size(); ++k) {
     EXPECT_LT((smooth[k] - path[k]).norm(), 2e-3) << k;
@@ -116,7 +116,7 @@ TEST(LowPass, KeepsConstantsAndStraightLines) {
 TEST(LowPass, ShiftsNothingInTime) {
   std::vector<Eigen::Vector3d> path(201, Eigen::Vector3d::Zero());
   path[100].x() = 1;
-  const auto smooth = low_passed(path, 60);
+  const auto smooth = low_pass_filtered(path, 60);
   for (std::size_t k = 1; k < 60; ++k) {
     EXPECT_NEAR(smooth[100 + k].x(), smooth[100 - k].x(), 1e-9) << k;
   }

@@ -23,7 +23,7 @@ double percentile(const std::vector<double>& sorted, double share) {
 Resamples draw_resamples(std::size_t count, std::size_t resamples, std::uint64_t seed) {
   Resamples drawn(resamples, std::vector<std::uint32_t>(count));
   for (std::size_t i = 0; i < resamples; ++i) {
-    features::Random random(seed, features::Purpose::bootstrap, i);
+    features::Random random(seed, features::RandomStream::bootstrap, i);
     for (std::uint32_t& index : drawn[i]) index = static_cast<std::uint32_t>(random.index(count));
   }
   return drawn;

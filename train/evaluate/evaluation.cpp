@@ -14,23 +14,23 @@ namespace flinch::train {
 
 namespace {
 
-constexpr std::size_t kResamples = 2000;
-constexpr std::array<std::string_view, 2> kReferences{"svm", "knn"};
+constexpr std::size_t kResampleCount = 2000;
+constexpr std::array<std::string_view, 2> kPairedReferences{"svm", "knn"};
 
-Ranking only(int clip) {
+Ranking single_choice(int clip) {
   Ranking ranking;
   ranking.best[0].clip = clip;
   ranking.count = 1;
   return ranking;
 }
 
-bool has(const Ranking& ranking, int clip) {
+bool contains(const Ranking& ranking, int clip) {
   const auto first = ranking.best.begin();
   const auto end = first + static_cast<std::ptrdiff_t>(ranking.count);
   return std::any_of(first, end, [clip](const auto& candidate) { return candidate.clip == clip; });
 }
 
-EvaluationRow row_of(std::string name, const Split& split, const Evaluation& evaluation,
+EvaluationRow row_of(std::string name, const TrainTestSplit& split, const Evaluation& evaluation,
                      const Chooser& choose) {
   EvaluationRow row;
   row.name = std::move(name);
@@ -45,23 +45,23 @@ EvaluationRow row_of(std::string name, const Split& split, const Evaluation& eva
     row.damage_ns.push_back(
         damage_ns(observation.trials[trial].impulse, evaluation.cost_model.vulnerability));
     row.hit.push_back(chosen.clip == label ? 1 : 0);
-    row.hit_in_three.push_back(has(ranking, label) ? 1 : 0);
+    row.hit_in_three.push_back(contains(ranking, label) ? 1 : 0);
     row.vote.push_back(chosen.vote);
     row.expected_cost_ns.push_back(chosen.expected_cost_ns);
   }
   return row;
 }
 
-void add_baselines(const Split& split, std::uint64_t seed, Evaluation& evaluation) {
+void add_baselines(const TrainTestSplit& split, std::uint64_t seed, Evaluation& evaluation) {
   const StoreHeader& header = split.header;
   const auto add = [&](const char* name, const std::function<int(const Observation&)>& choose) {
     evaluation.rows.push_back(row_of(name, split, evaluation, [&](const Observation& observation) {
-      return only(choose(observation));
+      return single_choice(choose(observation));
     }));
   };
   add("idle", [&](const Observation&) { return header.idle; });
   add("random", [&](const Observation& observation) {
-    features::Random random(seed, features::Purpose::baseline, observation.number);
+    features::Random random(seed, features::RandomStream::baseline, observation.number);
     return models::random_allowed(header.clips, header.idle, observation.scenario.target,
                                   random.bits());
   });
@@ -71,7 +71,7 @@ void add_baselines(const Split& split, std::uint64_t seed, Evaluation& evaluatio
   });
 }
 
-void add_methods(const Split& split, std::span<const FittedMethod> methods,
+void add_methods(const TrainTestSplit& split, std::span<const FittedMethod> methods,
                  Evaluation& evaluation) {
   for (const FittedMethod& fitted : methods) {
     const auto choose = [&](const Observation& observation) {
@@ -83,9 +83,11 @@ void add_methods(const Split& split, std::span<const FittedMethod> methods,
   }
 }
 
-void add_oracle(const Split& split, Evaluation& evaluation) {
+void add_oracle(const TrainTestSplit& split, Evaluation& evaluation) {
   std::size_t next = 0;
-  const auto choose = [&](const Observation&) { return only(evaluation.labels.clip[next++]); };
+  const auto choose = [&](const Observation&) {
+    return single_choice(evaluation.labels.clip[next++]);
+  };
   evaluation.rows.push_back(row_of("oracle", split, evaluation, choose));
 }
 
@@ -94,7 +96,7 @@ struct RowMeans {
 };
 
 void add_estimates(std::uint64_t seed, Evaluation& evaluation) {
-  const Resamples resamples = draw_resamples(evaluation.labels.clip.size(), kResamples, seed);
+  const Resamples resamples = draw_resamples(evaluation.labels.clip.size(), kResampleCount, seed);
   std::vector<RowMeans> means;
   for (const EvaluationRow& row : evaluation.rows) {
     const auto of = [&](const std::vector<double>& values) {
@@ -114,7 +116,7 @@ void add_estimates(std::uint64_t seed, Evaluation& evaluation) {
     row.mean_damage_ns = estimate(itself, means[i].damage);
     row.regret_ns = estimate(std::minus{}, cost, oracle);
     row.protection = estimate(protection_of, idle, cost, oracle);
-    for (const std::string_view reference : kReferences) {
+    for (const std::string_view reference : kPairedReferences) {
       const EvaluationRow* from = row_named(evaluation, reference);
       if (from == nullptr || from == &row) continue;
       const auto place = static_cast<std::size_t>(from - evaluation.rows.data());
@@ -132,7 +134,7 @@ RowTiming timing_of(const FittedMethod& fitted, std::span<const Observation> obs
                     const Clock& clock) {
   const models::Selector& selector = fitted.training.selector;
   runtime::Workspace workspace;
-  workspace.make_room(runtime::selection_bytes(selector));
+  workspace.reserve_memory(runtime::selection_bytes(selector));
   std::array<models::Candidate, 3> best;
   std::vector<double> took_s;
   for (const Observation& observation : observations) {
@@ -182,7 +184,7 @@ const EvaluationRow* row_named(const Evaluation& evaluation, std::string_view na
   return nullptr;
 }
 
-Evaluation evaluate(const Split& split, const CostModel& cost_model,
+Evaluation evaluate(const TrainTestSplit& split, const CostModel& cost_model,
                     std::span<const FittedMethod> methods, std::uint64_t seed, const Clock& clock) {
   Evaluation evaluation;
   evaluation.cost_model = cost_model;

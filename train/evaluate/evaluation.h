@@ -93,7 +93,7 @@ const EvaluationRow* row_named(const Evaluation& evaluation, std::string_view na
 
 /// Tries baselines, methods and the oracle on the split's tested scenarios. `seed` draws the random
 /// row and 2000 bootstrap resamples. The same bits for any number of threads but for the timing.
-Evaluation evaluate(const Split& split, const CostModel& cost_model,
+Evaluation evaluate(const TrainTestSplit& split, const CostModel& cost_model,
                     std::span<const FittedMethod> methods, std::uint64_t seed, const Clock& clock);
 
 /// What a chooser's choices are worth, without intervals: mean cost, N·s.

@@ -6,9 +6,9 @@
 namespace flinch::train {
 namespace {
 
-constexpr std::size_t kResamples = 2000;
+constexpr std::size_t kResampleCount = 2000;
 
-struct Group {
+struct ScenarioGroup {
   std::string group;
   std::string value;
   std::function<bool(const features::Scenario&)> has;
@@ -18,32 +18,34 @@ struct Bin {
   const char* name;
   float from, to;
 };
-constexpr float kAny = std::numeric_limits<float>::infinity();
-constexpr Bin kSpeeds[] = {
-    {"less than 14", 0, 14}, {"14 to 19", 14, 19}, {"19 to 24", 19, 24}, {"24 or more", 24, kAny}};
-constexpr Bin kTimes[] = {{"less than 0.50", 0, 0.5F},
-                          {"0.50 to 0.75", 0.5F, 0.75F},
-                          {"0.75 to 1.00", 0.75F, 1},
-                          {"1.00 or more", 1, kAny}};
+constexpr float kUnbounded = std::numeric_limits<float>::infinity();
+constexpr Bin kSpeedBins[] = {{"less than 14", 0, 14},
+                              {"14 to 19", 14, 19},
+                              {"19 to 24", 19, 24},
+                              {"24 or more", 24, kUnbounded}};
+constexpr Bin kTimeBins[] = {{"less than 0.50", 0, 0.5F},
+                             {"0.50 to 0.75", 0.5F, 0.75F},
+                             {"0.75 to 1.00", 0.75F, 1},
+                             {"1.00 or more", 1, kUnbounded}};
 
 float speed_at_impact(const features::Scenario& scenario) {
   return features::velocity_at(scenario.threat, scenario.time_to_impact_s).norm();
 }
 
-std::vector<Group> all_groups() {
-  std::vector<Group> groups;
+std::vector<ScenarioGroup> all_groups() {
+  std::vector<ScenarioGroup> groups;
   for (int i = 0; i < motion::kTargetCount; ++i) {
     const auto target = static_cast<motion::Target>(i);
     groups.push_back({"target", std::string(motion::name_of(target)),
                       [target](const auto& scenario) { return scenario.target == target; }});
   }
-  for (const Bin& bin : kSpeeds) {
+  for (const Bin& bin : kSpeedBins) {
     groups.push_back({"speed_mps", bin.name, [bin](const auto& scenario) {
                         const float speed = speed_at_impact(scenario);
                         return speed >= bin.from && speed < bin.to;
                       }});
   }
-  for (const Bin& bin : kTimes) {
+  for (const Bin& bin : kTimeBins) {
     groups.push_back({"time_to_impact_s", bin.name, [bin](const auto& scenario) {
                         return scenario.time_to_impact_s >= bin.from &&
                                scenario.time_to_impact_s < bin.to;
@@ -59,9 +61,9 @@ std::vector<double> chosen_from(const std::vector<double>& values,
   return chosen;
 }
 
-void add_rows(const Group& group, const std::vector<std::size_t>& members,
+void add_rows(const ScenarioGroup& group, const std::vector<std::size_t>& members,
               const Evaluation& evaluation, std::uint64_t seed, std::vector<GroupRow>& rows) {
-  const Resamples resamples = draw_resamples(members.size(), kResamples, seed);
+  const Resamples resamples = draw_resamples(members.size(), kResampleCount, seed);
   std::vector<ResampledMean> cost;
   for (const EvaluationRow& row : evaluation.rows)
     cost.push_back(resampled_mean(chosen_from(row.cost_ns, members), resamples));
@@ -75,10 +77,10 @@ void add_rows(const Group& group, const std::vector<std::size_t>& members,
 
 }  // namespace
 
-std::vector<GroupRow> group_rows(const Split& split, const Evaluation& evaluation,
+std::vector<GroupRow> group_rows(const TrainTestSplit& split, const Evaluation& evaluation,
                                  std::uint64_t seed) {
   std::vector<GroupRow> rows;
-  for (const Group& group : all_groups()) {
+  for (const ScenarioGroup& group : all_groups()) {
     std::vector<std::size_t> members;
     for (std::size_t i = 0; i < split.tested.size(); ++i)
       if (group.has(split.tested[i].scenario)) members.push_back(i);

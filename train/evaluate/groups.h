@@ -21,7 +21,7 @@ struct GroupRow {
 
 /// Every row in every group that has scenarios, with intervals over the group's own scenarios.
 /// `seed` draws the resamples.
-std::vector<GroupRow> group_rows(const Split& split, const Evaluation& evaluation,
+std::vector<GroupRow> group_rows(const TrainTestSplit& split, const Evaluation& evaluation,
                                  std::uint64_t seed);
 
 }  // namespace flinch::train

@@ -10,7 +10,7 @@ namespace flinch::train {
 
 namespace {
 
-using Choose = std::function<bool(const Observation&)>;
+using ObservationFilter = std::function<bool(const Observation&)>;
 
 /// Directions are the annotation's: eight sectors about the facing, in (-180, 180] degrees.
 int sector_of(const Observation& observation) {
@@ -19,12 +19,13 @@ int sector_of(const Observation& observation) {
   return sector == -4 ? 4 : sector;
 }
 
-bool has_time(const Observation& observation) {
-  return observation.scenario.time_to_impact_s >= kTimeToAnswer;
+bool has_time_to_answer(const Observation& observation) {
+  return observation.scenario.time_to_impact_s >= kMinAnswerTime_s;
 }
 
 void add_row(const Store& store, const Labels& labels, const std::string& group,
-             const std::string& value, const Choose& is_in, std::vector<PreventionRow>& rows) {
+             const std::string& value, const ObservationFilter& is_in,
+             std::vector<PreventionRow>& rows) {
   PreventionRow row{group, value};
   for (std::size_t i = 0; i < store.observations.size(); ++i) {
     if (!is_in(store.observations[i])) continue;
@@ -42,30 +43,31 @@ void add_row(const Store& store, const Labels& labels, const std::string& group,
 
 std::vector<PreventionRow> prevention_rows(const Store& store, const Labels& labels) {
   std::vector<PreventionRow> rows;
-  const auto add = [&](const char* group, const std::string& value, const Choose& is_in) {
+  const auto add = [&](const char* group, const std::string& value,
+                       const ObservationFilter& is_in) {
     add_row(store, labels, group, value, is_in, rows);
   };
-  add("all", "0.50 s or more", has_time);
+  add("all", "0.50 s or more", has_time_to_answer);
   for (const motion::Target target : {motion::Target::head, motion::Target::trunk,
                                       motion::Target::pelvis, motion::Target::legs}) {
     add("target", std::string(motion::name_of(target)), [target](const Observation& observation) {
-      return has_time(observation) && observation.scenario.target == target;
+      return has_time_to_answer(observation) && observation.scenario.target == target;
     });
   }
   for (int sector = -3; sector <= 4; ++sector) {
     add("direction", std::to_string(45 * sector), [sector](const Observation& observation) {
-      return has_time(observation) && sector_of(observation) == sector;
+      return has_time_to_answer(observation) && sector_of(observation) == sector;
     });
   }
   struct Bin {
     const char* name;
     float from, to;
   };
-  constexpr Bin kBins[] = {{"less than 0.50", 0, 0.5F},
-                           {"0.50 to 0.75", 0.5F, 0.75F},
-                           {"0.75 to 1.00", 0.75F, 1},
-                           {"1.00 or more", 1, std::numeric_limits<float>::infinity()}};
-  for (const Bin& bin : kBins) {
+  constexpr Bin kTimeBins[] = {{"less than 0.50", 0, 0.5F},
+                               {"0.50 to 0.75", 0.5F, 0.75F},
+                               {"0.75 to 1.00", 0.75F, 1},
+                               {"1.00 or more", 1, std::numeric_limits<float>::infinity()}};
+  for (const Bin& bin : kTimeBins) {
     add("time_to_impact", bin.name, [bin](const Observation& observation) {
       const float time_s = observation.scenario.time_to_impact_s;
       return time_s >= bin.from && time_s < bin.to;

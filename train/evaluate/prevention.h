@@ -22,9 +22,9 @@ struct PreventionRow {
 };
 
 /// Threats that leave at least this long to answer are what a library is judged by, s.
-inline constexpr float kTimeToAnswer = 0.5F;
+inline constexpr float kMinAnswerTime_s = 0.5F;
 
-/// By target and by direction among the scenarios with kTimeToAnswer or more, and by time to
+/// By target and by direction among the scenarios with kMinAnswerTime_s or more, and by time to
 /// impact among all. Groups without scenarios are left out. `labels` are those of the store's
 /// observations.
 std::vector<PreventionRow> prevention_rows(const Store& store, const Labels& labels);

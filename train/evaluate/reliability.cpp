@@ -8,14 +8,14 @@
 namespace flinch::train {
 namespace {
 
-constexpr std::size_t kBins = 10;
+constexpr std::size_t kBinCount = 10;
 
 void add_bins(const EvaluationRow& row, const char* said, const std::vector<float>& value,
               const EvaluationRow& oracle, std::vector<ReliabilityBin>& bins) {
   std::vector<std::size_t> order(value.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::ranges::stable_sort(order, {}, [&](std::size_t i) { return value[i]; });
-  const std::size_t count = std::min(kBins, order.size());
+  const std::size_t count = std::min(kBinCount, order.size());
   for (std::size_t b = 0; b < count; ++b) {
     const std::size_t first = b * order.size() / count;
     const std::size_t end = (b + 1) * order.size() / count;

@@ -40,8 +40,8 @@ void require_independent(const Store& training, const Store& test, const std::st
                           "); simulate test scenarios with another --seed");
 }
 
-Split split_of(Store store) {
-  Split split;
+TrainTestSplit split_of(Store store) {
+  TrainTestSplit split;
   const std::size_t count = store.observations.size();
   split.header = std::move(store.header);
   for (Observation& observation : store.observations)
@@ -53,7 +53,7 @@ Split split_of(Store store) {
   return split;
 }
 
-Split split_of(Store training, Store test) {
+TrainTestSplit split_of(Store training, Store test) {
   for (const Store* store : {&training, &test})
     if (store->observations.size() < 2)
       throw Error("", "comparing needs at least 2 scenarios in either store and there are " +

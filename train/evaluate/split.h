@@ -16,7 +16,7 @@ constexpr bool is_held_out(std::uint64_t number) {
 }
 
 /// What selectors are fitted to, and what they are tried on.
-struct Split {
+struct TrainTestSplit {
   StoreHeader header;  ///< of the store that is fitted to
   std::vector<Observation> fitted;
   std::vector<Observation> tested;
@@ -29,10 +29,10 @@ struct Split {
 void require_independent(const Store& training, const Store& test, const std::string& path);
 
 /// Every fourth scenario is held out. Throws Error when fewer than two are.
-Split split_of(Store store);
+TrainTestSplit split_of(Store store);
 
 /// Fits to one store and tests on another, which require_independent() lets pass. Throws Error when
 /// either has fewer than two scenarios.
-Split split_of(Store training, Store test);
+TrainTestSplit split_of(Store training, Store test);
 
 }  // namespace flinch::train

@@ -12,12 +12,13 @@ namespace flinch::train {
 namespace {
 
 constexpr std::array kNoiseLevels{0.0, 0.02, 0.05, 0.1, 0.2};
-constexpr std::array<std::size_t, 7> kCurveSizes{500, 1000, 2000, 5000, 10'000, 20'000, 50'000};
+constexpr std::array<std::size_t, 7> kLearningCurveSizes{500,    1000,   2000,  5000,
+                                                         10'000, 20'000, 50'000};
 constexpr std::array kBrawns{0.0, 0.1, 0.3, 0.5};
 
 /// What choices are judged by.
-struct Judge {
-  Judge(const Split& split, const CostModel& cost_model)
+struct ChoiceScorer {
+  ChoiceScorer(const TrainTestSplit& split, const CostModel& cost_model)
       : observations(split.tested), labels(label(split.tested, cost_model)) {
     for (std::size_t i = 0; i < observations.size(); ++i) {
       idle_ns += cost_of_choice(observations, labels, i, split.header.idle);
@@ -29,7 +30,7 @@ struct Judge {
 
   /// Sets the row's regret and protection.
   template <class Row>
-  Row judged(Row row, const Chooser& choose) const {
+  Row scored(Row row, const Chooser& choose) const {
     const double cost = mean_cost_ns(observations, labels, choose);
     row.regret_ns = cost - oracle_ns;
     row.protection = protection_of(idle_ns, cost, oracle_ns);
@@ -55,13 +56,13 @@ Training train(const StudyPlan& plan, Method method, std::size_t count) {
 
 features::FeatureVector with_noise(const models::Selector& selector, const Observation& observation,
                                    double level, std::uint64_t seed) {
-  features::Random random(seed, features::Purpose::noise, observation.number);
+  features::Random random(seed, features::RandomStream::noise, observation.number);
   features::FeatureVector noisy = observation.features;
   for (int i = 0; i < selector.layout.size(); ++i) {
     const auto k = static_cast<std::size_t>(i);
     const double normal = random.normal();
     if (selector.layout.name(i).starts_with("target_")) continue;
-    const double half_range = 0.5 * (selector.scaling.most[k] - selector.scaling.least[k]);
+    const double half_range = 0.5 * (selector.scaling.max[k] - selector.scaling.min[k]);
     noisy[k] += static_cast<float>(level * half_range * normal);
   }
   return noisy;
@@ -97,7 +98,7 @@ std::vector<MethodSummary> summaries_of(std::span<const FittedMethod> methods) {
 }
 
 std::vector<NoiseRow> noise_rows(const StudyPlan& plan, std::span<const FittedMethod> methods) {
-  const Judge judge(plan.split, plan.cost_model);
+  const ChoiceScorer scorer(plan.split, plan.cost_model);
   std::vector<NoiseRow> rows;
   for (const FittedMethod& fitted : methods) {
     const models::Selector& selector = fitted.training.selector;
@@ -107,39 +108,41 @@ std::vector<NoiseRow> noise_rows(const StudyPlan& plan, std::span<const FittedMe
                           observation.scenario.target);
       };
       rows.push_back(
-          judge.judged(NoiseRow{std::string(name_of(fitted.method)), level, 0, 0}, choose));
+          scorer.scored(NoiseRow{std::string(name_of(fitted.method)), level, 0, 0}, choose));
     }
   }
   return rows;
 }
 
-std::vector<CurveRow> curve_rows(const StudyPlan& plan, const Progress& progress) {
-  const Judge judge(plan.split, plan.cost_model);
+std::vector<LearningCurveRow> learning_curve_rows(const StudyPlan& plan,
+                                                  const ProgressCallback& progress) {
+  const ChoiceScorer scorer(plan.split, plan.cost_model);
   const std::size_t all = plan.split.fitted.size();
   std::vector<std::size_t> sizes;
-  for (const std::size_t size : kCurveSizes)
+  for (const std::size_t size : kLearningCurveSizes)
     if (size < all) sizes.push_back(size);
   sizes.push_back(all);
-  std::vector<CurveRow> rows;
+  std::vector<LearningCurveRow> rows;
   for (const Method method : plan.methods) {
     for (const std::size_t size : sizes) {
       const std::string name(name_of(method));
       progress(name + " of " + std::to_string(size) + " scenarios");
       const Training training = train(plan, method, size);
-      rows.push_back(judge.judged(CurveRow{name, size, 0, 0}, chooser_of(training.selector)));
+      rows.push_back(
+          scorer.scored(LearningCurveRow{name, size, 0, 0}, chooser_of(training.selector)));
     }
   }
   return rows;
 }
 
-std::vector<TransferRow> transfer_rows(const StudyPlan& plan, const Progress& progress) {
+std::vector<TransferRow> transfer_rows(const StudyPlan& plan, const ProgressCallback& progress) {
   std::vector<CostModel> models;
-  std::vector<Judge> judges;
-  judges.reserve(kBrawns.size());
+  std::vector<ChoiceScorer> scorers;
+  scorers.reserve(kBrawns.size());
   for (const double brawn : kBrawns) {
     models.push_back(plan.cost_model);
     models.back().brawn = brawn;
-    judges.emplace_back(plan.split, models.back());
+    scorers.emplace_back(plan.split, models.back());
   }
   std::vector<TransferRow> rows;
   for (const Method method : plan.methods) {
@@ -148,31 +151,31 @@ std::vector<TransferRow> transfer_rows(const StudyPlan& plan, const Progress& pr
       progress(name + " for brawn " + std::to_string(std::lround(100 * model.brawn)) + " %");
       const Training training =
           train_selector(plan.split.header, plan.split.fitted, model, method, plan.seed);
-      for (std::size_t i = 0; i < judges.size(); ++i) {
-        rows.push_back(judges[i].judged(TransferRow{name, model.brawn, kBrawns[i], 0, 0},
-                                        chooser_of(training.selector)));
+      for (std::size_t i = 0; i < scorers.size(); ++i) {
+        rows.push_back(scorers[i].scored(TransferRow{name, model.brawn, kBrawns[i], 0, 0},
+                                         chooser_of(training.selector)));
       }
     }
   }
   return rows;
 }
 
-std::vector<AblationRow> ablation_rows(const StudyPlan& plan, const Progress& progress) {
-  Split split = plan.split;
+std::vector<AblationRow> ablation_rows(const StudyPlan& plan, const ProgressCallback& progress) {
+  TrainTestSplit split = plan.split;
   std::vector<AblationRow> rows;
   for (const NamedLayout& named : ablated_layouts()) {
     derive_features(named.layout, split.header, split.fitted);
     derive_features(named.layout, split.header, split.tested);
     split.header.layout = named.layout;
-    const Judge judge(split, plan.cost_model);
+    const ChoiceScorer scorer(split, plan.cost_model);
     for (const Method method : plan.methods) {
       const std::string name(name_of(method));
       progress(name + " with " + named.name);
       const Training training =
           train_selector(split.header, split.fitted, plan.cost_model, method, plan.seed);
-      rows.push_back(judge.judged(AblationRow{name, named.name, named.layout.size(),
-                                              training.cross_validated_regret_ns, 0, 0},
-                                  chooser_of(training.selector)));
+      rows.push_back(scorer.scored(AblationRow{name, named.name, named.layout.size(),
+                                               training.cross_validated_regret_ns, 0, 0},
+                                   chooser_of(training.selector)));
     }
   }
   return rows;

@@ -20,14 +20,14 @@ std::vector<MethodSummary> summaries_of(std::span<const FittedMethod> methods);
 
 /// What a study needs of a split: the same in all of them.
 struct StudyPlan {
-  const Split& split;
+  const TrainTestSplit& split;
   const CostModel& cost_model;
   std::span<const Method> methods;
   std::uint64_t seed = 1;
 };
 
 /// Whom to tell what is being fitted: fits take long.
-using Progress = std::function<void(const std::string& what)>;
+using ProgressCallback = std::function<void(const std::string& what)>;
 
 /// A method with noise on the features that it is asked with.
 struct NoiseRow {
@@ -41,7 +41,7 @@ struct NoiseRow {
 std::vector<NoiseRow> noise_rows(const StudyPlan& plan, std::span<const FittedMethod> methods);
 
 /// A method fitted to the first so many scenarios.
-struct CurveRow {
+struct LearningCurveRow {
   std::string name;
   std::size_t fitted_count = 0;
   double regret_ns = 0;
@@ -49,7 +49,8 @@ struct CurveRow {
 };
 /// At 500, 1000, 2000, 5000, 10,000, 20,000 and 50,000 scenarios as far as there are so many, and
 /// at all. Parameters are chosen anew at each size.
-std::vector<CurveRow> curve_rows(const StudyPlan& plan, const Progress& progress);
+std::vector<LearningCurveRow> learning_curve_rows(const StudyPlan& plan,
+                                                  const ProgressCallback& progress);
 
 /// A method fitted for one brawn and judged for another.
 struct TransferRow {
@@ -60,7 +61,7 @@ struct TransferRow {
   double protection = 0;
 };
 /// Each of 0, 0.1, 0.3 and 0.5 against each.
-std::vector<TransferRow> transfer_rows(const StudyPlan& plan, const Progress& progress);
+std::vector<TransferRow> transfer_rows(const StudyPlan& plan, const ProgressCallback& progress);
 
 /// A method with other features.
 struct AblationRow {
@@ -72,6 +73,6 @@ struct AblationRow {
   double protection = 0;
 };
 /// Every feature set, and every set without each of its groups.
-std::vector<AblationRow> ablation_rows(const StudyPlan& plan, const Progress& progress);
+std::vector<AblationRow> ablation_rows(const StudyPlan& plan, const ProgressCallback& progress);
 
 }  // namespace flinch::train

@@ -8,8 +8,8 @@ namespace flinch::train {
 
 void derive_features(const features::Layout& layout, const StoreHeader& header,
                      std::span<Observation> observations) {
-  database::Library library;
-  const database::LoadStatus status = database::read_enclosed_library(header.library_file, library);
+  database::ClipLibrary library;
+  const database::LoadStatus status = database::read_embedded_library(header.library_file, library);
   if (status != database::LoadStatus::ok)
     throw Error("", std::string("the library in the store ") + database::message_of(status) +
                         "; simulate it again");

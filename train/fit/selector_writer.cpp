@@ -106,8 +106,8 @@ void store(FlatBufferBuilder& builder, const models::Selector& selector,
   for (const models::ClipSummary& clip : selector.clips) stored.push_back(store(builder, clip));
   const auto clips = builder.CreateVector(stored);
   const auto names = builder.CreateVectorOfStrings(selector.layout.names());
-  const auto least = builder.CreateVector(selector.scaling.least);
-  const auto most = builder.CreateVector(selector.scaling.most);
+  const auto least = builder.CreateVector(selector.scaling.min);
+  const auto most = builder.CreateVector(selector.scaling.max);
   std::vector<float> floats;
   for (const Eigen::Vector3f& centre : selector.target_centres) {
     floats.insert(floats.end(), centre.begin(), centre.end());
@@ -135,7 +135,7 @@ std::string selector_bytes(const models::Selector& selector,
   store(builder, selector, library_file);
   const std::string_view content(reinterpret_cast<const char*>(builder.GetBufferPointer()),
                                  builder.GetSize());
-  const auto seal = database::make_seal(database::kSelectorKind, bytes_of(content));
+  const auto seal = database::make_file_header(database::kSelectorFormat, bytes_of(content));
   std::string bytes(reinterpret_cast<const char*>(seal.data()), seal.size());
   bytes.append(content);
   models::Selector read;

@@ -18,7 +18,7 @@ namespace flinch::train {
 
 namespace {
 
-constexpr int kMostFolds = 5;
+constexpr int kMaxFolds = 5;
 
 /// What a method makes of a training set.
 struct Fitted {
@@ -27,10 +27,10 @@ struct Fitted {
   double mean_regret_ns = 0;
 };
 using Fit = Fitted (*)(const models::TrainingSet&, std::span<const int> folds,
-                       const models::Score& regret);
+                       const models::LossFunction& regret);
 
 Fitted fit_knn(const models::TrainingSet& set, std::span<const int> folds,
-               const models::Score& regret) {
+               const models::LossFunction& regret) {
   const auto chosen = models::choose_parameters(set, models::knn_grid(), folds, regret);
   const models::KnnParameters& parameters = chosen.parameters;
   const bool majority = parameters.vote == models::KnnVote::majority;
@@ -40,7 +40,7 @@ Fitted fit_knn(const models::TrainingSet& set, std::span<const int> folds,
 }
 
 Fitted fit_knn_cost(const models::TrainingSet& set, std::span<const int> folds,
-                    const models::Score& regret) {
+                    const models::LossFunction& regret) {
   const auto chosen = models::choose_parameters(set, models::knn_cost_grid(), folds, regret);
   return {models::fit_knn(set, chosen.parameters), {{"k", chosen.parameters.k}}, chosen.mean_score};
 }
@@ -48,28 +48,29 @@ Fitted fit_knn_cost(const models::TrainingSet& set, std::span<const int> folds,
 /// The parameters of models that take long to fit are chosen on 5000 observations at the most, and
 /// on as few folds as tell them apart.
 template <typename Parameters>
-models::Chosen<Parameters> choose_on_few(const models::TrainingSet& set,
-                                         const std::vector<Parameters>& grid,
-                                         std::span<const int> folds, const models::Score& regret) {
-  constexpr int kMost = 5000;
-  std::vector<int> few;
-  std::vector<int> folds_of_few;
-  const int step = 1 + (set.size() - 1) / kMost;
+models::TunedParameters<Parameters> choose_on_subset(const models::TrainingSet& set,
+                                                     const std::vector<Parameters>& grid,
+                                                     std::span<const int> folds,
+                                                     const models::LossFunction& regret) {
+  constexpr int kMaxTuningObservations = 5000;
+  std::vector<int> subset;
+  std::vector<int> subset_folds;
+  const int step = 1 + (set.size() - 1) / kMaxTuningObservations;
   for (int i = 0; i < set.size(); i += step) {
-    few.push_back(i);
-    folds_of_few.push_back(folds[static_cast<std::size_t>(i)]);
+    subset.push_back(i);
+    subset_folds.push_back(folds[static_cast<std::size_t>(i)]);
   }
-  const models::Score regret_of_few = [&](int observation, int clip) {
-    return regret(few[static_cast<std::size_t>(observation)], clip);
+  const models::LossFunction subset_regret = [&](int observation, int clip) {
+    return regret(subset[static_cast<std::size_t>(observation)], clip);
   };
-  return models::choose_parameters(models::subset(set, few), std::span<const Parameters>(grid),
-                                   models::enough_folds(folds_of_few), regret_of_few);
+  return models::choose_parameters(models::subset(set, subset), std::span<const Parameters>(grid),
+                                   models::limit_folds(subset_folds), subset_regret);
 }
 
 Fitted fit_svm_with(models::SvmKernel kernel, const models::TrainingSet& set,
-                    std::span<const int> folds, const models::Score& regret) {
+                    std::span<const int> folds, const models::LossFunction& regret) {
   const auto chosen =
-      choose_on_few(set, models::svm_grid(set.feature_count, kernel), folds, regret);
+      choose_on_subset(set, models::svm_grid(set.feature_count, kernel), folds, regret);
   const models::SvmParameters& parameters = chosen.parameters;
   std::vector<NamedValue> named;
   if (kernel == models::SvmKernel::polynomial) {
@@ -83,20 +84,20 @@ Fitted fit_svm_with(models::SvmKernel kernel, const models::TrainingSet& set,
 }
 
 Fitted fit_svm(const models::TrainingSet& set, std::span<const int> folds,
-               const models::Score& regret) {
+               const models::LossFunction& regret) {
   return fit_svm_with(models::SvmKernel::polynomial, set, folds, regret);
 }
 
 Fitted fit_svm_rbf(const models::TrainingSet& set, std::span<const int> folds,
-                   const models::Score& regret) {
+                   const models::LossFunction& regret) {
   return fit_svm_with(models::SvmKernel::rbf, set, folds, regret);
 }
 
 Fitted fit_network(const models::TrainingSet& set, std::span<const int> folds,
-                   const models::Score& regret) {
+                   const models::LossFunction& regret) {
   const models::NetworkParameters parameters;
   const auto validation =
-      models::validate_network(set, parameters, models::enough_folds(folds), regret);
+      models::validate_network(set, parameters, models::limit_folds(folds), regret);
   models::NetworkModel model = models::fit_network(set, parameters);
   model.variance_ns = static_cast<float>(validation.variance_ns);
   return {std::move(model),
@@ -108,8 +109,8 @@ Fitted fit_network(const models::TrainingSet& set, std::span<const int> folds,
 }
 
 Fitted fit_pairwise_cost(const models::TrainingSet& set, std::span<const int> folds,
-                         const models::Score& regret) {
-  const auto chosen = choose_on_few(set, models::pairwise_grid(), folds, regret);
+                         const models::LossFunction& regret) {
+  const auto chosen = choose_on_subset(set, models::pairwise_grid(), folds, regret);
   return {models::fit_pairwise(set, chosen.parameters),
           {{"c", chosen.parameters.c}, {"nearness", chosen.parameters.nearness}},
           chosen.mean_score};
@@ -121,7 +122,7 @@ struct MethodEntry {
   Fit fit;
 };
 // By rising method.
-constexpr std::array kEntries{
+constexpr std::array kMethodEntries{
     MethodEntry{Method::knn, "knn", fit_knn},
     MethodEntry{Method::svm, "svm", fit_svm},
     MethodEntry{Method::svm_rbf, "svm_rbf", fit_svm_rbf},
@@ -130,13 +131,13 @@ constexpr std::array kEntries{
     MethodEntry{Method::pairwise_cost, "pairwise_cost", fit_pairwise_cost},
 };
 constexpr auto kMethods = [] {
-  std::array<Method, kEntries.size()> methods{};
-  std::ranges::transform(kEntries, methods.begin(), &MethodEntry::method);
+  std::array<Method, kMethodEntries.size()> methods{};
+  std::ranges::transform(kMethodEntries, methods.begin(), &MethodEntry::method);
   return methods;
 }();
 
 const MethodEntry& entry_of(Method method) {
-  return kEntries[static_cast<std::size_t>(method)];
+  return kMethodEntries[static_cast<std::size_t>(method)];
 }
 
 std::string text_of(const NamedValue& parameter) {
@@ -162,8 +163,8 @@ std::string_view name_of(Method method) {
 }
 
 std::optional<Method> method_named(std::string_view name) {
-  const auto found = std::ranges::find(kEntries, name, &MethodEntry::name);
-  if (found == kEntries.end()) return std::nullopt;
+  const auto found = std::ranges::find(kMethodEntries, name, &MethodEntry::name);
+  if (found == kMethodEntries.end()) return std::nullopt;
   return found->method;
 }
 
@@ -189,8 +190,8 @@ Training train_selector(const StoreHeader& header, std::span<const Observation> 
 
   const models::TrainingSet set = make_training_set(header, observations, labels, selector.scaling);
   const std::vector<int> folds =
-      models::make_folds(set.label, std::min(kMostFolds, set.size()), seed);
-  const models::Score regret = [&](int observation, int chosen) {
+      models::assign_folds(set.label, std::min(kMaxFolds, set.size()), seed);
+  const models::LossFunction regret = [&](int observation, int chosen) {
     const auto i = static_cast<std::size_t>(observation);
     return cost_of_choice(observations, labels, i, chosen) -
            cost_of_choice(observations, labels, i, labels.clip[i]);

@@ -35,7 +35,7 @@ constexpr std::array<VulnerabilityProfile, 2> kProfiles{{
     {"uniform", uniform_vulnerability()},
 }};
 
-constexpr double kTieShare = 0.01;  // costs this near to the least are as good as it
+constexpr double kTieTolerance = 0.01;  // costs this near to the least are as good as it
 
 }  // namespace
 
@@ -75,7 +75,7 @@ std::size_t best_trial(std::span<const Trial> trials, std::span<const double> co
   const double least = *std::min_element(costs.begin(), costs.end());
   std::size_t best = trials.size();
   for (std::size_t i = 0; i < trials.size(); ++i) {
-    if (costs[i] > least * (1 + kTieShare)) continue;
+    if (costs[i] > least * (1 + kTieTolerance)) continue;
     if (best == trials.size() || std::tie(trials[i].work_j, trials[i].clip) <
                                      std::tie(trials[best].work_j, trials[best].clip))
       best = i;

@@ -11,12 +11,12 @@ namespace flinch::train {
 namespace {
 
 // Pixels of the drawing, and of what is kept free for titles.
-constexpr double kWidth = 640;
-constexpr double kHeight = 300;
-constexpr double kLeft = 60;
-constexpr double kRight = 130;
-constexpr double kTop = 12;
-constexpr double kBottom = 44;
+constexpr double kChartWidth = 640;
+constexpr double kChartHeight = 300;
+constexpr double kLeftMargin = 60;
+constexpr double kRightMargin = 130;
+constexpr double kTopMargin = 12;
+constexpr double kBottomMargin = 44;
 constexpr double kRowHeight = 24;
 constexpr double kNameWidth = 150;
 constexpr double kTickCount = 5;
@@ -81,14 +81,14 @@ std::string line(double x1, double y1, double x2, double y2, const char* style) 
 }
 
 std::string label(double x, double y, const std::string& text, const std::string& style) {
-  return "<text class='" + style + "' x='" + px(x) + "' y='" + px(y) + "'>" + escaped(text) +
+  return "<text class='" + style + "' x='" + px(x) + "' y='" + px(y) + "'>" + html_escaped(text) +
          "</text>";
 }
 
 std::string figure(const std::string& title, double height, const std::string& drawing) {
-  return "<figure><figcaption>" + escaped(title) + "</figcaption><svg role='img' aria-label='" +
-         escaped(title) + "' viewBox='0 0 " + px(kWidth) + ' ' + px(height) + "'>" + drawing +
-         "</svg></figure>\n";
+  return "<figure><figcaption>" + html_escaped(title) +
+         "</figcaption><svg role='img' aria-label='" + html_escaped(title) + "' viewBox='0 0 " +
+         px(kChartWidth) + ' ' + px(height) + "'>" + drawing + "</svg></figure>\n";
 }
 
 std::string axis_x(const Scale& scale, const std::vector<double>& ticks, double top, double bottom,
@@ -109,7 +109,7 @@ std::string axis_y(const Scale& scale, const std::vector<double>& ticks, double 
                label(left - 8, scale(tick) + 4, text_of(tick, 6), "tick end");
   }
   return drawing + "<text class='axis middle' transform='translate(14 " +
-         px((scale.from + scale.to) / 2) + ") rotate(-90)'>" + escaped(title) + "</text>";
+         px((scale.from + scale.to) / 2) + ") rotate(-90)'>" + html_escaped(title) + "</text>";
 }
 
 Scale fitted_scale(const Range& found, double from, double to, std::vector<double>& ticks) {
@@ -140,25 +140,25 @@ std::string end_labels(const std::vector<Series>& series, const Scale& y) {
       places.emplace_back(y(series[i].y.back()), i);
   std::ranges::sort(places);
   std::string drawing;
-  double least = kTop;
+  double least = kTopMargin;
   for (auto& [place, number] : places) {
     place = std::max(place, least);
     least = place + kLabelHeight;
   }
-  double most = kHeight - kBottom;
+  double most = kChartHeight - kBottomMargin;
   for (auto at = places.rbegin(); at != places.rend(); ++at) {
     at->first = std::min(at->first, most);
     most = at->first - kLabelHeight;
   }
   for (const auto& [place, number] : places)
-    drawing += label(kWidth - kRight + 8, place + 4, series[number].name,
+    drawing += label(kChartWidth - kRightMargin + 8, place + 4, series[number].name,
                      "name c" + std::to_string(number % 8));
   return drawing;
 }
 
 }  // namespace
 
-std::string escaped(const std::string& text) {
+std::string html_escaped(const std::string& text) {
   std::string result;
   for (const char c : text) {
     switch (c) {
@@ -194,21 +194,21 @@ std::string svg_of(const LineChart& chart) {
   }
   std::vector<double> ticks_x;
   std::vector<double> ticks_y;
-  const Scale y = fitted_scale(found_y, kHeight - kBottom, kTop, ticks_y);
-  Scale x = fitted_scale(found_x, kLeft, kWidth - kRight, ticks_x);
+  const Scale y = fitted_scale(found_y, kChartHeight - kBottomMargin, kTopMargin, ticks_y);
+  Scale x = fitted_scale(found_x, kLeftMargin, kChartWidth - kRightMargin, ticks_x);
   if (chart.logarithmic_x && found_x.least < found_x.most) {
     x.range = found_x;
     x.logarithmic = true;
     ticks_x = chart.series.front().x;
   }
-  std::string drawing = axis_y(y, ticks_y, kLeft, kWidth - kRight, chart.y_title) +
-                        axis_x(x, ticks_x, kTop, kHeight - kBottom, chart.x_title);
+  std::string drawing = axis_y(y, ticks_y, kLeftMargin, kChartWidth - kRightMargin, chart.y_title) +
+                        axis_x(x, ticks_x, kTopMargin, kChartHeight - kBottomMargin, chart.x_title);
   if (chart.diagonal) {
     drawing +=
         line(x(found_x.least), y(found_x.least), x(found_x.most), y(found_x.most), "diagonal");
   }
   for (std::size_t i = 0; i < chart.series.size(); ++i) drawing += drawn(chart.series[i], x, y, i);
-  return figure(chart.title, kHeight, drawing + end_labels(chart.series, y));
+  return figure(chart.title, kChartHeight, drawing + end_labels(chart.series, y));
 }
 
 std::string svg_of(const DotChart& chart) {
@@ -220,12 +220,12 @@ std::string svg_of(const DotChart& chart) {
     found.include(estimate.value);
   }
   std::vector<double> ticks;
-  const Scale x = fitted_scale(found, kNameWidth, kWidth - 60, ticks);
-  const double bottom = kTop + kRowHeight * static_cast<double>(chart.names.size());
-  std::string drawing = axis_x(x, ticks, kTop, bottom, chart.x_title);
+  const Scale x = fitted_scale(found, kNameWidth, kChartWidth - 60, ticks);
+  const double bottom = kTopMargin + kRowHeight * static_cast<double>(chart.names.size());
+  std::string drawing = axis_x(x, ticks, kTopMargin, bottom, chart.x_title);
   for (std::size_t i = 0; i < chart.names.size(); ++i) {
     const Estimate& estimate = chart.estimates[i];
-    const double middle = kTop + kRowHeight * (static_cast<double>(i) + 0.5);
+    const double middle = kTopMargin + kRowHeight * (static_cast<double>(i) + 0.5);
     drawing += label(kNameWidth - 10, middle + 4, chart.names[i], "name end");
     if (!std::isfinite(estimate.value)) continue;
     drawing +=
@@ -234,7 +234,7 @@ std::string svg_of(const DotChart& chart) {
         "'/>" +
         label(x(estimate.interval.high) + 8, middle + 4, text_of(estimate.value, 3), "tick");
   }
-  return figure(chart.title, bottom + kBottom, drawing);
+  return figure(chart.title, bottom + kBottomMargin, drawing);
 }
 
 std::string chart_style() {

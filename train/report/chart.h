@@ -42,6 +42,6 @@ std::string svg_of(const DotChart& chart);
 std::string chart_style();
 
 /// Text with what HTML would take for markup escaped.
-std::string escaped(const std::string& text);
+std::string html_escaped(const std::string& text);
 
 }  // namespace flinch::train

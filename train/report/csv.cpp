@@ -6,7 +6,7 @@
 
 namespace flinch::train {
 
-std::string exact(double value) {
+std::string exact_text(double value) {
   std::array<char, 32> text{};
   const auto end =
       std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, 17);

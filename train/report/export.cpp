@@ -20,7 +20,7 @@ std::string clip_costs(const StoreHeader& header, const Observation& observation
                        const std::vector<double>& costs) {
   std::vector<std::string> cells(header.clips.size());
   for (std::size_t i = 0; i < costs.size(); ++i)
-    cells[static_cast<std::size_t>(observation.trials[i].clip)] = exact(costs[i]);
+    cells[static_cast<std::size_t>(observation.trials[i].clip)] = exact_text(costs[i]);
   std::string text;
   for (const std::string& cell : cells) text += ',' + cell;
   return text;
@@ -30,13 +30,13 @@ std::string clip_costs(const StoreHeader& header, const Observation& observation
 
 std::string libsvm_text(const Store& store, const Labels& labels,
                         const features::Scaling& scaling) {
-  std::vector<double> scaled(scaling.least.size());
+  std::vector<double> scaled(scaling.min.size());
   std::string text;
   for (std::size_t i = 0; i < store.observations.size(); ++i) {
     scaling.apply(store.observations[i].features, scaled);
     text += std::to_string(labels.clip[i]);
     for (std::size_t k = 0; k < scaled.size(); ++k)
-      text += ' ' + std::to_string(k + 1) + ':' + exact(scaled[k]);
+      text += ' ' + std::to_string(k + 1) + ':' + exact_text(scaled[k]);
     text += '\n';
   }
   return text;
@@ -50,11 +50,11 @@ std::string csv_text(const Store& store, const Labels& labels) {
     text += std::to_string(observation.number) + ',' +
             std::string(motion::name_of(observation.scenario.target));
     for (int k = 0; k < store.header.layout.size(); ++k)
-      text += ',' + exact(double{observation.features[static_cast<std::size_t>(k)]});
+      text += ',' + exact_text(double{observation.features[static_cast<std::size_t>(k)]});
     text += ',' + std::to_string(label) + ',' +
             csv_cell(store.header.clips[static_cast<std::size_t>(label)].name) + ',' +
-            exact(cost_of_choice(store.observations, labels, i, label)) + ',' +
-            exact(cost_of_choice(store.observations, labels, i, store.header.idle)) +
+            exact_text(cost_of_choice(store.observations, labels, i, label)) + ',' +
+            exact_text(cost_of_choice(store.observations, labels, i, store.header.idle)) +
             clip_costs(store.header, observation, labels.cost[i]) + '\n';
   }
   return text;

@@ -76,7 +76,7 @@ Json document_of(const NoiseRow& row) {
           {"protection", row.protection}};
 }
 
-Json document_of(const CurveRow& row) {
+Json document_of(const LearningCurveRow& row) {
   return {{"name", row.name},
           {"scenarios_fitted", row.fitted_count},
           {"regret", row.regret_ns},
@@ -134,7 +134,7 @@ Json paired_document(const Evaluation& evaluation) {
 }
 
 std::string cell(const Json& value) {
-  if (value.is_number_float()) return exact(value.get<double>());
+  if (value.is_number_float()) return exact_text(value.get<double>());
   if (value.is_string()) return csv_cell(value.get<std::string>());
   return value.is_null() ? "" : value.dump();
 }
@@ -190,7 +190,7 @@ Json timing_document(const Evaluation& evaluation) {
   return list(evaluation.timing, [](const RowTiming& timing) { return document_of(timing); });
 }
 
-std::string scenarios_csv(const Split& split, const Evaluation& evaluation) {
+std::string scenarios_csv(const TrainTestSplit& split, const Evaluation& evaluation) {
   std::string text = "number,target,label";
   for (const EvaluationRow& row : evaluation.rows)
     text += ',' + row.name + "_clip," + row.name + "_cost_ns";
@@ -201,13 +201,13 @@ std::string scenarios_csv(const Split& split, const Evaluation& evaluation) {
             std::string(motion::name_of(observation.scenario.target)) + ',' +
             std::to_string(evaluation.labels.clip[i]);
     for (const EvaluationRow& row : evaluation.rows)
-      text += ',' + std::to_string(row.chosen[i]) + ',' + exact(row.cost_ns[i]);
+      text += ',' + std::to_string(row.chosen[i]) + ',' + exact_text(row.cost_ns[i]);
     text += '\n';
   }
   return text;
 }
 
-void write_report(const Report& report, const Split& split, const std::string& folder) {
+void write_report(const Report& report, const TrainTestSplit& split, const std::string& folder) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error) throw Error(folder, "cannot make the folder: " + error.message());

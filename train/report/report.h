@@ -27,7 +27,7 @@ struct Report {
   std::vector<GroupRow> groups;
   std::vector<ReliabilityBin> reliability;
   std::vector<NoiseRow> noise;
-  std::vector<CurveRow> curves;           ///< empty unless asked for
+  std::vector<LearningCurveRow> curves;   ///< empty unless asked for
   std::vector<TransferRow> transfer;      ///< empty unless asked for
   std::vector<AblationRow> ablation;      ///< empty unless asked for
   std::vector<PreventionRow> prevention;  ///< over all scenarios of the store that is fitted to
@@ -43,10 +43,10 @@ nlohmann::ordered_json timing_document(const Evaluation& evaluation);
 
 /// One line a tested scenario: number, target, label, and for each row the clip that it chose and
 /// what that cost.
-std::string scenarios_csv(const Split& split, const Evaluation& evaluation);
+std::string scenarios_csv(const TrainTestSplit& split, const Evaluation& evaluation);
 
 /// Writes report.json, timing.json, the page report.html, scenarios.csv and the data behind each
 /// chart into a folder, which is made if missing. Throws Error.
-void write_report(const Report& report, const Split& split, const std::string& folder);
+void write_report(const Report& report, const TrainTestSplit& split, const std::string& folder);
 
 }  // namespace flinch::train

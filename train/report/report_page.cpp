@@ -58,10 +58,11 @@ std::string table(const std::vector<std::string>& titles,
 std::string rows_table(const Report& report) {
   std::vector<std::vector<std::string>> rows;
   for (const EvaluationRow& row : report.evaluation.rows) {
-    rows.push_back({escaped(row.name), fixed(row.accuracy.value, 3), fixed(row.top_three.value, 3),
-                    fixed(row.mean_cost_ns.value, 3), fixed(row.mean_damage_ns.value, 3),
-                    fixed(row.regret_ns.value, 3), interval(row.regret_ns.interval, 3),
-                    fixed(row.protection.value, 3), interval(row.protection.interval, 3)});
+    rows.push_back({html_escaped(row.name), fixed(row.accuracy.value, 3),
+                    fixed(row.top_three.value, 3), fixed(row.mean_cost_ns.value, 3),
+                    fixed(row.mean_damage_ns.value, 3), fixed(row.regret_ns.value, 3),
+                    interval(row.regret_ns.interval, 3), fixed(row.protection.value, 3),
+                    interval(row.protection.interval, 3)});
   }
   return table({"selector", "accuracy", "top 3", "cost, N s", "damage, N s", "regret, N s", "95 %",
                 "protection", "95 %"},
@@ -72,9 +73,9 @@ std::string timing_table(const Report& report) {
   std::vector<std::vector<std::string>> rows;
   for (std::size_t i = 0; i < report.methods.size(); ++i) {
     const RowTiming& timing = report.evaluation.timing[i];
-    rows.push_back({escaped(timing.name), fixed(timing.median_us, 1), fixed(timing.p99_us, 1),
+    rows.push_back({html_escaped(timing.name), fixed(timing.median_us, 1), fixed(timing.p99_us, 1),
                     fixed(timing.fit_s, 1), fixed(static_cast<double>(timing.file_bytes) / 1024, 0),
-                    escaped(report.methods[i].parameters)});
+                    html_escaped(report.methods[i].parameters)});
   }
   return table({"selector", "median, µs", "p99, µs", "fit, s", "file, KiB", "chosen"}, rows);
 }
@@ -93,7 +94,7 @@ std::string groups_table(const Report& report) {
   const std::vector<EvaluationRow>& all = report.evaluation.rows;
   for (std::size_t i = 0; i + 1 < all.size(); ++i) {
     if (all[i].name == "random") continue;
-    titles.push_back(escaped(all[i].name));
+    titles.push_back(html_escaped(all[i].name));
     shown.push_back(i);
   }
   double most = 0;
@@ -112,13 +113,13 @@ std::string groups_table(const Report& report) {
 
 std::string ablation_table(const Report& report) {
   std::vector<std::string> titles{"features", "count"};
-  for (const MethodSummary& method : report.methods) titles.push_back(escaped(method.name));
+  for (const MethodSummary& method : report.methods) titles.push_back(html_escaped(method.name));
   double most = 0;
   for (const AblationRow& row : report.ablation) most = std::max(most, row.regret_ns);
   std::vector<std::vector<std::string>> rows;
   for (const AblationRow& row : report.ablation) {
-    if (rows.empty() || rows.back()[0] != escaped(row.features))
-      rows.push_back({escaped(row.features), std::to_string(row.feature_count)});
+    if (rows.empty() || rows.back()[0] != html_escaped(row.features))
+      rows.push_back({html_escaped(row.features), std::to_string(row.feature_count)});
     rows.back().push_back(heat_cell(row.regret_ns, most));
   }
   return table(titles, rows);
@@ -163,12 +164,12 @@ std::string charts(const Report& report) {
                   [](const EvaluationRow& row) { return row.protection; }));
   const auto protection = [](const auto& row) { return row.protection; };
   if (!report.curves.empty()) {
-    text += svg_of(
-        LineChart{"Learning curves", "scenarios fitted to", "protection", true, false,
-                  series_of(
-                      report.curves,
-                      [](const CurveRow& row) { return static_cast<double>(row.fitted_count); },
-                      protection)});
+    text += svg_of(LineChart{
+        "Learning curves", "scenarios fitted to", "protection", true, false,
+        series_of(
+            report.curves,
+            [](const LearningCurveRow& row) { return static_cast<double>(row.fitted_count); },
+            protection)});
   }
   if (!report.noise.empty()) {
     text += svg_of(
@@ -203,7 +204,7 @@ std::string summary(const Report& report) {
 }  // namespace
 
 std::string report_page(const Report& report) {
-  const std::string title = "Selectors of " + escaped(report.library) + ", compared";
+  const std::string title = "Selectors of " + html_escaped(report.library) + ", compared";
   std::string page = "<!doctype html>\n<html lang='en'><head><meta charset='utf-8'><title>" +
                      title + "</title><meta name='viewport' content='width=device-width'><style>" +
                      kStyle + chart_style() + "</style></head><body>\n<h1>" + title + "</h1>\n<p>" +

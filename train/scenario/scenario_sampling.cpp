@@ -32,48 +32,48 @@ double in_first_period(double time_s, double period_s) {
 
 }  // namespace
 
-int time_count(const ScenarioDistribution& distribution) {
-  const double range_s = distribution.most_time_to_impact_s - distribution.least_time_to_impact_s;
+int time_to_impact_count(const ScenarioDistribution& distribution) {
+  const double range_s = distribution.max_time_to_impact_s - distribution.min_time_to_impact_s;
   // The range is whole steps, but for rounding.
   return 1 + static_cast<int>(std::floor(range_s / distribution.time_to_impact_step_s + 1e-6));
 }
 
 float time_to_impact_s(const ScenarioDistribution& distribution, int time) {
-  return static_cast<float>(distribution.least_time_to_impact_s +
+  return static_cast<float>(distribution.min_time_to_impact_s +
                             time * distribution.time_to_impact_step_s);
 }
 
 features::CharacterState character_state_at(const ScenarioDistribution& distribution,
-                                            const motion::Motion& idle, GridPlace place) {
+                                            const motion::Motion& idle, GridCell cell) {
   const double period_s = idle_period_s(idle);
-  const double at_impact_s = place.character_state * period_s / distribution.character_states;
-  const double time_s = double{time_to_impact_s(distribution, place.time)};
+  const double at_impact_s = cell.idle_phase * period_s / distribution.idle_phase_count;
+  const double time_s = double{time_to_impact_s(distribution, cell.time)};
   features::CharacterState state;
   state.idle_time_s = static_cast<float>(in_first_period(at_impact_s - time_s, period_s));
   return state;
 }
 
-GridPlace place_of(const ScenarioDistribution& distribution, const motion::Motion& idle,
-                   const features::Scenario& scenario) {
+GridCell grid_cell_of(const ScenarioDistribution& distribution, const motion::Motion& idle,
+                      const features::Scenario& scenario) {
   const double time_s = double{scenario.time_to_impact_s};
   const double period_s = idle_period_s(idle);
-  GridPlace place;
-  place.time = static_cast<int>(std::lround((time_s - distribution.least_time_to_impact_s) /
-                                            distribution.time_to_impact_step_s));
+  GridCell cell;
+  cell.time = static_cast<int>(std::lround((time_s - distribution.min_time_to_impact_s) /
+                                           distribution.time_to_impact_step_s));
   if (period_s > 0) {
     const double at_impact_s = double{scenario.state.idle_time_s} + time_s;
-    place.character_state =
-        static_cast<int>(std::lround(at_impact_s / period_s * distribution.character_states)) %
-        distribution.character_states;
+    cell.idle_phase =
+        static_cast<int>(std::lround(at_impact_s / period_s * distribution.idle_phase_count)) %
+        distribution.idle_phase_count;
   }
-  return place;
+  return cell;
 }
 
 // Backwards from the impact the ball's height is z + v sin(e) t - g t^2 / 2, which is concave in t:
 // lowest at one of its ends, so only the start can be under the ground. It is not where
 // sin(e) >= (r - z + g t^2 / 2) / (v t).
-double least_feasible_elevation(double speed_mps, double time_to_impact_s, double radius_m,
-                                double impact_height_m) {
+double min_feasible_elevation(double speed_mps, double time_to_impact_s, double radius_m,
+                              double impact_height_m) {
   const double fall = 0.5 * double{features::kGravity} * time_to_impact_s * time_to_impact_s;
   const double sine = (radius_m - impact_height_m + fall) / (speed_mps * time_to_impact_s);
   return std::asin(std::clamp(sine, -1.0, 1.0));
@@ -85,7 +85,7 @@ features::FeatureVector described_features(const features::Layout& layout,
   features::Scenario scenario;
   scenario.target = threat.target;
   scenario.time_to_impact_s = threat.approach.time_to_impact_s;
-  scenario.threat = features::threat_from_approach(
+  scenario.threat = features::threat_from_description(
       threat.approach, centres[static_cast<std::size_t>(threat.target)], 0);
   return features::feature_vector(layout, scenario, centres);
 }
@@ -108,44 +108,44 @@ TargetCentres target_centres_in_character_frame(const motion::Skeleton& skeleton
                         motion::placed(centred, -motion::facing(pose), Eigen::Vector3f::Zero()));
 }
 
-features::Scenario sample_scenario(const database::Library& library,
+features::Scenario sample_scenario(const database::ClipLibrary& library,
                                    const motion::BodyModel& body_model,
                                    const ScenarioDistribution& distribution, std::uint64_t seed,
                                    std::uint64_t number) {
-  constexpr int kMostDraws = 10'000;
-  features::Random random(seed, features::Purpose::scenario, number);
+  constexpr int kMaxDraws = 10'000;
+  features::Random random(seed, features::RandomStream::scenario, number);
   const motion::Motion& idle = library.clips[static_cast<std::size_t>(library.idle)].motion;
 
   features::Scenario scenario;
   scenario.target = static_cast<motion::Target>(random.index(motion::kTargetCount));
-  GridPlace place;
-  place.character_state =
-      static_cast<int>(random.index(static_cast<std::uint64_t>(distribution.character_states)));
-  features::Approach approach;
+  GridCell cell;
+  cell.idle_phase =
+      static_cast<int>(random.index(static_cast<std::uint64_t>(distribution.idle_phase_count)));
+  features::ThreatDescription approach;
   approach.azimuth = static_cast<float>(random.uniform(-std::numbers::pi, std::numbers::pi));
   approach.radius = static_cast<float>(distribution.radius_m);
   approach.mass_kg = static_cast<float>(distribution.mass_kg);
   const Eigen::Vector3f offset = point_in_ball(distribution.aim_radius_m, random);
 
-  for (int draw = 0; draw < kMostDraws; ++draw) {
-    const double speed = random.uniform(distribution.least_speed_mps, distribution.most_speed_mps);
-    place.time =
-        static_cast<int>(random.index(static_cast<std::uint64_t>(time_count(distribution))));
-    scenario.time_to_impact_s = time_to_impact_s(distribution, place.time);
-    scenario.state = character_state_at(distribution, idle, place);
+  for (int draw = 0; draw < kMaxDraws; ++draw) {
+    const double speed = random.uniform(distribution.min_speed_mps, distribution.max_speed_mps);
+    cell.time = static_cast<int>(
+        random.index(static_cast<std::uint64_t>(time_to_impact_count(distribution))));
+    scenario.time_to_impact_s = time_to_impact_s(distribution, cell.time);
+    scenario.state = character_state_at(distribution, idle, cell);
     const double time = double{scenario.time_to_impact_s};
     const motion::Pose ahead = features::idle_pose(idle, scenario.state, scenario.time_to_impact_s);
     const Eigen::Vector3f aim = target_centres(library.character.skeleton, body_model,
                                                ahead)[static_cast<std::size_t>(scenario.target)] +
                                 offset;
     const double least =
-        std::max(distribution.least_elevation,
-                 least_feasible_elevation(speed, time, distribution.radius_m, aim.z()));
-    if (least > distribution.most_elevation) continue;
+        std::max(distribution.min_elevation,
+                 min_feasible_elevation(speed, time, distribution.radius_m, aim.z()));
+    if (least > distribution.max_elevation) continue;
     approach.speed_mps = static_cast<float>(speed);
     approach.time_to_impact_s = scenario.time_to_impact_s;
-    approach.elevation = static_cast<float>(random.uniform(least, distribution.most_elevation));
-    scenario.threat = features::threat_from_approach(approach, aim, scenario.state.facing);
+    approach.elevation = static_cast<float>(random.uniform(least, distribution.max_elevation));
+    scenario.threat = features::threat_from_description(approach, aim, scenario.state.facing);
     return scenario;
   }
   throw Error("",

@@ -18,41 +18,41 @@ namespace flinch::train {
 struct ScenarioDistribution {
   double radius_m = 0.105;
   double mass_kg = 0.27;
-  double least_speed_mps = 8;  ///< at the impact
-  double most_speed_mps = 30;
-  double least_elevation = -10 * std::numbers::pi / 180;  ///< at the impact
-  double most_elevation = 45 * std::numbers::pi / 180;
-  double least_time_to_impact_s = 0.25;
-  double most_time_to_impact_s = 1.2;
+  double min_speed_mps = 8;  ///< at the impact
+  double max_speed_mps = 30;
+  double min_elevation = -10 * std::numbers::pi / 180;  ///< at the impact
+  double max_elevation = 45 * std::numbers::pi / 180;
+  double min_time_to_impact_s = 0.25;
+  double max_time_to_impact_s = 1.2;
   /// Times to impact are the least and whole steps more, so that responses can be shared. Three
   /// frames at 60 Hz: a response that begins a step later has its frames where they were, seen from
   /// the impact.
   double time_to_impact_step_s = 0.05;
   /// In how many places of its way to and fro the idle clip can be at the predicted impact.
-  int character_states = 4;
+  int idle_phase_count = 4;
   /// Threats aim at a point drawn uniformly from a ball of this radius about the target's centre:
   /// about the half-width of a head or a thigh, so that some threats graze and some miss.
   double aim_radius_m = 0.1;
 };
 
 /// A place on the grid of what a response depends on beside its clip.
-struct GridPlace {
-  int character_state = 0;  ///< where the idle clip is at the predicted impact
-  int time = 0;             ///< steps of the time to impact above the least
-  auto operator<=>(const GridPlace&) const = default;
+struct GridCell {
+  int idle_phase = 0;  ///< where the idle clip is at the predicted impact
+  int time = 0;        ///< steps of the time to impact above the least
+  auto operator<=>(const GridCell&) const = default;
 };
 
 /// How many times to impact there are.
-int time_count(const ScenarioDistribution& distribution);
+int time_to_impact_count(const ScenarioDistribution& distribution);
 float time_to_impact_s(const ScenarioDistribution& distribution, int time);
 
 /// The character at perception, standing at the origin, from where the idle clip is at the impact.
 features::CharacterState character_state_at(const ScenarioDistribution& distribution,
-                                            const motion::Motion& idle, GridPlace place);
+                                            const motion::Motion& idle, GridCell cell);
 
 /// The place of a scenario that was drawn from this distribution.
-GridPlace place_of(const ScenarioDistribution& distribution, const motion::Motion& idle,
-                   const features::Scenario& scenario);
+GridCell grid_cell_of(const ScenarioDistribution& distribution, const motion::Motion& idle,
+                      const features::Scenario& scenario);
 
 /// A scenario drawn by number: target, place on the grid, azimuth, speed, elevation and aim point,
 /// each uniform over its range. The threat's centre comes to the aim point at `time_to_impact_s`,
@@ -63,22 +63,22 @@ GridPlace place_of(const ScenarioDistribution& distribution, const motion::Motio
 /// and time to impact are drawn again where there is no such part.
 ///
 /// The same arguments give the same bits. Throws Error if the distribution allows no threat.
-features::Scenario sample_scenario(const database::Library& library,
+features::Scenario sample_scenario(const database::ClipLibrary& library,
                                    const motion::BodyModel& body_model,
                                    const ScenarioDistribution& distribution, std::uint64_t seed,
                                    std::uint64_t number);
 
 /// The least elevation at the impact, radians, from which a threat that hits at `impact_height_m`
 /// was not below the ground at perception; pi/2 if it always was.
-double least_feasible_elevation(double speed_mps, double time_to_impact_s, double radius_m,
-                                double impact_height_m);
+double min_feasible_elevation(double speed_mps, double time_to_impact_s, double radius_m,
+                              double impact_height_m);
 
 using features::TargetCentres;
 
 /// A threat to one target of a character that stands still, as a person describes it.
 struct DescribedThreat {
   motion::Target target = motion::Target::head;
-  features::Approach approach;
+  features::ThreatDescription approach;
 };
 
 /// The features of a described threat: it comes to the target's centre (`centres`, in the frame of

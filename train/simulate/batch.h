@@ -27,7 +27,7 @@ struct SimulationCounts {
 struct PhaseTimes {
   double posing_s = 0;      ///< drawing scenarios
   double rehearsing_s = 0;  ///< simulating responses without a ball, and taking their work
-  double striking_s = 0;    ///< simulating what the ball does; unabridged, all of a simulation
+  double contact_s = 0;     ///< simulating what the ball does; unabridged, all of a simulation
   double writing_s = 0;     ///< into the store
 
   void add(const PhaseTimes& other);
@@ -43,7 +43,7 @@ struct BatchContext {
   CpuClock cpu_s = [] { return 0.0; };
   const std::atomic<bool>* stop = nullptr;  ///< when it becomes true the batch is given up
   /// Called on the calling thread now and then while it works: after each response's trials.
-  std::function<void()> attend = [] {};
+  std::function<void()> poll = [] {};
 };
 
 /// Scenarios that were simulated together.
@@ -58,7 +58,7 @@ struct Batch {
 /// The observations do not depend on how many threads there are, what is kept in `rehearsals`, or
 /// which scenarios are simulated together. Returns false, with `batch` unusable, when `stop` became
 /// true meanwhile. What a thread throws is thrown here.
-bool simulate_batch(const SimulationSubject& subject, Rehearsals& rehearsals, ScenarioRange range,
+bool simulate_batch(const SimulationSetup& setup, RehearsalCache& rehearsals, ScenarioRange range,
                     const BatchContext& context, Batch& batch);
 
 }  // namespace flinch::train

@@ -14,13 +14,13 @@ namespace {
 constexpr int kWriter = 0;
 /// How long one who has nothing to do sleeps between looks: nothing beside a range's second, and
 /// it leaves the processor to who can use it.
-constexpr std::chrono::milliseconds kPause(1);
+constexpr std::chrono::milliseconds kPollInterval(1);
 
-ScenarioRange next_assignment(Messenger& messenger) {
+ScenarioRange wait_for_assignment(Messenger& messenger) {
   for (;;) {
     if (const auto message = messenger.receive())
       return std::get<Assignment>(decode(message->bytes)).range;
-    std::this_thread::sleep_for(kPause);
+    std::this_thread::sleep_for(kPollInterval);
   }
 }
 
@@ -33,75 +33,75 @@ Overloaded(Cases...) -> Overloaded<Cases...>;
 
 }  // namespace
 
-Crew::Crew(Messenger& messenger, Work work, std::uint64_t run_hash)
+WorkerPool::WorkerPool(Messenger& messenger, Callbacks work, std::uint64_t run_hash)
     : messenger_(messenger),
-      work_(std::move(work)),
+      callbacks_(std::move(work)),
       run_hash_(run_hash),
-      helpers_(static_cast<std::size_t>(messenger.size())),
-      at_work_(messenger.size() - 1) {}
+      workers_(static_cast<std::size_t>(messenger.size())),
+      active_workers_(messenger.size() - 1) {}
 
-void Crew::attend() {
+void WorkerPool::poll() {
   while (const auto message = messenger_.receive()) answer(message->from, decode(message->bytes));
 }
 
-void Crew::wait() const {
-  std::this_thread::sleep_for(kPause);
+void WorkerPool::wait() const {
+  std::this_thread::sleep_for(kPollInterval);
 }
 
-void Crew::assign(int number) {
-  Helper& helper = helpers_[static_cast<std::size_t>(number)];
-  const auto range = work_.next(helper.threads);
-  if (!range) --at_work_;
-  helper.range = range.value_or(ScenarioRange{});
-  messenger_.send(number, encode(Assignment{helper.range}));
+void WorkerPool::assign(int number) {
+  Worker& worker = workers_[static_cast<std::size_t>(number)];
+  const auto range = callbacks_.next(worker.threads);
+  if (!range) --active_workers_;
+  worker.range = range.value_or(ScenarioRange{});
+  messenger_.send(number, encode(Assignment{worker.range}));
 }
 
-void Crew::answer(int number, const CrewMessage& message) {
-  Helper& helper = helpers_[static_cast<std::size_t>(number)];
+void WorkerPool::answer(int number, const WorkerMessage& message) {
+  Worker& worker = workers_[static_cast<std::size_t>(number)];
   const std::string name = "process " + std::to_string(number);
-  const auto ready = [&](const Ready& it) {
+  const auto ready = [&](const WorkRequest& it) {
     if (it.run_hash != run_hash_)
       throw Error("", name +
                           " simulates another library or distribution; give all the same files and "
                           "the same build");
-    helper.threads = static_cast<int>(it.threads);
+    worker.threads = static_cast<int>(it.threads);
     assign(number);
   };
-  const auto done = [&](const Done& it) {
-    work_.take(it);
+  const auto done = [&](const RangeResult& it) {
+    callbacks_.take(it);
     assign(number);
   };
-  const auto failed = [&](const Failed& it) { throw Error("", name + ": " + it.why); };
-  const auto stopped = [&](const Stopped&) {
-    work_.take_back(helper.range);
-    --at_work_;
+  const auto failed = [&](const WorkerFailure& it) { throw Error("", name + ": " + it.why); };
+  const auto stopped = [&](const WorkerStopped&) {
+    callbacks_.take_back(worker.range);
+    --active_workers_;
   };
   const auto assigned = [&](const Assignment&) { throw Error("", name + " gives orders"); };
   std::visit(Overloaded{ready, done, failed, stopped, assigned}, message);
 }
 
-void help(Messenger& messenger, std::uint64_t run_hash, int threads,
-          const std::function<std::optional<Done>(ScenarioRange)>& simulate) {
-  messenger.send(kWriter, encode(Ready{run_hash, static_cast<std::uint32_t>(threads)}));
-  for (ScenarioRange range = next_assignment(messenger); range.count > 0;
-       range = next_assignment(messenger)) {
-    std::optional<Done> done;
+void run_worker(Messenger& messenger, std::uint64_t run_hash, int threads,
+                const std::function<std::optional<RangeResult>(ScenarioRange)>& simulate) {
+  messenger.send(kWriter, encode(WorkRequest{run_hash, static_cast<std::uint32_t>(threads)}));
+  for (ScenarioRange range = wait_for_assignment(messenger); range.count > 0;
+       range = wait_for_assignment(messenger)) {
+    std::optional<RangeResult> done;
     try {
       done = simulate(range);
     } catch (const std::exception& error) {
-      messenger.send(kWriter, encode(Failed{error.what()}));
+      messenger.send(kWriter, encode(WorkerFailure{error.what()}));
       return;
     }
     if (!done) {
-      messenger.send(kWriter, encode(Stopped{}));
+      messenger.send(kWriter, encode(WorkerStopped{}));
       return;
     }
     messenger.send(kWriter, encode(*done));
   }
 }
 
-void tell_failure(Messenger& messenger, const std::string& why) {
-  messenger.send(kWriter, encode(Failed{why}));
+void report_failure(Messenger& messenger, const std::string& why) {
+  messenger.send(kWriter, encode(WorkerFailure{why}));
 }
 
 }  // namespace flinch::train

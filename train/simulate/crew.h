@@ -11,49 +11,49 @@
 
 namespace flinch::train {
 
-/// The helpers of a run as its writer, process 0, sees them. It answers them now and then while it
+/// The workers of a run as its writer, process 0, sees them. It answers them now and then while it
 /// simulates itself; none waits for another, so a slow one holds nobody up.
-class Crew {
+class WorkerPool {
  public:
   /// Where the work comes from and goes to.
-  struct Work {
+  struct Callbacks {
     std::function<std::optional<ScenarioRange>(int threads)> next;
-    std::function<void(const Done&)> take;
-    std::function<void(ScenarioRange)> take_back;  ///< of a helper that was interrupted
+    std::function<void(const RangeResult&)> take;
+    std::function<void(ScenarioRange)> take_back;  ///< of a worker that was interrupted
   };
 
   /// All must outlive this. Helpers that simulate anything but the run of this hash are refused.
-  Crew(Messenger& messenger, Work work, std::uint64_t run_hash);
+  WorkerPool(Messenger& messenger, Callbacks work, std::uint64_t run_hash);
 
-  /// Answers all that has arrived. Throws Error when a helper failed.
-  void attend();
+  /// Answers all that has arrived. Throws Error when a worker failed.
+  void poll();
   /// Sleeps a moment: for when there is nothing but answers to wait for.
   void wait() const;
-  /// Whether helpers are at work or have not yet asked for any.
-  bool is_at_work() const { return at_work_ > 0; }
+  /// Whether workers are at work or have not yet asked for any.
+  bool has_active_workers() const { return active_workers_ > 0; }
 
  private:
-  void answer(int number, const CrewMessage& message);
+  void answer(int number, const WorkerMessage& message);
   void assign(int number);
 
   Messenger& messenger_;
-  Work work_;
+  Callbacks callbacks_;
   std::uint64_t run_hash_;
-  struct Helper {
+  struct Worker {
     int threads = 1;
     ScenarioRange range;  ///< that it is at
   };
-  std::vector<Helper> helpers_;  ///< by process
-  int at_work_;
+  std::vector<Worker> workers_;  ///< by process
+  int active_workers_;
 };
 
-/// What a helper, a process other than 0, does: ranges as they are assigned until there are none.
+/// What a worker, a process other than 0, does: ranges as they are assigned until there are none.
 /// `simulate` gives nothing when it was interrupted. What it throws is told to the writer, not
 /// thrown.
-void help(Messenger& messenger, std::uint64_t run_hash, int threads,
-          const std::function<std::optional<Done>(ScenarioRange)>& simulate);
+void run_worker(Messenger& messenger, std::uint64_t run_hash, int threads,
+                const std::function<std::optional<RangeResult>(ScenarioRange)>& simulate);
 
-/// A helper could not even begin.
-void tell_failure(Messenger& messenger, const std::string& why);
+/// A worker could not even begin.
+void report_failure(Messenger& messenger, const std::string& why);
 
 }  // namespace flinch::train

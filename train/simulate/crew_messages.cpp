@@ -59,29 +59,29 @@ class Reader {
   std::span<const std::byte> bytes_;
 };
 
-void write(Writer& writer, const Ready& ready) {
+void write(Writer& writer, const WorkRequest& ready) {
   writer.put(ready.run_hash);
   writer.put(ready.threads);
 }
-void write(Writer& writer, const Done& done) {
+void write(Writer& writer, const RangeResult& done) {
   writer.put(done.range);
   writer.put(done.counts);
   writer.put(done.cpu);
   for (const auto& trials : done.trials) writer.put_sized(trials);
 }
-void write(Writer& writer, const Failed& failed) {
+void write(Writer& writer, const WorkerFailure& failed) {
   writer.put_sized(std::as_bytes(std::span(failed.why)));
 }
-void write(Writer&, const Stopped&) {}
+void write(Writer&, const WorkerStopped&) {}
 void write(Writer& writer, const Assignment& assignment) {
   writer.put(assignment.range);
 }
 
-void read(Reader& reader, Ready& ready) {
+void read(Reader& reader, WorkRequest& ready) {
   ready.run_hash = reader.take<std::uint64_t>();
   ready.threads = reader.take<std::uint32_t>();
 }
-void read(Reader& reader, Done& done) {
+void read(Reader& reader, RangeResult& done) {
   done.range = reader.take<ScenarioRange>();
   done.counts = reader.take<SimulationCounts>();
   done.cpu = reader.take<PhaseTimes>();
@@ -90,20 +90,20 @@ void read(Reader& reader, Done& done) {
     done.trials.emplace_back(trials.begin(), trials.end());
   }
 }
-void read(Reader& reader, Failed& failed) {
+void read(Reader& reader, WorkerFailure& failed) {
   const auto why = reader.take_sized();
   failed.why.assign(reinterpret_cast<const char*>(why.data()), why.size());
 }
-void read(Reader&, Stopped&) {}
+void read(Reader&, WorkerStopped&) {}
 void read(Reader& reader, Assignment& assignment) {
   assignment.range = reader.take<ScenarioRange>();
 }
 
 template <std::size_t kind = 0>
-CrewMessage read_kind(std::size_t wanted, Reader& reader) {
-  if constexpr (kind < std::variant_size_v<CrewMessage>) {
+WorkerMessage read_kind(std::size_t wanted, Reader& reader) {
+  if constexpr (kind < std::variant_size_v<WorkerMessage>) {
     if (kind != wanted) return read_kind<kind + 1>(wanted, reader);
-    std::variant_alternative_t<kind, CrewMessage> message;
+    std::variant_alternative_t<kind, WorkerMessage> message;
     read(reader, message);
     reader.require_end();
     return message;
@@ -114,14 +114,14 @@ CrewMessage read_kind(std::size_t wanted, Reader& reader) {
 
 }  // namespace
 
-std::vector<std::byte> encode(const CrewMessage& message) {
+std::vector<std::byte> encode(const WorkerMessage& message) {
   Writer writer;
   writer.put(static_cast<std::uint8_t>(message.index()));
   std::visit([&writer](const auto& content) { write(writer, content); }, message);
   return std::move(writer).bytes();
 }
 
-CrewMessage decode(std::span<const std::byte> bytes) {
+WorkerMessage decode(std::span<const std::byte> bytes) {
   Reader reader(bytes);
   return read_kind(reader.take<std::uint8_t>(), reader);
 }

@@ -29,7 +29,7 @@ class Messenger {
 };
 
 /// A run of one process.
-class NoMessenger : public Messenger {
+class SingleProcessMessenger : public Messenger {
  public:
   int rank() const override { return 0; }
   int size() const override { return 1; }

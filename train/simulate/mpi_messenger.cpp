@@ -106,19 +106,19 @@ class MpiMessenger : public Messenger {
 
 }  // namespace
 
-std::unique_ptr<Messenger> join_processes() {
+std::unique_ptr<Messenger> make_messenger() {
   if (launched_count() > 1) return std::make_unique<MpiMessenger>();
-  return std::make_unique<NoMessenger>();
+  return std::make_unique<SingleProcessMessenger>();
 }
 
 #else
 
-std::unique_ptr<Messenger> join_processes() {
+std::unique_ptr<Messenger> make_messenger() {
   if (launched_count() > 1)
     throw Error("",
                 "this flinch was built without MPI; install libopenmpi-dev and build it again, or "
                 "simulate ranges (--first) and merge them");
-  return std::make_unique<NoMessenger>();
+  return std::make_unique<SingleProcessMessenger>();
 }
 
 #endif

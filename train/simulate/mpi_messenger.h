@@ -13,6 +13,6 @@ namespace flinch::train {
 ///
 /// The processes of a run end together when each destroys its messenger. One that does so because
 /// of an exception leaves without them, and the launcher ends the others.
-std::unique_ptr<Messenger> join_processes();
+std::unique_ptr<Messenger> make_messenger();
 
 }  // namespace flinch::train

@@ -3,21 +3,21 @@
 
 namespace flinch::train {
 
-std::shared_ptr<const RehearsedResponse> Rehearsals::find(const ResponseKey& key) const {
+std::shared_ptr<const RehearsedResponse> RehearsalCache::find(const ResponseKey& key) const {
   const std::lock_guard lock(mutex_);
-  const auto found = kept_.find(key);
-  return found == kept_.end() ? nullptr : found->second;
+  const auto found = entries_.find(key);
+  return found == entries_.end() ? nullptr : found->second;
 }
 
-void Rehearsals::offer(std::shared_ptr<const RehearsedResponse> response) {
+void RehearsalCache::insert(std::shared_ptr<const RehearsedResponse> response) {
   const std::lock_guard lock(mutex_);
   const std::uint64_t bytes = response->byte_count();
-  if (bytes_ + bytes > most_bytes_) return;
+  if (bytes_ + bytes > max_bytes_) return;
   const ResponseKey key = response->key;
-  if (kept_.emplace(key, std::move(response)).second) bytes_ += bytes;
+  if (entries_.emplace(key, std::move(response)).second) bytes_ += bytes;
 }
 
-std::uint64_t Rehearsals::byte_count() const {
+std::uint64_t RehearsalCache::byte_count() const {
   const std::lock_guard lock(mutex_);
   return bytes_;
 }

@@ -14,21 +14,21 @@ namespace flinch::train {
 /// ones stay: all are asked for equally often and in the same order, so that making room for the
 /// last one would only drop the next. What is not kept is rehearsed again when it is asked for,
 /// with the same result.
-class Rehearsals {
+class RehearsalCache {
  public:
-  explicit Rehearsals(std::uint64_t most_bytes) : most_bytes_(most_bytes) {}
+  explicit RehearsalCache(std::uint64_t max_bytes) : max_bytes_(max_bytes) {}
 
   /// The kept one, or nothing. Any thread may ask.
   std::shared_ptr<const RehearsedResponse> find(const ResponseKey& key) const;
   /// Keeps one that is not there yet if there is room for it.
-  void offer(std::shared_ptr<const RehearsedResponse> response);
+  void insert(std::shared_ptr<const RehearsedResponse> response);
 
   std::uint64_t byte_count() const;
 
  private:
   mutable std::mutex mutex_;
-  std::map<ResponseKey, std::shared_ptr<const RehearsedResponse>> kept_;
-  std::uint64_t most_bytes_;
+  std::map<ResponseKey, std::shared_ptr<const RehearsedResponse>> entries_;
+  std::uint64_t max_bytes_;
   std::uint64_t bytes_ = 0;
 };
 

@@ -13,11 +13,12 @@ namespace flinch::train {
 /// Hands out the scenarios that a run still has to simulate, in ranges: small ones first, so that
 /// something is committed and known of the rate soon, then ones of a second or two of work, and
 /// small ones again as the end nears, so that nobody waits long for the last.
-class ScenarioRanges {
+class ScenarioScheduler {
  public:
   /// `missing` in the order to simulate in. `workers` processes will ask, and each range should be
-  /// of `most` scenarios for each of their threads.
-  ScenarioRanges(const std::vector<ScenarioRange>& missing, int workers, std::uint64_t most);
+  /// of `max_per_thread` scenarios for each of their threads.
+  ScenarioScheduler(const std::vector<ScenarioRange>& missing, int workers,
+                    std::uint64_t max_per_thread);
 
   /// The next range for a process of this many threads; nothing when all are handed out.
   std::optional<ScenarioRange> next(int threads);
@@ -27,8 +28,8 @@ class ScenarioRanges {
  private:
   std::deque<ScenarioRange> missing_;
   std::uint64_t workers_;
-  std::uint64_t most_;
-  std::uint64_t left_ = 0;
+  std::uint64_t max_per_thread_;
+  std::uint64_t remaining_ = 0;
   std::uint64_t handed_out_ = 0;
 };
 

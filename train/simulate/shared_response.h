@@ -15,7 +15,7 @@ namespace flinch::train {
 /// answered with the same motion, up to when it begins.
 struct ResponseKey {
   int clip = 0;
-  GridPlace place;
+  GridCell cell;
   auto operator<=>(const ResponseKey&) const = default;
 };
 
@@ -35,9 +35,9 @@ class SharedResponses {
   SharedResponses(const runtime::PreparedLibrary& library,
                   const ScenarioDistribution& distribution);
 
-  /// The response that answers at `place` with `clip`, an annotated or the idle one: at the same
+  /// The response that answers at `cell` with `clip`, an annotated or the idle one: at the same
   /// character state, to the soonest impact for which it is the same.
-  ResponseKey key_of(int clip, GridPlace place) const;
+  ResponseKey key_of(int clip, GridCell cell) const;
 
   /// How many different responses there are.
   std::size_t count() const;
@@ -45,12 +45,12 @@ class SharedResponses {
   std::size_t count_at(int time) const;
 
  private:
-  std::size_t index(int clip, int character_state) const;
+  std::size_t index(int clip, int idle_phase) const;
 
-  int character_states_;
+  int idle_phase_count_;
   /// The first time from which on all are the same; of each clip in each character state. Negative
   /// for clips that answer nothing.
-  std::vector<int> unhurried_;
+  std::vector<int> first_shared_time_;
 };
 
 }  // namespace flinch::train

@@ -21,9 +21,9 @@ namespace flinch::train {
 namespace {
 
 /// Scenarios that a thread simulates before they are committed: a second of work.
-constexpr std::uint64_t kBatch = 128;
+constexpr std::uint64_t kBatchPerThread = 128;
 /// The same where responses must be rehearsed anew for every batch, which should pay.
-constexpr std::uint64_t kBatchWithoutMemory = 1024;
+constexpr std::uint64_t kUncachedBatchPerThread = 1024;
 
 constexpr double degrees(double radians) {
   return radians * 180 / std::numbers::pi;
@@ -33,13 +33,12 @@ std::string describe(const ScenarioDistribution& distribution) {
   return nlohmann::ordered_json{
       {"radius_m", distribution.radius_m},
       {"mass_kg", distribution.mass_kg},
-      {"speed_mps", {distribution.least_speed_mps, distribution.most_speed_mps}},
+      {"speed_mps", {distribution.min_speed_mps, distribution.max_speed_mps}},
       {"elevation_degrees",
-       {degrees(distribution.least_elevation), degrees(distribution.most_elevation)}},
-      {"time_to_impact_s",
-       {distribution.least_time_to_impact_s, distribution.most_time_to_impact_s}},
+       {degrees(distribution.min_elevation), degrees(distribution.max_elevation)}},
+      {"time_to_impact_s", {distribution.min_time_to_impact_s, distribution.max_time_to_impact_s}},
       {"time_to_impact_step_s", distribution.time_to_impact_step_s},
-      {"character_states", distribution.character_states},
+      {"character_states", distribution.idle_phase_count},
       {"aim_radius_m", distribution.aim_radius_m}}
       .dump();
 }
@@ -55,14 +54,13 @@ std::string describe(const SimulationPlan& plan) {
 }
 
 /// About what all responses take, rehearsed: each as much in each second as idling does.
-std::uint64_t bytes_of_all_responses(const SimulationSubject& subject) {
-  const RehearsedResponse idle =
-      rehearse(subject, subject.responses.key_of(subject.library.idle, {}));
+std::uint64_t bytes_of_all_responses(const SimulationSetup& setup) {
+  const RehearsedResponse idle = rehearse(setup, setup.responses.key_of(setup.library.idle, {}));
   double seconds = 0;
-  for (int time = 0; time < time_count(subject.plan.distribution); ++time) {
+  for (int time = 0; time < time_to_impact_count(setup.plan.distribution); ++time) {
     const double performed_s =
-        double{time_to_impact_s(subject.plan.distribution, time)} + subject.plan.tail_s;
-    seconds += static_cast<double>(subject.responses.count_at(time)) * performed_s;
+        double{time_to_impact_s(setup.plan.distribution, time)} + setup.plan.tail_s;
+    seconds += static_cast<double>(setup.responses.count_at(time)) * performed_s;
   }
   return static_cast<std::uint64_t>(seconds / idle.rehearsal.duration_s() *
                                     static_cast<double>(idle.byte_count()));
@@ -77,21 +75,21 @@ std::uint64_t hash_of_run(const StoreHeader& header) {
 }
 
 /// Writes what was simulated, and tells how far it is.
-class Collector {
+class ResultWriter {
  public:
   /// Without a writer all is there, and nothing may be taken.
-  Collector(const SimulationSubject& subject, StoreWriter* writer, const SimulationRun& run)
-      : subject_(subject), writer_(writer), run_(run) {
-    progress_.of = run.wanted.count;
+  ResultWriter(const SimulationSetup& setup, StoreWriter* writer, const SimulationRun& run)
+      : setup_(setup), writer_(writer), run_(run) {
+    progress_.wanted = run.wanted.count;
     report();
   }
 
   void take(const Batch& batch) { write(batch.observations, batch.counts, batch.cpu); }
 
-  void take(const Done& done) {
+  void take(const RangeResult& done) {
     std::vector<Observation> observations;
     for (std::uint64_t i = 0; i < done.range.count; ++i) {
-      observations.push_back(pose_scenario(subject_, done.range.first + i));
+      observations.push_back(make_observation(setup_, done.range.first + i));
       observations.back().trials = decode_trials(done.trials[i]);
     }
     write(observations, done.counts, done.cpu);
@@ -113,7 +111,7 @@ class Collector {
     run_.report(progress_);
   }
 
-  const SimulationSubject& subject_;
+  const SimulationSetup& setup_;
   StoreWriter* writer_;
   const SimulationRun& run_;
   SimulationProgress progress_;
@@ -128,26 +126,26 @@ bool is_finished(const std::string& path, const StoreHeader& header, ScenarioRan
 
 }  // namespace
 
-StoreHeader make_store_header(const SimulationSubject& subject) {
-  const database::Library& library = subject.library;
+StoreHeader make_store_header(const SimulationSetup& setup) {
+  const database::ClipLibrary& library = setup.library;
   StoreHeader header;
   const std::string file = database::library_bytes(library);
   const auto bytes = std::as_bytes(std::span(file));
   header.library_file.assign(bytes.begin(), bytes.end());
-  header.library_hash = database::unseal(database::kLibraryKind, bytes).hash;
+  header.library_hash = database::verify_file(database::kLibraryFormat, bytes).hash;
   header.library_name = library.name;
-  header.seed = subject.plan.seed;
-  header.distribution = describe(subject.plan.distribution);
-  header.simulation = describe(subject.plan);
-  header.reference_impulse_ns = (1 + subject.plan.options.restitution) *
-                                subject.plan.distribution.mass_kg *
-                                subject.plan.distribution.most_speed_mps;
+  header.seed = setup.plan.seed;
+  header.distribution = describe(setup.plan.distribution);
+  header.simulation = describe(setup.plan);
+  header.reference_impulse_ns = (1 + setup.plan.options.restitution) *
+                                setup.plan.distribution.mass_kg *
+                                setup.plan.distribution.max_speed_mps;
   header.idle = library.idle;
   for (int clip = 0; clip < static_cast<int>(library.clips.size()); ++clip) {
     const motion::Clip& source = library.clips[static_cast<std::size_t>(clip)];
     const bool answers = source.purpose == motion::Purpose::anticipation && clip != library.idle;
     header.clips.push_back({source.name, answers ? source.annotation : std::nullopt});
-    header.clip_work_j.push_back(answers ? reference_work_j(subject, clip) : 0);
+    header.clip_work_j.push_back(answers ? reference_work_j(setup, clip) : 0);
   }
   header.reference_work_j = *std::ranges::max_element(header.clip_work_j);
   if (!(header.reference_work_j > 0))
@@ -156,32 +154,34 @@ StoreHeader make_store_header(const SimulationSubject& subject) {
                         "and import again");
   const motion::Motion& idle = library.clips[static_cast<std::size_t>(library.idle)].motion;
   header.idle_target_centres = target_centres_in_character_frame(
-      library.character.skeleton, subject.body_model, idle.poses.front());
+      library.character.skeleton, setup.body_model, idle.poses.front());
   return header;
 }
 
-MemoryPlan plan_memory(const SimulationSubject& subject, std::uint64_t most, int threads) {
+MemoryPlan plan_memory(const SimulationSetup& setup, std::uint64_t max_bytes, int threads) {
   // The program with a library of a few hundred clips; and a batch, a response that is being
   // rehearsed and a world, a thread. tests/bench measures them.
-  constexpr std::uint64_t kProgram = 64;
-  constexpr std::uint64_t kThread = 16;
-  constexpr int kMebi = 20;
+  constexpr std::uint64_t kProgramMebibytes = 64;
+  constexpr std::uint64_t kThreadMebibytes = 16;
+  constexpr int kMebibyteShift = 20;
   MemoryPlan plan;
-  plan.most = most;
-  plan.reserved = (kProgram + kThread * static_cast<std::uint64_t>(threads)) << kMebi;
-  if (most < plan.reserved)
-    throw Error("", std::to_string(most >> kMebi) + " MiB are too little memory for " +
-                        std::to_string(threads) + " threads; give at least --memory " +
-                        std::to_string(plan.reserved >> kMebi) + "M");
-  plan.response_count = subject.responses.count();
-  plan.all_responses = bytes_of_all_responses(subject);
+  plan.max_bytes = max_bytes;
+  plan.reserved_bytes = (kProgramMebibytes + kThreadMebibytes * static_cast<std::uint64_t>(threads))
+                        << kMebibyteShift;
+  if (max_bytes < plan.reserved_bytes)
+    throw Error("", std::to_string(max_bytes >> kMebibyteShift) +
+                        " MiB are too little memory for " + std::to_string(threads) +
+                        " threads; give at least --memory " +
+                        std::to_string(plan.reserved_bytes >> kMebibyteShift) + "M");
+  plan.response_count = setup.responses.count();
+  plan.all_response_bytes = bytes_of_all_responses(setup);
   return plan;
 }
 
-bool simulate_store(const SimulationSubject& subject, const std::string& path,
+bool simulate_store(const SimulationSetup& setup, const std::string& path,
                     const SimulationRun& run) {
-  const StoreHeader header = make_store_header(subject);
-  NoMessenger nobody;
+  const StoreHeader header = make_store_header(setup);
+  SingleProcessMessenger nobody;
   Messenger& messenger = run.messenger ? *run.messenger : nobody;
   std::optional<StoreWriter> writer;
   std::vector<ScenarioRange> missing;
@@ -189,26 +189,26 @@ bool simulate_store(const SimulationSubject& subject, const std::string& path,
     writer.emplace(path, header, run.wanted);
     missing = writer->missing();
   }
-  ScenarioRanges ranges(missing, messenger.size(),
-                        run.memory.keeps_all() ? kBatch : kBatchWithoutMemory);
-  Collector collector(subject, writer ? &*writer : nullptr, run);
-  Crew crew(messenger,
-            {[&](int threads) { return ranges.next(threads); },
-             [&](const Done& done) { collector.take(done); },
-             [&](ScenarioRange range) { ranges.put_back(range); }},
-            hash_of_run(header));
-  Rehearsals rehearsals(run.memory.for_responses());
+  ScenarioScheduler ranges(missing, messenger.size(),
+                           run.memory.keeps_all() ? kBatchPerThread : kUncachedBatchPerThread);
+  ResultWriter result_writer(setup, writer ? &*writer : nullptr, run);
+  WorkerPool pool(messenger,
+                  {[&](int threads) { return ranges.next(threads); },
+                   [&](const RangeResult& done) { result_writer.take(done); },
+                   [&](ScenarioRange range) { ranges.put_back(range); }},
+                  hash_of_run(header));
+  RehearsalCache rehearsals(run.memory.response_bytes());
   BatchContext context = run.batch;
-  context.attend = [&crew] { crew.attend(); };
+  context.poll = [&pool] { pool.poll(); };
   for (;;) {
     if (context.stop != nullptr && *context.stop) return false;
-    crew.attend();
+    pool.poll();
     if (const auto range = ranges.next(context.threads)) {
       Batch batch;
-      if (!simulate_batch(subject, rehearsals, *range, context, batch)) return false;
-      collector.take(batch);
-    } else if (crew.is_at_work()) {
-      crew.wait();
+      if (!simulate_batch(setup, rehearsals, *range, context, batch)) return false;
+      result_writer.take(batch);
+    } else if (pool.has_active_workers()) {
+      pool.wait();
     } else {
       break;
     }
@@ -217,17 +217,17 @@ bool simulate_store(const SimulationSubject& subject, const std::string& path,
   return true;
 }
 
-void help_simulate(const SimulationSubject& subject, const SimulationRun& run) {
-  Rehearsals rehearsals(run.memory.for_responses());
-  const auto simulate = [&](ScenarioRange range) -> std::optional<Done> {
+void run_simulation_worker(const SimulationSetup& setup, const SimulationRun& run) {
+  RehearsalCache rehearsals(run.memory.response_bytes());
+  const auto simulate = [&](ScenarioRange range) -> std::optional<RangeResult> {
     Batch batch;
-    if (!simulate_batch(subject, rehearsals, range, run.batch, batch)) return std::nullopt;
-    Done done{range, batch.counts, batch.cpu, {}};
+    if (!simulate_batch(setup, rehearsals, range, run.batch, batch)) return std::nullopt;
+    RangeResult done{range, batch.counts, batch.cpu, {}};
     for (const Observation& observation : batch.observations)
       done.trials.push_back(encode_trials(observation.trials));
     return done;
   };
-  help(*run.messenger, hash_of_run(make_store_header(subject)), run.batch.threads, simulate);
+  run_worker(*run.messenger, hash_of_run(make_store_header(setup)), run.batch.threads, simulate);
 }
 
 }  // namespace flinch::train

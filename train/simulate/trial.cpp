@@ -35,9 +35,9 @@ motion::Motion sampled(const runtime::Response& response, float rate_hz, double 
 
 /// Work from the first movement to the end of the way back. Idling costs nothing: it is what the
 /// character would do anyway.
-double response_work_j(const SimulationSubject& subject, const runtime::Response& response,
+double response_work_j(const SimulationSetup& setup, const runtime::Response& response,
                        const motion::Motion& motion) {
-  if (response.clip == subject.library.idle) return 0;
+  if (response.clip == setup.library.idle) return 0;
   const auto pose_number = [&motion](float time_s) {
     return std::min(static_cast<std::size_t>(std::max(time_s, 0.0F) * motion.rate_hz),
                     motion.poses.size() - 1);
@@ -45,35 +45,36 @@ double response_work_j(const SimulationSubject& subject, const runtime::Response
   motion::Motion moving;
   moving.rate_hz = motion.rate_hz;
   moving.poses.assign(
-      motion.poses.begin() + static_cast<std::ptrdiff_t>(pose_number(response.start_s)),
+      motion.poses.begin() + static_cast<std::ptrdiff_t>(pose_number(response.first_motion_s)),
       motion.poses.begin() +
           static_cast<std::ptrdiff_t>(pose_number(runtime::duration_s(response)) + 1));
-  return sum(sim::mechanical_work(subject.library.character, moving));
+  return sum(sim::mechanical_work(setup.library.character, moving));
 }
 
 /// A response as it is simulated.
-struct Performance {
+struct SimulatedMotion {
   motion::Motion motion;  ///< as far as it is simulated
   double simulated_s = 0;
   double work_j = 0;  ///< of all of it
 };
 
-Performance perform(const SimulationSubject& subject, const features::CharacterState& state,
-                    int clip, float time_to_impact_s) {
+SimulatedMotion make_simulated_motion(const SimulationSetup& setup,
+                                      const features::CharacterState& state, int clip,
+                                      float time_to_impact_s) {
   const runtime::Response response =
-      runtime::make_response(subject.prepared, state, clip, time_to_impact_s);
-  const float rate_hz = subject.library.rate_hz;
-  Performance performance;
-  performance.simulated_s = double{time_to_impact_s} + subject.plan.tail_s;
+      runtime::make_response(setup.prepared, state, clip, time_to_impact_s);
+  const float rate_hz = setup.library.rate_hz;
+  SimulatedMotion simulated_motion;
+  simulated_motion.simulated_s = double{time_to_impact_s} + setup.plan.tail_s;
   // Velocities on the way to the end take two more poses.
-  const double needed_s = performance.simulated_s + 2 / double{rate_hz};
-  performance.motion =
+  const double needed_s = simulated_motion.simulated_s + 2 / double{rate_hz};
+  simulated_motion.motion =
       sampled(response, rate_hz, std::max(needed_s, double{runtime::duration_s(response)}));
-  performance.work_j = response_work_j(subject, response, performance.motion);
-  std::vector<motion::Pose>& poses = performance.motion.poses;
+  simulated_motion.work_j = response_work_j(setup, response, simulated_motion.motion);
+  std::vector<motion::Pose>& poses = simulated_motion.motion.poses;
   poses.resize(std::min(poses.size(), interval_count(needed_s, rate_hz) + 1));
   poses.shrink_to_fit();
-  return performance;
+  return simulated_motion;
 }
 
 /// The ball `later_s` after perception.
@@ -95,8 +96,8 @@ TrialResult trial_result(int clip, double work_j, const sim::SimulationResult& s
 
 }  // namespace
 
-SimulationSubject::SimulationSubject(const database::Library& simulated,
-                                     const SimulationPlan& planned)
+SimulationSetup::SimulationSetup(const database::ClipLibrary& simulated,
+                                 const SimulationPlan& planned)
     : library(simulated),
       prepared(runtime::prepare(simulated)),
       plan(planned),
@@ -104,14 +105,14 @@ SimulationSubject::SimulationSubject(const database::Library& simulated,
       simulator(simulated.character, planned.options),
       responses(prepared, planned.distribution) {}
 
-Observation pose_scenario(const SimulationSubject& subject, std::uint64_t number) {
-  const database::Library& library = subject.library;
+Observation make_observation(const SimulationSetup& setup, std::uint64_t number) {
+  const database::ClipLibrary& library = setup.library;
   Observation observation;
   observation.number = number;
-  observation.scenario = sample_scenario(library, subject.body_model, subject.plan.distribution,
-                                         subject.plan.seed, number);
+  observation.scenario =
+      sample_scenario(library, setup.body_model, setup.plan.distribution, setup.plan.seed, number);
   observation.features =
-      features::to_vector(features::features_of(observation.scenario, subject.idle()));
+      features::to_vector(features::features_of(observation.scenario, setup.idle()));
   for (const int clip : clips_to_try(library, observation.scenario.target)) {
     Trial trial;
     trial.clip = clip;
@@ -120,7 +121,7 @@ Observation pose_scenario(const SimulationSubject& subject, std::uint64_t number
   return observation;
 }
 
-std::vector<int> clips_to_try(const database::Library& library, motion::Target threatened) {
+std::vector<int> clips_to_try(const database::ClipLibrary& library, motion::Target threatened) {
   std::vector<int> clips;
   for (int clip = 0; clip < static_cast<int>(library.clips.size()); ++clip) {
     const motion::Clip& candidate = library.clips[static_cast<std::size_t>(clip)];
@@ -131,47 +132,48 @@ std::vector<int> clips_to_try(const database::Library& library, motion::Target t
   return clips;
 }
 
-TrialResult try_unabridged(const SimulationSubject& subject, const features::Scenario& scenario,
+TrialResult try_unabridged(const SimulationSetup& setup, const features::Scenario& scenario,
                            int clip) {
-  const Performance performance = perform(subject, scenario.state, clip, scenario.time_to_impact_s);
-  const sim::Ball ball = ball_of(scenario.threat, 0, subject.plan.options.gravity_mps2);
+  const SimulatedMotion simulated_motion =
+      make_simulated_motion(setup, scenario.state, clip, scenario.time_to_impact_s);
+  const sim::Ball ball = ball_of(scenario.threat, 0, setup.plan.options.gravity_mps2);
   return trial_result(
-      clip, performance.work_j,
-      subject.simulator.simulate(performance.motion, &ball, performance.simulated_s));
+      clip, simulated_motion.work_j,
+      setup.simulator.simulate(simulated_motion.motion, &ball, simulated_motion.simulated_s));
 }
 
-Trial try_clip(const SimulationSubject& subject, const features::Scenario& scenario, int clip) {
-  return try_unabridged(subject, scenario, clip).trial;
+Trial try_clip(const SimulationSetup& setup, const features::Scenario& scenario, int clip) {
+  return try_unabridged(setup, scenario, clip).trial;
 }
 
-RehearsedResponse rehearse(const SimulationSubject& subject, const ResponseKey& key) {
-  const ScenarioDistribution& distribution = subject.plan.distribution;
-  const Performance performance =
-      perform(subject, character_state_at(distribution, subject.idle(), key.place), key.clip,
-              time_to_impact_s(distribution, key.place.time));
-  return {key, subject.simulator.rehearse(performance.motion, 0, performance.simulated_s),
-          static_cast<float>(performance.work_j)};
+RehearsedResponse rehearse(const SimulationSetup& setup, const ResponseKey& key) {
+  const ScenarioDistribution& distribution = setup.plan.distribution;
+  const SimulatedMotion simulated_motion =
+      make_simulated_motion(setup, character_state_at(distribution, setup.idle(), key.cell),
+                            key.clip, time_to_impact_s(distribution, key.cell.time));
+  return {key, setup.simulator.rehearse(simulated_motion.motion, 0, simulated_motion.simulated_s),
+          static_cast<float>(simulated_motion.work_j)};
 }
 
-TrialResult try_rehearsed(const SimulationSubject& subject, const features::Scenario& scenario,
+TrialResult try_rehearsed(const SimulationSetup& setup, const features::Scenario& scenario,
                           const RehearsedResponse& response) {
-  const float rehearsed_s = time_to_impact_s(subject.plan.distribution, response.key.place.time);
+  const float rehearsed_s = time_to_impact_s(setup.plan.distribution, response.key.cell.time);
   const double later_s = double{scenario.time_to_impact_s} - double{rehearsed_s};
-  const sim::Ball ball = ball_of(scenario.threat, later_s, subject.plan.options.gravity_mps2);
+  const sim::Ball ball = ball_of(scenario.threat, later_s, setup.plan.options.gravity_mps2);
   return trial_result(response.key.clip, double{response.work_j},
-                      subject.simulator.simulate(response.rehearsal, ball));
+                      setup.simulator.simulate(response.rehearsal, ball));
 }
 
-double reference_work_j(const SimulationSubject& subject, int clip) {
-  const auto& annotation = subject.library.clips[static_cast<std::size_t>(clip)].annotation;
-  if (clip == subject.library.idle || !annotation) return 0;
+double reference_work_j(const SimulationSetup& setup, int clip) {
+  const auto& annotation = setup.library.clips[static_cast<std::size_t>(clip)].annotation;
+  if (clip == setup.library.idle || !annotation) return 0;
   // With time enough to shift the weight, the clip plays unhurried.
-  constexpr float kTimeToShift = 0.5F;  // s
+  constexpr float kShiftTime_s = 0.5F;  // s
   const runtime::Response response =
-      runtime::make_response(subject.prepared, {}, clip, annotation->peak_s + kTimeToShift);
+      runtime::make_response(setup.prepared, {}, clip, annotation->peak_s + kShiftTime_s);
   const motion::Motion reference =
-      sampled(response, subject.library.rate_hz, double{runtime::duration_s(response)});
-  return response_work_j(subject, response, reference);
+      sampled(response, setup.library.rate_hz, double{runtime::duration_s(response)});
+  return response_work_j(setup, response, reference);
 }
 
 }  // namespace flinch::train

@@ -26,14 +26,14 @@ struct SimulationPlan {
 
 /// A library made ready for a plan: what is the same in every scenario. Refers to the library,
 /// which must outlive it and stay where it is.
-struct SimulationSubject {
-  SimulationSubject(const database::Library& simulated, const SimulationPlan& planned);
-  SimulationSubject(const SimulationSubject&) = delete;
-  SimulationSubject& operator=(const SimulationSubject&) = delete;
+struct SimulationSetup {
+  SimulationSetup(const database::ClipLibrary& simulated, const SimulationPlan& planned);
+  SimulationSetup(const SimulationSetup&) = delete;
+  SimulationSetup& operator=(const SimulationSetup&) = delete;
 
   const motion::Motion& idle() const { return prepared.idle(); }
 
-  const database::Library& library;
+  const database::ClipLibrary& library;
   runtime::PreparedLibrary prepared;
   SimulationPlan plan;
   motion::BodyModel body_model;
@@ -42,11 +42,11 @@ struct SimulationSubject {
 };
 
 /// Scenario `number` with its features, before any trial.
-Observation pose_scenario(const SimulationSubject& subject, std::uint64_t number);
+Observation make_observation(const SimulationSetup& setup, std::uint64_t number);
 
 /// The clips that are tried on a threat at this target: the allowed and the idle one, by rising
 /// index.
-std::vector<int> clips_to_try(const database::Library& library, motion::Target threatened);
+std::vector<int> clips_to_try(const database::ClipLibrary& library, motion::Target threatened);
 
 /// A trial with what its simulation found.
 struct TrialResult {
@@ -56,10 +56,10 @@ struct TrialResult {
 
 /// Simulates the response with one clip, from perception to the plan's tail after the predicted
 /// impact, and takes the work of the whole response.
-TrialResult try_unabridged(const SimulationSubject& subject, const features::Scenario& scenario,
+TrialResult try_unabridged(const SimulationSetup& setup, const features::Scenario& scenario,
                            int clip);
 /// The trial alone.
-Trial try_clip(const SimulationSubject& subject, const features::Scenario& scenario, int clip);
+Trial try_clip(const SimulationSetup& setup, const features::Scenario& scenario, int clip);
 
 /// A response that any threat may be tried on.
 struct RehearsedResponse {
@@ -70,15 +70,15 @@ struct RehearsedResponse {
   std::size_t byte_count() const { return sizeof *this + rehearsal.byte_count(); }
 };
 
-RehearsedResponse rehearse(const SimulationSubject& subject, const ResponseKey& key);
+RehearsedResponse rehearse(const SimulationSetup& setup, const ResponseKey& key);
 
 /// The trial of a scenario whose response with `response.key.clip` is the same as this from the
 /// impact. The threat is met where it is by the time that the rehearsed response begins.
-TrialResult try_rehearsed(const SimulationSubject& subject, const features::Scenario& scenario,
+TrialResult try_rehearsed(const SimulationSetup& setup, const features::Scenario& scenario,
                           const RehearsedResponse& response);
 
 /// Work of a clip's response as it is when there is all the time in the world, J: begun at once
 /// from the idle clip's start, played at its own rate. 0 for the idle clip.
-double reference_work_j(const SimulationSubject& subject, int clip);
+double reference_work_j(const SimulationSetup& setup, int clip);
 
 }  // namespace flinch::train

@@ -14,23 +14,23 @@ namespace flinch::train {
 namespace {
 
 /// Observations that are committed together: a few megabytes.
-constexpr std::size_t kBatch = 1024;
+constexpr std::size_t kCommitSize = 1024;
 
-struct Part {
+struct StorePart {
   std::string path;
   ScenarioRange range;
 };
 
 /// A store that is merged, open while its scenarios are at hand.
-struct Source {
-  explicit Source(const Part& merged) : part(merged), reader(merged.path) { advance(); }
+struct OpenStore {
+  explicit OpenStore(const StorePart& merged) : part(merged), reader(merged.path) { advance(); }
 
   void advance() {
     more = reader.next(observation);
     if (more != (left-- > 0)) throw Error(part.path, "changed while it was read; merge again");
   }
 
-  Part part;
+  StorePart part;
   StoreReader reader;
   std::uint64_t left = part.range.count;
   Observation observation;
@@ -39,8 +39,8 @@ struct Source {
 
 /// The stores by their first scenario, once they are known to fit together. `header` becomes that
 /// of the first path.
-std::vector<Part> parts_of(std::span<const std::string> paths, StoreHeader& header) {
-  std::vector<Part> parts;
+std::vector<StorePart> parts_of(std::span<const std::string> paths, StoreHeader& header) {
+  std::vector<StorePart> parts;
   for (const std::string& path : paths) {
     const StoreSummary store = summarise_store(path);
     if (store.observation_count == 0 || store.observation_count != store.range.count)
@@ -50,14 +50,14 @@ std::vector<Part> parts_of(std::span<const std::string> paths, StoreHeader& head
                      "merge stores of one run, as " + paths.front() + " is of another");
     parts.push_back({path, store.range});
   }
-  std::ranges::stable_sort(parts, {}, [](const Part& part) { return part.range.first; });
+  std::ranges::stable_sort(parts, {}, [](const StorePart& part) { return part.range.first; });
   return parts;
 }
 
 /// All scenarios of the parts. Throws Error for a gap between them.
-ScenarioRange joined(std::span<const Part> parts) {
+ScenarioRange merged_range(std::span<const StorePart> parts) {
   ScenarioRange range = parts.front().range;
-  for (const Part& part : parts) {
+  for (const StorePart& part : parts) {
     if (part.range.first > range.end()) {
       const ScenarioRange gap{range.end(), part.range.first - range.end()};
       throw Error(part.path, text_of(gap) +
@@ -71,21 +71,21 @@ ScenarioRange joined(std::span<const Part> parts) {
 }
 
 /// Appends what is missing in batches, and checks what is not.
-class Joiner {
+class StoreMerger {
  public:
-  Joiner(const std::string& out, const StoreHeader& header, ScenarioRange range)
+  StoreMerger(const std::string& out, const StoreHeader& header, ScenarioRange range)
       : writer_(out, header, range), missing_(writer_.missing()) {}
 
-  void take(const Source& source) {
-    while (!missing_.empty() && missing_.front().end() <= source.observation.number)
+  void take(const OpenStore& store) {
+    while (!missing_.empty() && missing_.front().end() <= store.observation.number)
       missing_.erase(missing_.begin());
-    if (missing_.empty() || source.observation.number < missing_.front().first) {
-      if (!writer_.holds(source.observation)) refuse(source, writer_.partial_path());
+    if (missing_.empty() || store.observation.number < missing_.front().first) {
+      if (!writer_.holds(store.observation)) refuse(store, writer_.partial_path());
       return;
     }
-    if (!batch_.empty() && batch_.back().number + 1 != source.observation.number) commit();
-    batch_.push_back(source.observation);
-    if (batch_.size() == kBatch) commit();
+    if (!batch_.empty() && batch_.back().number + 1 != store.observation.number) commit();
+    batch_.push_back(store.observation);
+    if (batch_.size() == kCommitSize) commit();
   }
 
   void finish() {
@@ -93,10 +93,10 @@ class Joiner {
     writer_.finish();
   }
 
-  [[noreturn]] static void refuse(const Source& source, const std::string& other) {
-    throw Error(source.part.path, "scenario " + std::to_string(source.observation.number) +
-                                      " is not as in " + other +
-                                      "; one of the two is wrong, leave it out or delete it");
+  [[noreturn]] static void refuse(const OpenStore& store, const std::string& other) {
+    throw Error(store.part.path, "scenario " + std::to_string(store.observation.number) +
+                                     " is not as in " + other +
+                                     "; one of the two is wrong, leave it out or delete it");
   }
 
  private:
@@ -114,21 +114,21 @@ class Joiner {
 
 void merge_stores(std::span<const std::string> paths, const std::string& out) {
   StoreHeader header;
-  const std::vector<Part> parts = parts_of(paths, header);
-  const ScenarioRange range = joined(parts);
-  Joiner joiner(out, header, range);
-  std::vector<Source> open;
+  const std::vector<StorePart> parts = parts_of(paths, header);
+  const ScenarioRange range = merged_range(parts);
+  StoreMerger merger(out, header, range);
+  std::vector<OpenStore> open;
   auto next = parts.begin();
   for (std::uint64_t number = range.first; number < range.end(); ++number) {
     for (; next != parts.end() && next->range.first == number; ++next) open.emplace_back(*next);
-    for (const Source& source : std::span(open).subspan(1))
-      if (!have_same_row(source.observation, open.front().observation))
-        Joiner::refuse(source, open.front().part.path);
-    joiner.take(open.front());
-    for (Source& source : open) source.advance();
-    std::erase_if(open, [](const Source& source) { return !source.more; });
+    for (const OpenStore& store : std::span(open).subspan(1))
+      if (!have_same_row(store.observation, open.front().observation))
+        StoreMerger::refuse(store, open.front().part.path);
+    merger.take(open.front());
+    for (OpenStore& store : open) store.advance();
+    std::erase_if(open, [](const OpenStore& store) { return !store.more; });
   }
-  joiner.finish();
+  merger.finish();
 }
 
 }  // namespace flinch::train

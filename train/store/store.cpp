@@ -40,7 +40,7 @@ Database open_for_reading(const std::string& path) {
 
 /// What idling looks like, which the features need.
 motion::Motion idle_of(const StoreHeader& header, const std::string& path) {
-  database::Library library;
+  database::ClipLibrary library;
   if (read_library(header.library_file, library) != database::LoadStatus::ok ||
       library.idle != header.idle)
     throw Error(path, kDamagedStore);

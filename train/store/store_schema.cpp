@@ -50,7 +50,8 @@ void read_library_file(Database& database, StoreHeader& header) {
     const std::span<const std::byte> bytes = row.blob(0);
     header.library_file.assign(bytes.begin(), bytes.end());
   }
-  const database::Unsealed file = database::unseal(database::kLibraryKind, header.library_file);
+  const database::VerifiedFile file =
+      database::verify_file(database::kLibraryFormat, header.library_file);
   if (file.status != database::LoadStatus::ok || file.hash != header.library_hash)
     throw Error(database.path(), kDamagedStore);
 }

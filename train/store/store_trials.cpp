@@ -15,12 +15,12 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "the trials are kept little-endian");
 
-constexpr int kHitBits = 5;  // 17 bodies need them
-constexpr int kHitMask = (1 << kHitBits) - 1;
-constexpr int kMostStep = (1 << (16 - kHitBits)) - 1;
+constexpr int kImpulseCountBits = 5;  // 17 bodies need them
+constexpr int kImpulseCountMask = (1 << kImpulseCountBits) - 1;
+constexpr int kMaxClipStep = (1 << (16 - kImpulseCountBits)) - 1;
 constexpr std::size_t kTrialBytes = sizeof(std::uint16_t) + sizeof(float);
-constexpr std::size_t kHitBytes = sizeof(std::uint8_t) + sizeof(float);
-static_assert(motion::kBodyCount <= kHitMask);
+constexpr std::size_t kImpulseBytes = sizeof(std::uint8_t) + sizeof(float);
+static_assert(motion::kBodyCount <= kImpulseCountMask);
 
 /// Only a positive zero takes no place.
 bool is_hit(float impulse) {
@@ -50,8 +50,9 @@ std::size_t trial_count(std::span<const std::byte> bytes) {
   std::size_t place = 0;
   while (place < bytes.size()) {
     if (bytes.size() - place < kTrialBytes) refuse();
-    const auto hits = static_cast<std::size_t>(value_at<std::uint16_t>(bytes, place) & kHitMask);
-    place += kTrialBytes + hits * kHitBytes;
+    const auto hits =
+        static_cast<std::size_t>(value_at<std::uint16_t>(bytes, place) & kImpulseCountMask);
+    place += kTrialBytes + hits * kImpulseBytes;
     ++count;
   }
   if (place != bytes.size()) refuse();
@@ -62,16 +63,16 @@ std::size_t trial_count(std::span<const std::byte> bytes) {
 
 std::vector<std::byte> encode_trials(std::span<const Trial> trials) {
   std::vector<std::byte> bytes;
-  bytes.reserve(trials.size() * (kTrialBytes + 2 * kHitBytes));
+  bytes.reserve(trials.size() * (kTrialBytes + 2 * kImpulseBytes));
   int before = -1;
   for (const Trial& trial : trials) {
     const int step = trial.clip - before;
-    if (step < 1 || step > kMostStep)
+    if (step < 1 || step > kMaxClipStep)
       throw Error("", "clip " + std::to_string(trial.clip) + " cannot be stored after clip " +
-                          std::to_string(before) + "; clips rise, by " + std::to_string(kMostStep) +
-                          " at the most");
+                          std::to_string(before) + "; clips rise, by " +
+                          std::to_string(kMaxClipStep) + " at the most");
     const auto hits = std::ranges::count_if(trial.impulse, is_hit);
-    put(bytes, static_cast<std::uint16_t>(step << kHitBits | static_cast<int>(hits)));
+    put(bytes, static_cast<std::uint16_t>(step << kImpulseCountBits | static_cast<int>(hits)));
     put(bytes, trial.work_j);
     for (const motion::Body body : motion::kBodies) {
       if (!is_hit(trial.impulse[body])) continue;
@@ -89,13 +90,13 @@ std::vector<Trial> decode_trials(std::span<const std::byte> bytes) {
   int clip = -1;
   for (Trial& trial : trials) {
     const int head = value_at<std::uint16_t>(bytes, place);
-    if (head >> kHitBits == 0) refuse();
-    clip += head >> kHitBits;
+    if (head >> kImpulseCountBits == 0) refuse();
+    clip += head >> kImpulseCountBits;
     trial.clip = clip;
     trial.work_j = value_at<float>(bytes, place + sizeof(std::uint16_t));
     place += kTrialBytes;
     int before = -1;
-    for (int hit = 0; hit < (head & kHitMask); ++hit, place += kHitBytes) {
+    for (int hit = 0; hit < (head & kImpulseCountMask); ++hit, place += kImpulseBytes) {
       const int body = value_at<std::uint8_t>(bytes, place);
       if (body <= before || body >= motion::kBodyCount) refuse();
       trial.impulse[static_cast<motion::Body>(body)] = value_at<float>(bytes, place + 1);

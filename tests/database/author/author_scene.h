@@ -14,14 +14,14 @@ using motion::degrees;
 using motion::radians;
 
 /// The default character at ease.
-struct Scene {
+struct AuthorScene {
   motion::Figure figure = motion::make_figure(motion::default_character());
   motion::Pose start = standing_pose(figure);
   motion::JointFrames frames = motion::forward_kinematics(figure.skeleton(), start);
 
   /// A threat 5 m away at the middle of a target, from an azimuth in degrees.
-  Danger danger(motion::Target target, float azimuth_deg, float height_m = 0) const {
-    Danger made;
+  AimedThreat threat(motion::Target target, float azimuth_deg, float height_m = 0) const {
+    AimedThreat made;
     made.target_point = motion::target_centre(figure.bodies, frames, target);
     const float azimuth = radians(azimuth_deg);
     made.position =

@@ -19,15 +19,15 @@ using motion::degrees;
 using motion::JointFrames;
 using motion::radians;
 using motion::Target;
-using test::Scene;
+using test::AuthorScene;
 
-const Library& default_library() {
-  static const Library library = authored_library(motion::default_character());
+const ClipLibrary& default_library() {
+  static const ClipLibrary library = authored_library(motion::default_character());
   return library;
 }
 
 TEST(AuthoredLibrary, AnswersEveryTargetFromEveryDirectionMildlyAndStrongly) {
-  const Library& library = default_library();
+  const ClipLibrary& library = default_library();
   EXPECT_GE(library.clips.size(), 110U);
   std::set<std::pair<int, int>> answered;
   std::set<int> degrees_of_targets;
@@ -47,8 +47,8 @@ TEST(AuthoredLibrary, CanBeWrittenAndHasTheSameBitsTwice) {
 }
 
 TEST(AuthoredLibrary, StartsEveryClipFromTheIdlePose) {
-  const Library& library = default_library();
-  const Scene scene;
+  const ClipLibrary& library = default_library();
+  const AuthorScene scene;
   const JointFrames idle = motion::forward_kinematics(
       scene.figure.skeleton(),
       library.clips[static_cast<std::size_t>(library.idle)].motion.poses[0]);
@@ -71,23 +71,23 @@ TEST(AuthoredLibrary, EveryClipKeepsAllBoundsOfQuality) {
 
 // A ball on a straight line at the middle of the idling figure's target, swept against every body
 // around the clip's peak.
-bool avoids_ball(const Scene& scene, const Clip& clip, float elevation, float speed_mps) {
+bool avoids_ball(const AuthorScene& scene, const Clip& clip, float elevation, float speed_mps) {
   const float azimuth = clip.annotation->direction;
   const Eigen::Vector3f from(std::cos(azimuth) * std::cos(elevation),
                              std::sin(azimuth) * std::cos(elevation), std::sin(elevation));
-  const Eigen::Vector3f aim =
+  const Eigen::Vector3f geometry =
       motion::target_centre(scene.figure.bodies, scene.frames, clip.annotation->target);
   for (float time = -0.12F; time < 0.12F; time += 0.005F) {
     const JointFrames frames = motion::forward_kinematics(
         scene.figure.skeleton(), motion::sample(clip.motion, clip.annotation->peak_s + time));
-    if (distance_to_body(scene.figure, frames, aim - speed_mps * time * from) < 0.105F)
+    if (distance_to_figure(scene.figure, frames, geometry - speed_mps * time * from) < 0.105F)
       return false;
   }
   return true;
 }
 
 TEST(AuthoredLibrary, AThirdOfTheClipsAvoidAWellAimedBall) {
-  const Scene scene;
+  const AuthorScene scene;
   int clips = 0;
   int avoiding = 0;
   for (const Clip& clip : default_library().clips) {
@@ -100,7 +100,7 @@ TEST(AuthoredLibrary, AThirdOfTheClipsAvoidAWellAimedBall) {
 }
 
 TEST(AuthoredLibrary, StartlesOnlyWhereAskedTo) {
-  const Library startled = authored_library(motion::default_character(), true);
+  const ClipLibrary startled = authored_library(motion::default_character(), true);
   ASSERT_EQ(startled.clips.size(), default_library().clips.size());
   for (std::size_t i = 0; i < startled.clips.size(); ++i) {
     const motion::Clip& clip = startled.clips[i];
@@ -124,7 +124,7 @@ TEST(AuthoredLibrary, WorksForOtherPeople) {
   for (const Person& person :
        {Person{1.2F, 25, motion::Sex::female, {}}, Person{1.63F, 58, motion::Sex::female, {}},
         Person{2.0F, 110, motion::Sex::male, long_legs}}) {
-    const Library library = authored_library(
+    const ClipLibrary library = authored_library(
         make_character(person.height_m, person.mass_kg, person.sex, person.proportions));
     EXPECT_NO_THROW(library_bytes(library));
     for (const ClipQuality& quality : measure_quality(library)) {

@@ -33,8 +33,8 @@ std::string error_of(const std::string& text) {
 }
 
 TEST(CharacterToml, AnEmptyFileIsTheDefaultCharacter) {
-  const motion::Character read = read_character(written(""));
-  const motion::Character mean = motion::default_character();
+  const motion::Physique read = read_character(written(""));
+  const motion::Physique mean = motion::default_character();
   for (Role role : motion::kRoles) {
     EXPECT_LT((read.skeleton.offset[role] - mean.skeleton.offset[role]).norm(), 1e-5F)
         << motion::name_of(role);
@@ -45,7 +45,7 @@ TEST(CharacterToml, AnEmptyFileIsTheDefaultCharacter) {
 }
 
 TEST(CharacterToml, HeightMassSexAndProportionsAreAsAsked) {
-  const motion::Character read = read_character(
+  const motion::Physique read = read_character(
       written("height_m = 1.62\nmass_kg = 58\nsex = \"female\"\n[proportions]\nlegs = 1.2\n"));
   EXPECT_NEAR(stature(read.skeleton), 1.62F, 1e-4F);
   EXPECT_EQ(read.mass_kg, 58);

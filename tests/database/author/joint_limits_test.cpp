@@ -11,6 +11,7 @@
 namespace flinch::database {
 namespace {
 
+using motion::clamp_to_limits;
 using motion::degrees;
 using motion::human_joint_limits;
 using motion::joint_angles;
@@ -19,10 +20,9 @@ using motion::JointLimits;
 using motion::limit_excess;
 using motion::radians;
 using motion::Role;
+using motion::rotation_about;
 using motion::rotation_of_angles;
 using motion::Side;
-using motion::turn_about;
-using motion::within_limits;
 
 Eigen::Vector3f angles_deg(std::string_view name, const motion::JointFrames& frames) {
   const JointLimits& limits = joint_limits_named(name);
@@ -31,7 +31,7 @@ Eigen::Vector3f angles_deg(std::string_view name, const motion::JointFrames& fra
 }
 
 motion::JointFrames frames_with_arm(const motion::ArmAngles& angles) {
-  const test::Scene scene;
+  const test::AuthorScene scene;
   motion::Pose pose = motion::rest_pose(scene.figure.skeleton());
   for (Side side : motion::kSides) set_arm(pose, side, angles);
   return motion::forward_kinematics(scene.figure.skeleton(), pose);
@@ -67,7 +67,7 @@ TEST(JointLimits, AllowWhatPeopleDoAndNotWhatTheyCannot) {
 TEST(JointLimits, AnElbowBendsOneWay) {
   const JointLimits& elbow = joint_limits_named("right_elbow");
   const auto bent = [](float angle) {
-    return turn_about(Eigen::Vector3f::UnitZ(), radians(angle));
+    return rotation_about(Eigen::Vector3f::UnitZ(), radians(angle));
   };
   EXPECT_EQ(limit_excess(elbow, bent(120)), 0);
   EXPECT_NEAR(degrees(limit_excess(elbow, bent(-45))), 40, 0.01);
@@ -80,7 +80,7 @@ TEST(JointLimits, AnglesGiveTheRotationBack) {
     for (int i = 0; i < 50; ++i) {
       Eigen::Vector3f angles;
       for (Eigen::Index axis = 0; axis < 3; ++axis) {
-        angles[axis] = limits.least[axis] + part(random) * (limits.most[axis] - limits.least[axis]);
+        angles[axis] = limits.min[axis] + part(random) * (limits.max[axis] - limits.min[axis]);
       }
       const Eigen::Quaternionf rotation = rotation_of_angles(limits, angles);
       EXPECT_LT((joint_angles(limits, rotation) - angles).norm(), 2e-3F) << limits.name;
@@ -97,7 +97,7 @@ TEST(JointLimits, ClampingEndsWithin) {
       const Eigen::Quaternionf any =
           Eigen::Quaternionf(normal(random), normal(random), normal(random), normal(random))
               .normalized();
-      EXPECT_LT(limit_excess(limits, within_limits(limits, any)), 5e-3F) << limits.name;
+      EXPECT_LT(limit_excess(limits, clamp_to_limits(limits, any)), 5e-3F) << limits.name;
     }
   }
 }

@@ -22,11 +22,11 @@ using motion::limit_excess;
 using motion::Pose;
 using motion::radians;
 using motion::Role;
+using motion::rotation_about;
 using motion::Side;
 using motion::Target;
-using motion::turn_about;
 using test::angle_about;
-using test::Scene;
+using test::AuthorScene;
 
 const Eigen::Vector3f kX = Eigen::Vector3f::UnitX();
 const Eigen::Vector3f kY = Eigen::Vector3f::UnitY();
@@ -54,10 +54,10 @@ void expect_angles(const SpineAngles& found, const SpineAngles& expected) {
 }
 
 TEST(RuleControls, AreSpeedAndSizeInTheirRangesAsTable31Says) {
-  Danger danger;
-  danger.speed_mps = 22.8F + 0.25F * (29.7F - 22.8F);
-  danger.radius_m = 0.033F + 0.75F * (0.2F - 0.033F);
-  const RuleControls controls = rule_controls(danger);
+  AimedThreat threat;
+  threat.speed_mps = 22.8F + 0.25F * (29.7F - 22.8F);
+  threat.radius_m = 0.033F + 0.75F * (0.2F - 0.033F);
+  const RuleControls controls = rule_controls(threat);
   EXPECT_NEAR(controls.lean, 0.25F, 1e-5);
   for (float control : {controls.turn, controls.recoil, controls.reach[0], controls.reach[1],
                         controls.swivel[0], controls.swivel[1]}) {
@@ -66,11 +66,11 @@ TEST(RuleControls, AreSpeedAndSizeInTheirRangesAsTable31Says) {
 }
 
 TEST(RuleControls, AreClampedBeyondTheirRanges) {
-  Danger danger;
-  danger.speed_mps = 100;
-  danger.radius_m = 0.001F;
-  EXPECT_EQ(rule_controls(danger).lean, 1);
-  EXPECT_EQ(rule_controls(danger).turn, 0);
+  AimedThreat threat;
+  threat.speed_mps = 100;
+  threat.radius_m = 0.001F;
+  EXPECT_EQ(rule_controls(threat).lean, 1);
+  EXPECT_EQ(rule_controls(threat).turn, 0);
 }
 
 TEST(LeanAway, TakesTable32sMaximaFromTheFront) {
@@ -117,7 +117,8 @@ TEST(TurnAway, ScalesAllAnglesByTheControl) {
 
 TEST(Recoil, RaisesBothClaviclesAlikeByTheMaxima) {
   const Pose pose = recoil(Pose(), 1);
-  const Eigen::Quaternionf expected = turn_about(kX, radians(35)) * turn_about(kY, radians(-25));
+  const Eigen::Quaternionf expected =
+      rotation_about(kX, radians(35)) * rotation_about(kY, radians(-25));
   EXPECT_LT(pose.rotation[Role::left_clavicle].angularDistance(expected), 1e-3);
   EXPECT_LT(pose.rotation[Role::right_clavicle].angularDistance(motion::mirrored(expected)), 1e-3);
 }
@@ -134,15 +135,15 @@ Eigen::Vector3f palm_of(const motion::Figure& figure, const JointFrames& frames,
 }
 
 TEST(Block, PutsBothPalmsBesideTheLineAtTheirReach) {
-  const Scene scene;
-  const Danger danger = scene.danger(Target::head, 10);
+  const AuthorScene scene;
+  const AimedThreat threat = scene.threat(Target::head, 10);
   RuleControls controls;
   controls.reach = {0.7F, 0.7F};
   controls.swivel = {0.5F, 0.5F};
-  Aim aim = aim_of(scene.figure, scene.start, danger);
-  aim.weights = {1, 0};
+  ThreatGeometry geometry = threat_geometry(scene.figure, scene.start, threat);
+  geometry.weights = {1, 0};
   Pose pose = scene.start;
-  block(scene.figure, scene.frames, aim, controls, pose);
+  block(scene.figure, scene.frames, geometry, controls, pose);
   const JointFrames frames = motion::forward_kinematics(scene.figure.skeleton(), pose);
 
   const float arm = 0.98F * limb_length(scene.figure.skeleton(), motion::Limb::left_arm);
@@ -151,25 +152,25 @@ TEST(Block, PutsBothPalmsBesideTheLineAtTheirReach) {
   const float reach = farthest + 0.7F * (0.3F - farthest);
   for (Side side : motion::kSides) {
     const Eigen::Vector3f palm = palm_of(scene.figure, frames, side);
-    const Eigen::Vector3f from_target = palm - danger.target_point;
-    const float along = from_target.dot(aim.to_threat);
+    const Eigen::Vector3f from_target = palm - threat.target_point;
+    const float along = from_target.dot(geometry.to_threat);
     EXPECT_GT(along, 0.1F);
-    EXPECT_NEAR((from_target - along * aim.to_threat).norm(), 0.25F * hand, 0.01F);
+    EXPECT_NEAR((from_target - along * geometry.to_threat).norm(), 0.25F * hand, 0.01F);
     const Role shoulder = side == Side::left ? Role::left_upper_arm : Role::right_upper_arm;
     EXPECT_NEAR((palm - frames.position[shoulder]).norm(), reach, 0.01F);
   }
 }
 
 TEST(Block, ReachesFartherForSmallThreats) {
-  const Scene scene;
-  const Danger danger = scene.danger(Target::head, 0);
-  const Aim aim = aim_of(scene.figure, scene.start, danger);
+  const AuthorScene scene;
+  const AimedThreat threat = scene.threat(Target::head, 0);
+  const ThreatGeometry geometry = threat_geometry(scene.figure, scene.start, threat);
   std::array<float, 2> distance{};
   for (std::size_t large = 0; large < 2; ++large) {
     RuleControls controls;
     controls.reach = {static_cast<float>(large), static_cast<float>(large)};
     Pose pose = scene.start;
-    block(scene.figure, scene.frames, aim, controls, pose);
+    block(scene.figure, scene.frames, geometry, controls, pose);
     const JointFrames frames = motion::forward_kinematics(scene.figure.skeleton(), pose);
     distance[large] =
         (palm_of(scene.figure, frames, Side::left) - frames.position[Role::left_upper_arm]).norm();
@@ -178,10 +179,11 @@ TEST(Block, ReachesFartherForSmallThreats) {
 }
 
 TEST(Block, PutsHandsBehindTheHeadForAThreatFromBehind) {
-  const Scene scene;
-  const Aim aim = aim_of(scene.figure, scene.start, scene.danger(Target::head, 180));
+  const AuthorScene scene;
+  const ThreatGeometry geometry =
+      threat_geometry(scene.figure, scene.start, scene.threat(Target::head, 180));
   Pose pose = scene.start;
-  block(scene.figure, scene.frames, aim, {}, pose);
+  block(scene.figure, scene.frames, geometry, {}, pose);
   const JointFrames frames = motion::forward_kinematics(scene.figure.skeleton(), pose);
   for (Side side : motion::kSides) {
     const Eigen::Vector3f palm = palm_of(scene.figure, frames, side);
@@ -191,19 +193,20 @@ TEST(Block, PutsHandsBehindTheHeadForAThreatFromBehind) {
 }
 
 TEST(ApplyRules, KeepsFeetInPlaceAndNeckAndArmsWithinHumanLimits) {
-  const Scene scene;
-  const motion::PerSide<motion::FootPlace> feet{foot_place(scene.frames, Side::left),
-                                                foot_place(scene.frames, Side::right)};
+  const AuthorScene scene;
+  const motion::PerSide<motion::FootPose> feet{foot_pose(scene.frames, Side::left),
+                                               foot_pose(scene.frames, Side::right)};
   for (float azimuth = -180; azimuth < 180; azimuth += 15) {
     for (Target target : {Target::head, Target::trunk, Target::pelvis}) {
-      const Danger danger = scene.danger(target, azimuth, 1);
+      const AimedThreat threat = scene.threat(target, azimuth, 1);
       const RuleControls controls{1, 1, 1, {0.8F, 0.8F}, {0.3F, 0.3F}};
-      const Pose pose = apply_rules(scene.figure, scene.start,
-                                    aim_of(scene.figure, scene.start, danger), controls, feet);
+      const Pose pose =
+          apply_rules(scene.figure, scene.start, threat_geometry(scene.figure, scene.start, threat),
+                      controls, feet);
       ASSERT_TRUE(test::is_finite(pose));
       const JointFrames frames = motion::forward_kinematics(scene.figure.skeleton(), pose);
       for (Side side : motion::kSides) {
-        EXPECT_LT((foot_place(frames, side).ankle - feet[index_of(side)].ankle).norm(), 1e-3F);
+        EXPECT_LT((foot_pose(frames, side).ankle - feet[index_of(side)].ankle).norm(), 1e-3F);
       }
       for (std::string_view name : {"neck", "trunk", "left_shoulder", "right_shoulder",
                                     "left_wrist", "right_wrist", "left_clavicle"}) {
@@ -218,8 +221,8 @@ TEST(ApplyRules, KeepsFeetInPlaceAndNeckAndArmsWithinHumanLimits) {
 
 // A fifth of the way: elbows from 18 degrees toward 150, head 0.4 of 50 degrees.
 TEST(Startle, FlinchesAFifthAndTurnsTheHeadTowardTheThreat) {
-  const Scene scene;
-  const Pose pose = startle(scene.figure, scene.start, scene.danger(Target::head, 50));
+  const AuthorScene scene;
+  const Pose pose = startle(scene.figure, scene.start, scene.threat(Target::head, 50));
   EXPECT_NEAR(angle_about(pose.rotation[Role::left_forearm], -kZ), 18 + 0.2F * (150 - 18), 0.1);
   const JointFrames frames = motion::forward_kinematics(scene.figure.skeleton(), pose);
   const Eigen::Vector3f forward = frames.orientation[Role::head] * kX;
@@ -227,18 +230,18 @@ TEST(Startle, FlinchesAFifthAndTurnsTheHeadTowardTheThreat) {
 }
 
 TEST(CheckDanger, RefusesWhatCannotBeAnswered) {
-  const Scene scene;
-  const Danger good = scene.danger(Target::head, 30);
-  EXPECT_NO_THROW(check_danger(scene.figure, scene.start, good));
-  Danger still = good;
+  const AuthorScene scene;
+  const AimedThreat good = scene.threat(Target::head, 30);
+  EXPECT_NO_THROW(check_threat(scene.figure, scene.start, good));
+  AimedThreat still = good;
   still.speed_mps = 0;
-  EXPECT_THROW(check_danger(scene.figure, scene.start, still), Error);
-  Danger nan = good;
+  EXPECT_THROW(check_threat(scene.figure, scene.start, still), Error);
+  AimedThreat nan = good;
   nan.position.x() = std::numeric_limits<float>::quiet_NaN();
-  EXPECT_THROW(check_danger(scene.figure, scene.start, nan), Error);
-  Danger inside = good;
+  EXPECT_THROW(check_threat(scene.figure, scene.start, nan), Error);
+  AimedThreat inside = good;
   inside.position = inside.target_point + Eigen::Vector3f(0.05F, 0, 0);
-  EXPECT_THROW(check_danger(scene.figure, scene.start, inside), Error);
+  EXPECT_THROW(check_threat(scene.figure, scene.start, inside), Error);
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ using motion::Pose;
 using motion::Role;
 using motion::Side;
 using motion::Target;
-using test::Scene;
+using test::AuthorScene;
 
 TEST(TimeToContact, IsEquation41) {
   EXPECT_NEAR(time_to_contact_s(0, 1), 1.0F, 1e-6);
@@ -26,9 +26,9 @@ TEST(TimeToContact, IsEquation41) {
   EXPECT_EQ(time_to_contact_s(2, 3), time_to_contact_s(1, 1));
 }
 
-Pose blocking_pose(const Scene& scene) {
+Pose blocking_pose(const AuthorScene& scene) {
   const RuleControls controls{0.3F, 0.2F, 0.3F, {0.2F, 0.2F}, {0.5F, 0.5F}};
-  return balanced_pose(scene.figure, scene.start, scene.danger(Target::trunk, 0), controls).pose;
+  return balanced_pose(scene.figure, scene.start, scene.threat(Target::trunk, 0), controls).pose;
 }
 
 float distance_to_line(const Eigen::Vector3f& from, const Eigen::Vector3f& to,
@@ -39,7 +39,7 @@ float distance_to_line(const Eigen::Vector3f& from, const Eigen::Vector3f& to,
 }
 
 TEST(Transition, KeepsFeetHandsNeckAndCentreOfMassOnTheirWays) {
-  const Scene scene;
+  const AuthorScene scene;
   const Transition transition = make_transition(scene.figure, scene.start, blocking_pose(scene));
   ASSERT_TRUE(transition.support);
   ASSERT_FALSE(transition.hand_swings[0] || transition.hand_swings[1]);
@@ -47,7 +47,7 @@ TEST(Transition, KeepsFeetHandsNeckAndCentreOfMassOnTheirWays) {
     const JointFrames frames =
         motion::forward_kinematics(scene.figure.skeleton(), pose_at(scene.figure, transition, s));
     for (Side side : motion::kSides) {
-      EXPECT_LT((foot_place(frames, side).ankle - foot_place(scene.frames, side).ankle).norm(),
+      EXPECT_LT((foot_pose(frames, side).ankle - foot_pose(scene.frames, side).ankle).norm(),
                 5e-4F);
     }
     for (Role role : {Role::left_hand, Role::right_hand}) {
@@ -69,7 +69,7 @@ TEST(Transition, KeepsFeetHandsNeckAndCentreOfMassOnTheirWays) {
 }
 
 TEST(Transition, BeginsAndEndsInItsPoses) {
-  const Scene scene;
+  const AuthorScene scene;
   const Pose to = blocking_pose(scene);
   const Transition transition = make_transition(scene.figure, scene.start, to);
   for (const auto& [s, pose] : {std::pair{0.0F, scene.start}, {1.0F, to}}) {
@@ -84,23 +84,23 @@ TEST(Transition, BeginsAndEndsInItsPoses) {
 }
 
 TEST(Transition, StepsWithOneFootAlwaysDown) {
-  const Scene scene;
+  const AuthorScene scene;
   const Transition transition = make_transition(
       scene.figure, scene.start, evasive_pose(scene.figure, scene.start, sidestep(0, -1, 1)));
   EXPECT_TRUE(transition.steps[0].moves && transition.steps[1].moves);
-  const float ground = foot_place(scene.frames, Side::left).ankle.z();
+  const float ground = foot_pose(scene.frames, Side::left).ankle.z();
   for (float s = 0; s <= 1; s += 0.02F) {
     const JointFrames frames =
         motion::forward_kinematics(scene.figure.skeleton(), pose_at(scene.figure, transition, s));
-    const float left = foot_place(frames, Side::left).ankle.z() - ground;
-    const float right = foot_place(frames, Side::right).ankle.z() - ground;
+    const float left = foot_pose(frames, Side::left).ankle.z() - ground;
+    const float right = foot_pose(frames, Side::right).ankle.z() - ground;
     EXPECT_LT(std::min(left, right), 1e-3F) << s;
     EXPECT_GT(std::min(left, right), -1e-3F) << s;
   }
 }
 
 TEST(ProtectiveMotion, ReachesThePoseInTimeHoldsItAndComesBack) {
-  const Scene scene;
+  const AuthorScene scene;
   const Pose sustained = blocking_pose(scene);
   ProtectiveTiming timing;
   timing.protect_s = 0.4F;
@@ -119,8 +119,8 @@ TEST(ProtectiveMotion, ReachesThePoseInTimeHoldsItAndComesBack) {
 }
 
 TEST(ProtectiveMotion, PassesThroughTheStartleAfterAnEighthOfASecond) {
-  const Scene scene;
-  const Pose startled = startle(scene.figure, scene.start, scene.danger(Target::head, 30));
+  const AuthorScene scene;
+  const Pose startled = startle(scene.figure, scene.start, scene.threat(Target::head, 30));
   ProtectiveTiming timing;
   timing.protect_s = 0.5F;
   const motion::Motion motion =
@@ -132,20 +132,20 @@ TEST(ProtectiveMotion, PassesThroughTheStartleAfterAnEighthOfASecond) {
 }
 
 TEST(ProtectivePoses, AreBuiltUponTheMotionAhead) {
-  const Scene scene;
+  const AuthorScene scene;
   motion::Motion walk;  // forward at 1 m/s
   walk.rate_hz = 120;
   for (int k = 0; k < 60; ++k) {
     walk.poses.push_back(scene.start);
     walk.poses.back().root_position.x() += static_cast<float>(k) / 120;
   }
-  const Danger danger = scene.danger(Target::head, 0);
+  const AimedThreat threat = scene.threat(Target::head, 0);
   const RuleControls controls{0.3F, 0.2F, 0.3F, {0.5F, 0.5F}, {0.5F, 0.5F}};
-  const ProtectivePoses poses = protective_poses(scene.figure, walk, 0.1F, danger, controls, true);
+  const ProtectivePoses poses = protective_poses(scene.figure, walk, 0.1F, threat, controls, true);
   EXPECT_NEAR(poses.start.root_position.x(), walk.poses[12].root_position.x(), 1e-4F);
   ASSERT_TRUE(poses.startled);
   EXPECT_NEAR(poses.startled->root_position.x(), walk.poses[22].root_position.x(), 1e-4F);
-  const Pose sustained = balanced_pose(scene.figure, walk.poses[32], danger, controls).pose;
+  const Pose sustained = balanced_pose(scene.figure, walk.poses[32], threat, controls).pose;
   EXPECT_LT((poses.sustained.pose.root_position - sustained.root_position).norm(), 0.01F);
 }
 

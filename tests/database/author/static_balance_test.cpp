@@ -16,28 +16,29 @@ using motion::Pose;
 using motion::radians;
 using motion::Side;
 using motion::Target;
-using test::Scene;
+using test::AuthorScene;
 
 const RuleControls kControls{0.5F, 0.4F, 0.5F, {0.5F, 0.5F}, {0.5F, 0.5F}};
 
-Pose rules_only(const Scene& scene, const Danger& danger, const RuleControls& controls) {
-  return apply_rules(scene.figure, scene.start, aim_of(scene.figure, scene.start, danger), controls,
-                     {foot_place(scene.frames, Side::left), foot_place(scene.frames, Side::right)});
+Pose rules_only(const AuthorScene& scene, const AimedThreat& threat, const RuleControls& controls) {
+  return apply_rules(scene.figure, scene.start, threat_geometry(scene.figure, scene.start, threat),
+                     controls,
+                     {foot_pose(scene.frames, Side::left), foot_pose(scene.frames, Side::right)});
 }
 
-Eigen::Vector2f centre_of(const Scene& scene, const Pose& pose) {
+Eigen::Vector2f centre_of(const AuthorScene& scene, const Pose& pose) {
   return motion::centre_of_mass(scene.figure.bodies,
                                 motion::forward_kinematics(scene.figure.skeleton(), pose))
       .head<2>();
 }
 
 TEST(StaticBalance, MovesTheCentreOfMassTenCentimetresTowardTheThreatWithFeetPlanted) {
-  const Scene scene;
+  const AuthorScene scene;
   for (float azimuth : {0.0F, 40.0F, 80.0F, 130.0F, 180.0F, -60.0F}) {
-    const Danger danger = scene.danger(Target::head, azimuth, 0.5F);
-    const BalancedPose balanced = balanced_pose(scene.figure, scene.start, danger, kControls);
+    const AimedThreat threat = scene.threat(Target::head, azimuth, 0.5F);
+    const BalancedPose balanced = balanced_pose(scene.figure, scene.start, threat, kControls);
     const Eigen::Vector2f moved =
-        centre_of(scene, balanced.pose) - centre_of(scene, rules_only(scene, danger, kControls));
+        centre_of(scene, balanced.pose) - centre_of(scene, rules_only(scene, threat, kControls));
     const Eigen::Vector2f toward(std::cos(radians(azimuth)), std::sin(radians(azimuth)));
     EXPECT_NEAR(moved.dot(toward), 0.1F, 0.025F) << azimuth;
     EXPECT_LT((moved - 0.1F * toward).norm(), 0.03F) << azimuth;
@@ -45,23 +46,23 @@ TEST(StaticBalance, MovesTheCentreOfMassTenCentimetresTowardTheThreatWithFeetPla
     EXPECT_GT(balanced.iterations, 0);
     const JointFrames frames = motion::forward_kinematics(scene.figure.skeleton(), balanced.pose);
     for (Side side : motion::kSides) {
-      EXPECT_LT((foot_place(frames, side).ankle - foot_place(scene.frames, side).ankle).norm(),
+      EXPECT_LT((foot_pose(frames, side).ankle - foot_pose(scene.frames, side).ankle).norm(),
                 2e-3F);
     }
   }
 }
 
 TEST(StaticBalance, EndsWithLessErrorThanItBeganWith) {
-  const Scene scene;
+  const AuthorScene scene;
   for (Target target : {Target::head, Target::trunk, Target::pelvis}) {
     for (float azimuth : {0.0F, 70.0F, -110.0F}) {
-      const Danger danger = scene.danger(target, azimuth, 0.5F);
-      const BalanceProblem problem(scene.figure, scene.start, danger, kControls, kBraceDistance);
+      const AimedThreat threat = scene.threat(target, azimuth, 0.5F);
+      const BalanceProblem problem(scene.figure, scene.start, threat, kControls, kBraceDistance);
       const Pose before = problem.pose_of({Eigen::Vector3f::Zero(), kControls});
       EXPECT_NEAR(problem.error_of(before).total(), kBraceDistance, 1e-4F);  // all else is right
-      const Pose after = balanced_pose(scene.figure, scene.start, danger, kControls).pose;
-      EXPECT_LT(problem.error_of(after, kRounding).total(),
-                0.95F * problem.error_of(before, kRounding).total())
+      const Pose after = balanced_pose(scene.figure, scene.start, threat, kControls).pose;
+      EXPECT_LT(problem.error_of(after, kSmoothing).total(),
+                0.95F * problem.error_of(before, kSmoothing).total())
           << motion::name_of(target) << " from " << azimuth;
     }
   }
@@ -69,8 +70,8 @@ TEST(StaticBalance, EndsWithLessErrorThanItBeganWith) {
 
 // Against the five-point stencil, whose error is of fourth order.
 TEST(StaticBalance, GradientIsThatOfTheError) {
-  const Scene scene;
-  const BalanceProblem problem(scene.figure, scene.start, scene.danger(Target::head, 35, 0.5F),
+  const AuthorScene scene;
+  const BalanceProblem problem(scene.figure, scene.start, scene.threat(Target::head, 35, 0.5F),
                                kControls, kBraceDistance);
   BalanceVariables variables{{0.05F, 0.03F, -0.02F}, kControls};
   variables.controls.lean = 0.6F;
@@ -81,7 +82,7 @@ TEST(StaticBalance, GradientIsThatOfTheError) {
     const auto error_at = [&](double offset) {
       std::array<float, 10> values = middle;
       values[i] += static_cast<float>(offset);
-      return double{problem.error_of(problem.pose_of(from_array(values)), kRounding).total()};
+      return double{problem.error_of(problem.pose_of(from_array(values)), kSmoothing).total()};
     };
     constexpr double kStep = 0.004;
     const double reference =
@@ -92,51 +93,50 @@ TEST(StaticBalance, GradientIsThatOfTheError) {
 }
 
 TEST(StaticBalance, TellsTheThreeCasesOfFigure310) {
-  const Scene scene;
-  const Danger danger = scene.danger(Target::head, 0);
-  EXPECT_EQ(balanced_pose(scene.figure, scene.start, danger, kControls, 0.02F).balance,
+  const AuthorScene scene;
+  const AimedThreat threat = scene.threat(Target::head, 0);
+  EXPECT_EQ(balanced_pose(scene.figure, scene.start, threat, kControls, 0.02F).balance,
             BalanceCase::balanced);
-  EXPECT_EQ(balanced_pose(scene.figure, scene.start, danger, kControls, 0.3F).balance,
+  EXPECT_EQ(balanced_pose(scene.figure, scene.start, threat, kControls, 0.3F).balance,
             BalanceCase::braced);
   Pose falling = scene.start;
   falling.root_position.x() -= 0.3F;
   falling.root_position.z() -= 0.1F;
-  falling =
-      with_feet(scene.figure.skeleton(), falling,
-                {foot_place(scene.frames, Side::left), foot_place(scene.frames, Side::right)});
-  EXPECT_EQ(balanced_pose(scene.figure, falling, danger, kControls, 0.02F).balance,
+  falling = with_feet(scene.figure.skeleton(), falling,
+                      {foot_pose(scene.frames, Side::left), foot_pose(scene.frames, Side::right)});
+  EXPECT_EQ(balanced_pose(scene.figure, falling, threat, kControls, 0.02F).balance,
             BalanceCase::beyond_balance);
 }
 
 TEST(StaticBalance, PutsARaisedFootDownAndLeavesOneThatCannotReach) {
-  const Scene scene;
-  const Danger danger = scene.danger(Target::head, 0);
-  motion::PerSide<motion::FootPlace> feet{foot_place(scene.frames, Side::left),
-                                          foot_place(scene.frames, Side::right)};
+  const AuthorScene scene;
+  const AimedThreat threat = scene.threat(Target::head, 0);
+  motion::PerSide<motion::FootPose> feet{foot_pose(scene.frames, Side::left),
+                                         foot_pose(scene.frames, Side::right)};
   feet[0].ankle.z() += 0.2F;
   const Pose raised = with_feet(scene.figure.skeleton(), scene.start, feet);
   const JointFrames down = motion::forward_kinematics(
-      scene.figure.skeleton(), balanced_pose(scene.figure, raised, danger, kControls).pose);
-  EXPECT_NEAR(foot_place(down, Side::left).ankle.z(),
-              foot_place(scene.frames, Side::left).ankle.z(), 1e-3F);
+      scene.figure.skeleton(), balanced_pose(scene.figure, raised, threat, kControls).pose);
+  EXPECT_NEAR(foot_pose(down, Side::left).ankle.z(), foot_pose(scene.frames, Side::left).ankle.z(),
+              1e-3F);
 
   Pose jumping = scene.start;
   jumping.root_position.z() += 0.5F;
-  const BalancedPose in_the_air = balanced_pose(scene.figure, jumping, danger, kControls);
+  const BalancedPose in_the_air = balanced_pose(scene.figure, jumping, threat, kControls);
   EXPECT_TRUE(test::is_finite(in_the_air.pose));
 }
 
 TEST(StaticBalance, IsTheSameBitsTwice) {
-  const Scene scene;
-  const Danger danger = scene.danger(Target::head, 25, 1);
-  const BalancedPose once = balanced_pose(scene.figure, scene.start, danger, kControls);
-  const BalancedPose twice = balanced_pose(scene.figure, scene.start, danger, kControls);
+  const AuthorScene scene;
+  const AimedThreat threat = scene.threat(Target::head, 25, 1);
+  const BalancedPose once = balanced_pose(scene.figure, scene.start, threat, kControls);
+  const BalancedPose twice = balanced_pose(scene.figure, scene.start, threat, kControls);
   EXPECT_EQ(to_array(once.variables), to_array(twice.variables));
 }
 
 TEST(StaticBalance, RefusesAStillThreat) {
-  const Scene scene;
-  Danger still = scene.danger(Target::head, 0);
+  const AuthorScene scene;
+  AimedThreat still = scene.threat(Target::head, 0);
   still.speed_mps = 0;
   EXPECT_THROW(balanced_pose(scene.figure, scene.start, still, kControls), Error);
 }

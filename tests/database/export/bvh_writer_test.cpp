@@ -52,7 +52,7 @@ double angle_between(const Eigen::Matrix3d& a, const Eigen::Matrix3d& b) {
   return 2 * std::asin(std::min(1.0, (a - b).norm() / std::sqrt(8)));
 }
 
-void expect_read_back(const motion::Character& character, const motion::Motion& motion,
+void expect_read_back(const motion::Physique& character, const motion::Motion& motion,
                       const std::string& what) {
   const Bvh bvh = parse_bvh(bvh_text(character, motion), "written.bvh");
   EXPECT_TRUE(bvh.warnings.empty());
@@ -60,7 +60,7 @@ void expect_read_back(const motion::Character& character, const motion::Motion& 
   ASSERT_EQ(static_cast<std::size_t>(bvh.frame_count), motion.poses.size());
   EXPECT_DOUBLE_EQ(bvh.frame_time_s, 1 / double{motion.rate_hz});
   double most_m = 0;
-  double most_angle = 0;
+  double max_angle = 0;
   for (int k = 0; k < bvh.frame_count; ++k) {
     const motion::JointFrames expected =
         forward_kinematics(character.skeleton, motion.poses[static_cast<std::size_t>(k)]);
@@ -71,22 +71,22 @@ void expect_read_back(const motion::Character& character, const motion::Motion& 
       most_m = std::max(most_m, (position - expected.position[role].cast<double>()).norm());
       const Eigen::Matrix3d turn =
           from_file() * found.orientation[joint].toRotationMatrix() * from_file().transpose();
-      most_angle = std::max(
-          most_angle,
+      max_angle = std::max(
+          max_angle,
           angle_between(turn, expected.orientation[role].cast<double>().toRotationMatrix()));
     }
   }
   // The bounds that are promised; what they come to is printed.
   EXPECT_LT(most_m, 1e-4) << what;
-  EXPECT_LT(most_angle / kDegree, 0.01) << what;
+  EXPECT_LT(max_angle / kDegree, 0.01) << what;
   std::printf("%s: read back to %.1e mm and %.1e degrees\n", what.c_str(), 1e3 * most_m,
-              most_angle / kDegree);
+              max_angle / kDegree);
 }
 
 TEST(BvhWriter, ReaderGivesBackRandomMotion) {
   std::mt19937 random(1);
   for (int round = 0; round < 20; ++round) {
-    motion::Character character = motion::default_character();
+    motion::Physique character = motion::default_character();
     character.skeleton = tests::with_crooked_bones(character.skeleton, random);
     motion::Motion motion;
     motion.rate_hz = tests::uniform(random, 10, 240);
@@ -96,7 +96,7 @@ TEST(BvhWriter, ReaderGivesBackRandomMotion) {
 }
 
 TEST(BvhWriter, ReaderGivesBackAuthoredMotion) {
-  const Library library = scenes::synthetic_library();
+  const ClipLibrary library = scenes::synthetic_library();
   for (const motion::Clip& clip : library.clips) {
     expect_read_back(library.character, clip.motion, clip.name);
   }
@@ -105,7 +105,7 @@ TEST(BvhWriter, ReaderGivesBackAuthoredMotion) {
 // Rotations whose middle angle, about the character's left, is a quarter turn or nearly so.
 TEST(BvhWriter, ReaderGivesBackMotionAtGimbalLock) {
   std::mt19937 random(2);
-  const motion::Character character = motion::default_character();
+  const motion::Physique character = motion::default_character();
   for (const double off : {0.0, 1e-9, 1e-7, 1e-6, 2e-6, 1e-5, 1e-4, 1e-3}) {
     motion::Motion motion;
     for (int k = 0; k < 30; ++k) {
@@ -125,7 +125,7 @@ TEST(BvhWriter, ReaderGivesBackMotionAtGimbalLock) {
 
 // The rate of the angles, where a somersault passes two locks and a spin goes round twice.
 TEST(BvhWriter, AnglesRunOnFromFrameToFrame) {
-  const motion::Character character = motion::default_character();
+  const motion::Physique character = motion::default_character();
   for (const Vector3f& axis : {Vector3f(0, 0, 1), Vector3f(0, 1, 0), Vector3f(1, 0, 0)}) {
     motion::Motion motion;
     for (int k = 0; k <= 144; ++k) {
@@ -149,7 +149,7 @@ TEST(BvhWriter, AnglesRunOnFromFrameToFrame) {
 }
 
 TEST(BvhWriter, RestFigureIsTheTPoseInCentimetresWithEndsAtItsTips) {
-  const motion::Character character = motion::default_character();
+  const motion::Physique character = motion::default_character();
   const motion::Skeleton& skeleton = character.skeleton;
   motion::Motion motion;
   motion.poses.push_back(motion::rest_pose(skeleton));
@@ -172,7 +172,7 @@ TEST(BvhWriter, RestFigureIsTheTPoseInCentimetresWithEndsAtItsTips) {
 }
 
 TEST(BvhWriter, ImportKnowsEveryRoleAndTheUnitsAndGivesTheSameMotion) {
-  const Library library = scenes::synthetic_library();
+  const ClipLibrary library = scenes::synthetic_library();
   const motion::Skeleton& skeleton = library.character.skeleton;
   const tests::TemporaryFolder folder;
   for (const std::string name : {"raise_hands", "turn_shoulder", "turn_shoulder_mirrored"}) {
@@ -187,7 +187,7 @@ TEST(BvhWriter, ImportKnowsEveryRoleAndTheUnitsAndGivesTheSameMotion) {
     EXPECT_EQ(report.up, UpAxis::y);
     for (const Role role : kRoles) EXPECT_EQ(report.joint_name[role], motion::name_of(role));
 
-    const Library imported = import_library({path}, std::nullopt).library;
+    const ClipLibrary imported = import_library({path}, std::nullopt).library;
     ASSERT_EQ(imported.clips.size(), 1U);
     const motion::Motion& found = imported.clips.front().motion;
     ASSERT_EQ(found.poses.size(), clip->motion.poses.size());
@@ -210,7 +210,7 @@ TEST(BvhWriter, ImportKnowsEveryRoleAndTheUnitsAndGivesTheSameMotion) {
 }
 
 TEST(BvhWriter, SameInputGivesTheSameTextInMemoryAndInTheFile) {
-  const Library library = scenes::synthetic_library();
+  const ClipLibrary library = scenes::synthetic_library();
   const std::string text = bvh_text(library.character, library.clips[1].motion);
   EXPECT_EQ(text, bvh_text(library.character, library.clips[1].motion));
   const tests::TemporaryFolder folder;
@@ -219,7 +219,7 @@ TEST(BvhWriter, SameInputGivesTheSameTextInMemoryAndInTheFile) {
 }
 
 TEST(BvhWriter, NoZeroHasASign) {
-  const motion::Character character = motion::default_character();
+  const motion::Physique character = motion::default_character();
   motion::Motion motion;
   motion.poses.push_back(motion::rest_pose(character.skeleton));
   motion.poses[0].root_position.x() = -1e-9F;
@@ -228,9 +228,9 @@ TEST(BvhWriter, NoZeroHasASign) {
 }
 
 TEST(BvhWriter, RefusesWhatItCannotWriteAndLeavesNoFile) {
-  const motion::Character character = motion::default_character();
+  const motion::Physique character = motion::default_character();
   const tests::TemporaryFolder folder;
-  const auto refusal = [&](const motion::Character& who, const motion::Motion& what) {
+  const auto refusal = [&](const motion::Physique& who, const motion::Motion& what) {
     return error_of([&] { write_bvh(folder / "refused.bvh", who, what); });
   };
   motion::Motion motion;
@@ -242,7 +242,7 @@ TEST(BvhWriter, RefusesWhatItCannotWriteAndLeavesNoFile) {
   motion.poses[0].rotation[Role::neck].x() = std::numeric_limits<float>::infinity();
   EXPECT_THAT(refusal(character, motion), HasSubstr("pose 0 of the motion"));
   motion.poses[0] = motion::rest_pose(character.skeleton);
-  motion::Character nobody = character;
+  motion::Physique nobody = character;
   nobody.mass_kg = 0;
   EXPECT_THAT(refusal(nobody, motion), HasSubstr("mass"));
   EXPECT_TRUE(std::filesystem::is_empty(folder.path()));

@@ -44,8 +44,8 @@ motion::Motion random_motion(std::mt19937& random, int count) {
   return motion;
 }
 
-motion::Character crooked_character(std::mt19937& random) {
-  motion::Character character = motion::default_character();
+motion::Physique crooked_character(std::mt19937& random) {
+  motion::Physique character = motion::default_character();
   character.skeleton = tests::with_crooked_bones(character.skeleton, random);
   return character;
 }
@@ -69,9 +69,9 @@ void expect_joints(const motion::Skeleton& skeleton, const motion::Pose& pose, c
 TEST(GltfWriter, JointsAreWhereForwardKinematicsPutsThem) {
   std::mt19937 random(1);
   for (int round = 0; round < 5; ++round) {
-    const motion::Character character = crooked_character(random);
+    const motion::Physique character = crooked_character(random);
     const motion::Motion motion = random_motion(random, 8);
-    const Glb glb = tests::read_glb(glb_of(character, motion));
+    const Glb glb = tests::read_glb(make_glb(character, motion));
     for (std::size_t k = 0; k < motion.poses.size(); ++k) {
       expect_joints(character.skeleton, motion.poses[k], glb, static_cast<double>(k) / 30);
     }
@@ -79,9 +79,9 @@ TEST(GltfWriter, JointsAreWhereForwardKinematicsPutsThem) {
 }
 
 TEST(GltfWriter, JointsAreWhereTheMotionIsSampledBetweenItsPoses) {
-  const Library library = scenes::synthetic_library();
+  const ClipLibrary library = scenes::synthetic_library();
   for (const motion::Clip& clip : library.clips) {
-    const Glb glb = tests::read_glb(glb_of(library.character, clip.motion));
+    const Glb glb = tests::read_glb(make_glb(library.character, clip.motion));
     for (const float time_s : {0.004F, 0.123F, 0.49F, 0.777F}) {
       expect_joints(library.character.skeleton, sample(clip.motion, time_s), glb, double{time_s});
     }
@@ -96,7 +96,7 @@ TEST(GltfWriter, QuaternionsAreUnitAndStayOnOneSide) {
       rotation.coeffs() *= -1.0005F;  // the same rotation, and a little off unit
     }
   }
-  const Glb glb = tests::read_glb(glb_of(motion::default_character(), motion));
+  const Glb glb = tests::read_glb(make_glb(motion::default_character(), motion));
   int seen = 0;
   for (const auto& channel : glb.document["animations"][0]["channels"]) {
     if (channel["target"]["path"] != "rotation") continue;
@@ -117,8 +117,8 @@ TEST(GltfWriter, QuaternionsAreUnitAndStayOnOneSide) {
 
 TEST(GltfWriter, SkinAtTheBindPoseIsTheMesh) {
   std::mt19937 random(3);
-  const motion::Character character = crooked_character(random);
-  const Glb glb = tests::read_glb(glb_of(character, random_motion(random, 2)));
+  const motion::Physique character = crooked_character(random);
+  const Glb glb = tests::read_glb(make_glb(character, random_motion(random, 2)));
   const std::vector<Affine3d> rest = tests::scene_at_rest(glb);
   for (const std::size_t part : {kBodyPart, kAccentPart}) {
     const auto& attributes = glb.document["meshes"][0]["primitives"][part]["attributes"];
@@ -144,14 +144,14 @@ double outside(const motion::Shape& shape, const Vector3d& point) {
 
 TEST(GltfWriter, SkinMovesWithTheOutlinesOfTheBodyModel) {
   std::mt19937 random(4);
-  const motion::Character character = crooked_character(random);
+  const motion::Physique character = crooked_character(random);
   const motion::Motion motion = random_motion(random, 3);
-  const Glb glb = tests::read_glb(glb_of(character, motion));
+  const Glb glb = tests::read_glb(make_glb(character, motion));
   const motion::BodyModel model = motion::make_body_model(character);
   for (std::size_t k = 0; k < motion.poses.size(); ++k) {
     const motion::JointFrames frames = forward_kinematics(character.skeleton, motion.poses[k]);
-    motion::PerBody<double> most;
-    for (double& value : most) value = -1;
+    motion::PerBody<double> max;
+    for (double& value : max) value = -1;
     const std::vector<Vector3d> skin =
         tests::skinned_positions(glb, kBodyPart, tests::scene_at(glb, static_cast<double>(k) / 30));
     const std::vector<double> joints = tests::numbers_of(
@@ -167,18 +167,18 @@ TEST(GltfWriter, SkinMovesWithTheOutlinesOfTheBodyModel) {
       if (model[body].shape.kind == motion::Shape::Kind::capsule) {
         EXPECT_GT(distance, -1e-5) << motion::name_of(body);
       }
-      most[body] = std::max(most[body], distance);
+      max[body] = std::max(max[body], distance);
     }
-    EXPECT_NEAR(most[motion::Body::chest], 0, 1e-5);  // boxes are touched from within
-    EXPECT_NEAR(most[motion::Body::left_shin], 0, 1e-5);
+    EXPECT_NEAR(max[motion::Body::chest], 0, 1e-5);  // boxes are touched from within
+    EXPECT_NEAR(max[motion::Body::left_shin], 0, 1e-5);
   }
 }
 
 TEST(GltfWriter, FigureStandsUprightOnTheGroundAndShowsItsFaceInFront) {
-  const motion::Character character = motion::default_character();
+  const motion::Physique character = motion::default_character();
   motion::Motion motion;
   motion.poses.push_back(motion::rest_pose(character.skeleton));
-  const Glb glb = tests::read_glb(glb_of(character, motion));
+  const Glb glb = tests::read_glb(make_glb(character, motion));
   const std::vector<Affine3d> scene = tests::scene_at(glb, 0);
   Eigen::AlignedBox3d whole;
   Eigen::AlignedBox3d skull;
@@ -215,7 +215,7 @@ TEST(GltfWriter, BallFollowsItsTrackAndHasNoSizeWhileItIsNotThere) {
     ball.positions.push_back(is_there ? std::optional(tests::random_vector(random, 3))
                                       : std::nullopt);
   }
-  const Glb glb = tests::read_glb(glb_of(motion::default_character(), motion, ball));
+  const Glb glb = tests::read_glb(make_glb(motion::default_character(), motion, ball));
   const auto node = static_cast<std::size_t>(tests::node_named(glb, "ball"));
   const int waits_at[10] = {2, 2, 2, 3, 4, 4, 6, 7, 7, 7};
   for (std::size_t k = 0; k < 10; ++k) {
@@ -242,7 +242,7 @@ TEST(GltfWriter, BallThatIsNeverThereHasNoSize) {
   std::mt19937 random(6);
   const BallTrack ball{0.1F, std::vector<std::optional<Vector3f>>(3)};
   const Glb glb =
-      tests::read_glb(glb_of(motion::default_character(), random_motion(random, 3), ball));
+      tests::read_glb(make_glb(motion::default_character(), random_motion(random, 3), ball));
   const auto node = static_cast<std::size_t>(tests::node_named(glb, "ball"));
   for (const double time_s : {0.0, 0.03, 0.1}) {
     EXPECT_EQ(tests::scene_at(glb, time_s)[node].matrix().block(0, 0, 3, 4).norm(), 0);
@@ -251,7 +251,7 @@ TEST(GltfWriter, BallThatIsNeverThereHasNoSize) {
 
 TEST(GltfWriter, WithoutABallThereIsNone) {
   std::mt19937 random(7);
-  const Glb glb = tests::read_glb(glb_of(motion::default_character(), random_motion(random, 3)));
+  const Glb glb = tests::read_glb(make_glb(motion::default_character(), random_motion(random, 3)));
   EXPECT_THROW(tests::node_named(glb, "ball"), std::runtime_error);
   EXPECT_EQ(glb.document["meshes"].size(), 1U);
   EXPECT_EQ(glb.document["animations"][0]["channels"].size(), 22U);
@@ -259,7 +259,7 @@ TEST(GltfWriter, WithoutABallThereIsNone) {
 
 TEST(GltfWriter, BoundsAreThoseOfTheNumbersAndViewsFillTheBuffer) {
   std::mt19937 random(8);
-  const Glb glb = tests::read_glb(glb_of(motion::default_character(), random_motion(random, 5)));
+  const Glb glb = tests::read_glb(make_glb(motion::default_character(), random_motion(random, 5)));
   std::size_t end = 0;
   int bounded = 0;
   for (std::size_t a = 0; a < glb.document["accessors"].size(); ++a) {
@@ -273,14 +273,14 @@ TEST(GltfWriter, BoundsAreThoseOfTheNumbersAndViewsFillTheBuffer) {
     ++bounded;
     const std::size_t width = accessor["min"].size();
     for (std::size_t c = 0; c < width; ++c) {
-      double least = std::numeric_limits<double>::infinity();
-      double most = -least;
+      double min = std::numeric_limits<double>::infinity();
+      double max = -min;
       for (std::size_t i = c; i < numbers.size(); i += width) {
-        least = std::min(least, numbers[i]);
-        most = std::max(most, numbers[i]);
+        min = std::min(min, numbers[i]);
+        max = std::max(max, numbers[i]);
       }
-      EXPECT_EQ(accessor["min"][c].get<double>(), least);
-      EXPECT_EQ(accessor["max"][c].get<double>(), most);
+      EXPECT_EQ(accessor["min"][c].get<double>(), min);
+      EXPECT_EQ(accessor["max"][c].get<double>(), max);
     }
   }
   EXPECT_EQ(bounded, 3);  // two meshes' positions, the times
@@ -292,7 +292,7 @@ TEST(GltfWriter, KeysAreAtTheMotionsRate) {
   std::mt19937 random(9);
   motion::Motion motion = random_motion(random, 400);
   motion.rate_hz = 59.94F;
-  const Glb glb = tests::read_glb(glb_of(motion::default_character(), motion));
+  const Glb glb = tests::read_glb(make_glb(motion::default_character(), motion));
   const auto& sampler = glb.document["animations"][0]["samplers"][0];
   const std::vector<double> times = tests::numbers_of(glb, sampler["input"]);
   ASSERT_EQ(times.size(), 400U);
@@ -302,12 +302,12 @@ TEST(GltfWriter, KeysAreAtTheMotionsRate) {
 }
 
 TEST(GltfWriter, SameInputGivesTheSameBytesInMemoryAndInTheFile) {
-  const Library library = scenes::synthetic_library();
+  const ClipLibrary library = scenes::synthetic_library();
   const motion::Motion& motion = library.clips[1].motion;
   const BallTrack ball{
       0.1F, std::vector<std::optional<Vector3f>>(motion.poses.size(), Vector3f(1, 2, 3))};
-  const std::vector<std::byte> bytes = glb_of(library.character, motion, ball);
-  EXPECT_EQ(bytes, glb_of(library.character, motion, ball));
+  const std::vector<std::byte> bytes = make_glb(library.character, motion, ball);
+  EXPECT_EQ(bytes, make_glb(library.character, motion, ball));
   const tests::TemporaryFolder folder;
   write_glb(folder / "motion.glb", library.character, motion, ball);
   const std::string file = read_file(folder / "motion.glb");
@@ -317,11 +317,11 @@ TEST(GltfWriter, SameInputGivesTheSameBytesInMemoryAndInTheFile) {
 
 TEST(GltfWriter, RefusesWhatItCannotWriteAndLeavesNoFile) {
   constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
-  const motion::Character character = motion::default_character();
+  const motion::Physique character = motion::default_character();
   std::mt19937 random(10);
   const motion::Motion motion = random_motion(random, 3);
   const tests::TemporaryFolder folder;
-  const auto refusal = [&](const motion::Character& who, const motion::Motion& what,
+  const auto refusal = [&](const motion::Physique& who, const motion::Motion& what,
                            const std::optional<BallTrack>& ball = std::nullopt) {
     return error_of([&] { write_glb(folder / "refused.glb", who, what, ball); });
   };
@@ -342,7 +342,7 @@ TEST(GltfWriter, RefusesWhatItCannotWriteAndLeavesNoFile) {
     broken.rate_hz = rate;
     EXPECT_THAT(refusal(character, broken), HasSubstr("rate"));
   }
-  motion::Character nobody = character;
+  motion::Physique nobody = character;
   nobody.skeleton.offset[Role::left_shin].z() = kNan;
   EXPECT_THAT(refusal(nobody, motion), HasSubstr("skeleton"));
   nobody = character;

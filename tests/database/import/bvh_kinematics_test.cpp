@@ -17,7 +17,7 @@ namespace {
 using tests::replaced;
 
 // The textbook matrices of rotations about X, Y and Z.
-Eigen::Matrix3d turn_about(char axis, double degrees) {
+Eigen::Matrix3d rotation_about(char axis, double degrees) {
   const double c = std::cos(degrees * std::numbers::pi / 180);
   const double s = std::sin(degrees * std::numbers::pi / 180);
   Eigen::Matrix3d matrix;
@@ -66,9 +66,10 @@ TEST(BvhKinematics, EveryOrderOfRotationsIsTheProductOfMatricesInThatOrder) {
     const BvhFrame frame =
         forward_kinematics(two_joints(order, child_order, {1.5, -2, 4, p, q, r, u, v, w}), 0);
     const Eigen::Matrix3d root =
-        turn_about(order[0], p) * turn_about(order[1], q) * turn_about(order[2], r);
-    const Eigen::Matrix3d child = root * turn_about(child_order[0], u) *
-                                  turn_about(child_order[1], v) * turn_about(child_order[2], w);
+        rotation_about(order[0], p) * rotation_about(order[1], q) * rotation_about(order[2], r);
+    const Eigen::Matrix3d child = root * rotation_about(child_order[0], u) *
+                                  rotation_about(child_order[1], v) *
+                                  rotation_about(child_order[2], w);
     expect_near(frame.position[0], {1.5, -2, 4});
     expect_near(frame.position[1], Eigen::Vector3d(1.5, -2, 4) + root * Eigen::Vector3d(1, 2, 3));
     EXPECT_LT((frame.orientation[0].toRotationMatrix() - root).norm(), 1e-12) << order;

@@ -16,7 +16,7 @@ using motion::Role;
 
 class Maker {
  public:
-  Maker(const motion::Skeleton& skeleton, const MadeRig& rig)
+  Maker(const motion::Skeleton& skeleton, const SyntheticRig& rig)
       : skeleton_(skeleton), rig_(rig), rest_(forward_kinematics(skeleton, rig.rest)) {
     for (Role role : kRoles) add(role);
   }
@@ -109,7 +109,7 @@ class Maker {
   }
 
   const motion::Skeleton& skeleton_;
-  const MadeRig& rig_;
+  const SyntheticRig& rig_;
   JointFrames rest_;
   PerRole<int> joint_{};
   Bvh bvh_;
@@ -117,15 +117,15 @@ class Maker {
 
 }  // namespace
 
-MadeRig::MadeRig() {
+SyntheticRig::SyntheticRig() {
   for (Role role : kRoles) names[role] = std::string(motion::name_of(role));
   Eigen::Matrix3d from_library;  // forward to Z, left to X, up to Y
   from_library << 0, 1, 0, 0, 0, 1, 1, 0, 0;
   axes = Eigen::Quaterniond(from_library);
 }
 
-Bvh made_bvh(const motion::Skeleton& skeleton, const MadeRig& rig,
-             const std::vector<motion::Pose>& poses, double frame_time_s) {
+Bvh synthetic_bvh(const motion::Skeleton& skeleton, const SyntheticRig& rig,
+                  const std::vector<motion::Pose>& poses, double frame_time_s) {
   return Maker(skeleton, rig).bvh(poses, frame_time_s);
 }
 

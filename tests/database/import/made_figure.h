@@ -10,7 +10,7 @@
 namespace flinch::tests {
 
 /// How a made BVH file differs from the library's conventions.
-struct MadeRig {
+struct SyntheticRig {
   motion::PerRole<std::string> names;  ///< empty: the rig has no such joint
   /// Of a joint of no length above every named one, whose name this follows; empty: none.
   std::string dummy_suffix;
@@ -20,13 +20,13 @@ struct MadeRig {
   double units_per_metre = 100;
   Eigen::Quaterniond axes;  ///< from the library's axes to the file's
 
-  MadeRig();  ///< T-pose, centimetres, Y up and Z forward, named after the roles
+  SyntheticRig();  ///< T-pose, centimetres, Y up and Z forward, named after the roles
 };
 
 /// A BVH file of the poses of a skeleton, made by other code than the importer's: every joint's
 /// world orientation is the pose's times the inverse of the rest pose's.
-database::Bvh made_bvh(const motion::Skeleton& skeleton, const MadeRig& rig,
-                       const std::vector<motion::Pose>& poses, double frame_time_s);
+database::Bvh synthetic_bvh(const motion::Skeleton& skeleton, const SyntheticRig& rig,
+                            const std::vector<motion::Pose>& poses, double frame_time_s);
 
 /// Names for a rig, from the pelvis outwards; the limbs' for the left side with "Left" or whatever
 /// `left` is, which becomes `right` on the other. A limb is given as "clavicle upper_arm forearm

@@ -140,8 +140,8 @@ TEST(Manifest, RefusesWhatIsWrongAndSaysWhere) {
 // A second of standing, as a BVH file.
 void write_standing(const std::string& path) {
   std::ofstream file(path);
-  const Bvh bvh = tests::made_bvh(
-      motion::default_character().skeleton, tests::MadeRig(),
+  const Bvh bvh = tests::synthetic_bvh(
+      motion::default_character().skeleton, tests::SyntheticRig(),
       std::vector<motion::Pose>(31, rest_pose(motion::default_character().skeleton)), 1.0 / 30);
   std::vector<std::string> closing;
   file << "HIERARCHY\n";
@@ -179,7 +179,7 @@ TEST(Import, CutsClipsAndMirrorsTheAnnotatedOnes) {
   text += "[[clip]]\nname = \"plain\"\nfile = \"a.bvh\"\n";
   std::ofstream(folder / "m.toml") << text;
   const ImportResult result = import_library({}, folder / "m.toml");
-  const Library& library = result.library;
+  const ClipLibrary& library = result.library;
   EXPECT_EQ(library.name, "m");
   EXPECT_EQ(library.rate_hz, 60);
   ASSERT_EQ(library.clips.size(), 4U);

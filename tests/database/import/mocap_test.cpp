@@ -79,7 +79,7 @@ TEST_F(Mocap, TheWholeManifestBecomesALibrary) {
 }
 
 TEST_F(Mocap, TheCharacterIsAnAdultOfHumanProportions) {
-  const motion::Character& character = imported().library.character;
+  const motion::Physique& character = imported().library.character;
   const JointFrames rest =
       forward_kinematics(character.skeleton, motion::rest_pose(character.skeleton));
   const float stature = rest.position[Role::head].z() + character.skeleton.tip[Role::head].z();
@@ -347,7 +347,7 @@ TEST_F(Mocap, LiftsRaiseAFoot) {
 TEST_F(Mocap, ConversionsOfOneTakeAgree) {
   const motion::Skeleton& skeleton = imported().library.character.skeleton;
   const auto retargeted = [&](const std::string& file) {
-    const SourceMotion source = source_motion(understand(read_bvh(kMocap + "/" + file)));
+    const SourceMotion source = source_motion(analyse_source(read_bvh(kMocap + "/" + file)));
     return retarget(source, skeleton, {0.1, 3.9, 0}, 60);
   };
   const motion::Motion one = retargeted("cmu_motionbuilder/02_04.bvh");

@@ -23,8 +23,8 @@ using motion::kRoles;
 using motion::Limb;
 using motion::Pose;
 using motion::Role;
-using tests::made_bvh;
-using tests::MadeRig;
+using tests::synthetic_bvh;
+using tests::SyntheticRig;
 
 constexpr float kPi = std::numbers::pi_v<float>;
 constexpr double kFrameTime = 1.0 / 60;
@@ -34,9 +34,9 @@ const motion::Skeleton& skeleton() {
   return kSkeleton;
 }
 
-Quaternionf random_rotation(std::mt19937& random, float most) {
+Quaternionf random_rotation(std::mt19937& random, float max_angle) {
   std::normal_distribution<float> normal;
-  std::uniform_real_distribution<float> uniform(-most, most);
+  std::uniform_real_distribution<float> uniform(-max_angle, max_angle);
   const Vector3f axis = Vector3f(normal(random), normal(random), normal(random)).normalized();
   return Quaternionf(AngleAxisf(uniform(random), axis));
 }
@@ -73,8 +73,8 @@ std::vector<Pose> standing_poses(int count, unsigned seed) {
   return poses;
 }
 
-SourceMotion understood(const MadeRig& rig, const std::vector<Pose>& poses) {
-  return source_motion(understand(made_bvh(skeleton(), rig, poses, kFrameTime)));
+SourceMotion understood(const SyntheticRig& rig, const std::vector<Pose>& poses) {
+  return source_motion(analyse_source(synthetic_bvh(skeleton(), rig, poses, kFrameTime)));
 }
 
 // Both placed alike: the pelvis of the first pose above the origin and facing +X.
@@ -119,7 +119,7 @@ Pose arms_lowered(float angle) {
 TEST(Retarget, GivesBackTheMotionOfItsOwnSkeletonWhateverTheRestFigure) {
   const std::vector<Pose> poses = standing_poses(40, 1);
   for (float degrees : {0.0F, 45.0F, 90.0F}) {
-    MadeRig rig;
+    SyntheticRig rig;
     rig.rest = arms_lowered(degrees * kPi / 180);
     const SourceMotion source = understood(rig, poses);
     expect_same_motion(retarget(source, skeleton(), whole(source), 60), poses, 2e-3F);
@@ -136,10 +136,10 @@ TEST(Retarget, FindsUnitsAndUpAxis) {
   for (const auto& [units_per_metre, unit] : units) {
     for (UpAxis up :
          {UpAxis::x, UpAxis::y, UpAxis::z, UpAxis::minus_x, UpAxis::minus_y, UpAxis::minus_z}) {
-      MadeRig rig;
+      SyntheticRig rig;
       rig.units_per_metre = units_per_metre;
       rig.axes = to_world(up).conjugate();
-      const Source source = understand(made_bvh(skeleton(), rig, poses, kFrameTime));
+      const Source source = analyse_source(synthetic_bvh(skeleton(), rig, poses, kFrameTime));
       EXPECT_EQ(source.report.unit, unit);
       EXPECT_EQ(source.report.up, up);
       EXPECT_EQ(source.report.reference_frame, -1);
@@ -152,11 +152,11 @@ TEST(Retarget, FindsUnitsAndUpAxis) {
 TEST(Retarget, TakesTheReferencePoseFromTheMotionWhereTheOffsetsDoNotStand) {
   std::vector<Pose> poses = standing_poses(30, 3);
   poses[7] = motion::rest_pose(skeleton());
-  MadeRig rig;
+  SyntheticRig rig;
   rig.rest.rotation[Role::left_thigh] = AngleAxisf(kPi, Vector3f::UnitY());
   rig.rest.rotation[Role::right_thigh] = AngleAxisf(kPi, Vector3f::UnitY());
   rig.rest.rotation[Role::abdomen] = AngleAxisf(kPi / 2, Vector3f::UnitY());
-  const Source source = understand(made_bvh(skeleton(), rig, poses, kFrameTime));
+  const Source source = analyse_source(synthetic_bvh(skeleton(), rig, poses, kFrameTime));
   EXPECT_EQ(source.report.reference_frame, 7);
   const SourceMotion motion = source_motion(source);
   expect_same_motion(retarget(motion, skeleton(), whole(motion), 60), poses, 3e-3F);
@@ -165,7 +165,7 @@ TEST(Retarget, TakesTheReferencePoseFromTheMotionWhereTheOffsetsDoNotStand) {
 TEST(Retarget, StartsAtTheOriginWithTheActorFacingForward) {
   std::vector<Pose> poses = standing_poses(40, 4);
   for (Pose& pose : poses) pose = motion::placed(pose, 2.0F, {3, -4, 0});
-  const SourceMotion source = understood(MadeRig(), poses);
+  const SourceMotion source = understood(SyntheticRig(), poses);
   Segment segment = whole(source);
   segment.start_s = 0.25;
   segment.heading = 0.4;
@@ -180,7 +180,7 @@ TEST(Retarget, StartsAtTheOriginWithTheActorFacingForward) {
 
 TEST(Retarget, ResamplesByTime) {
   const std::vector<Pose> poses = standing_poses(31, 5);
-  const SourceMotion source = understood(MadeRig(), poses);
+  const SourceMotion source = understood(SyntheticRig(), poses);
   const Segment segment{0.1, 0.4, 0};
   EXPECT_EQ(retarget(source, skeleton(), segment, 60).poses.size(), 19U);
   EXPECT_EQ(retarget(source, skeleton(), segment, 100).poses.size(), 31U);
@@ -194,7 +194,7 @@ TEST(Retarget, ResamplesByTime) {
 
 TEST(Retarget, KeepsNeighbouringQuaternionsOnOneSide) {
   const std::vector<Pose> poses = standing_poses(60, 6);
-  const SourceMotion source = understood(MadeRig(), poses);
+  const SourceMotion source = understood(SyntheticRig(), poses);
   const motion::Motion motion = retarget(source, skeleton(), whole(source), 60);
   for (std::size_t k = 1; k < motion.poses.size(); ++k) {
     for (Role role : kRoles) {
@@ -210,7 +210,7 @@ TEST(Retarget, ScalesByTheLegs) {
     small.tip[role] *= 0.5F;
   }
   const std::vector<Pose> poses = standing_poses(30, 7);
-  const SourceMotion source = understood(MadeRig(), poses);
+  const SourceMotion source = understood(SyntheticRig(), poses);
   EXPECT_NEAR(leg_ratio(source, small), 0.5, 1e-4);
   const motion::Motion motion = retarget(source, small, whole(source), 60);
   for (std::size_t k = 0; k < poses.size(); ++k) {
@@ -222,7 +222,7 @@ TEST(Retarget, ScalesByTheLegs) {
 TEST(FootDrift, IsNoneOnTheOwnSkeletonAndWhatIsAddedByHandOtherwise) {
   std::vector<Pose> poses = standing_poses(1, 8);
   poses.resize(61, poses.front());
-  const SourceMotion source = understood(MadeRig(), poses);
+  const SourceMotion source = understood(SyntheticRig(), poses);
   const Segment segment = whole(source);
   motion::Motion motion = retarget(source, skeleton(), segment, 60);
   const FootDrift still = measure_foot_drift(source, skeleton(), segment, motion);
@@ -240,8 +240,8 @@ TEST(FootDrift, IsNoneOnTheOwnSkeletonAndWhatIsAddedByHandOtherwise) {
 
 TEST(SourceCharacter, HasTheBonesOfItsSourceAndIsSymmetric) {
   const Source source =
-      understand(made_bvh(skeleton(), MadeRig(), standing_poses(3, 9), kFrameTime));
-  const motion::Character character = character_of(source);
+      analyse_source(synthetic_bvh(skeleton(), SyntheticRig(), standing_poses(3, 9), kFrameTime));
+  const motion::Physique character = character_of(source);
   for (Role role : kRoles) {
     EXPECT_LT((character.skeleton.offset[role] - skeleton().offset[role]).norm(), 2e-3F)
         << motion::name_of(role);
@@ -254,13 +254,14 @@ TEST(SourceCharacter, HasTheBonesOfItsSourceAndIsSymmetric) {
 }
 
 TEST(SourceCharacter, MakesUpWhatTheSourceLacksInProportion) {
-  MadeRig rig;
+  SyntheticRig rig;
   for (Role role : {Role::abdomen, Role::neck, Role::left_clavicle, Role::right_clavicle,
                     Role::left_hand, Role::right_hand, Role::left_toes, Role::right_toes}) {
     rig.names[role].clear();
   }
-  const Source source = understand(made_bvh(skeleton(), rig, standing_poses(3, 10), kFrameTime));
-  const motion::Character character = character_of(source);
+  const Source source =
+      analyse_source(synthetic_bvh(skeleton(), rig, standing_poses(3, 10), kFrameTime));
+  const motion::Physique character = character_of(source);
   const JointFrames found =
       forward_kinematics(character.skeleton, motion::rest_pose(character.skeleton));
   const JointFrames expected = forward_kinematics(skeleton(), motion::rest_pose(skeleton()));
@@ -272,12 +273,12 @@ TEST(SourceCharacter, MakesUpWhatTheSourceLacksInProportion) {
 
 TEST(SourceCharacter, TakesHeightMassAndSexFromTheOptions) {
   const Source source =
-      understand(made_bvh(skeleton(), MadeRig(), standing_poses(3, 11), kFrameTime));
+      analyse_source(synthetic_bvh(skeleton(), SyntheticRig(), standing_poses(3, 11), kFrameTime));
   CharacterOptions options;
   options.height_m = 1.6F;
   options.mass_kg = 55;
   options.sex = motion::Sex::female;
-  const motion::Character character = character_of(source, options);
+  const motion::Physique character = character_of(source, options);
   const JointFrames rest =
       forward_kinematics(character.skeleton, motion::rest_pose(character.skeleton));
   EXPECT_NEAR(rest.position[Role::head].z() + character.skeleton.tip[Role::head].z(), 1.6, 1e-4);

@@ -19,9 +19,9 @@ using motion::kRoles;
 using motion::Role;
 using testing::HasSubstr;
 using tests::error_of;
-using tests::made_bvh;
-using tests::MadeRig;
 using tests::rig_names;
+using tests::synthetic_bvh;
+using tests::SyntheticRig;
 
 struct NamedRig {
   const char* title;
@@ -103,8 +103,8 @@ const NamedRig kRigs[] = {
                {"Bip01 L Thigh", "Bip01 L Calf", "Bip01 L Foot", "Bip01 L Toe0"}, " L ", " R ")},
 };
 
-void expect_mapped(const NamedRig& named, const MadeRig& made) {
-  const Bvh bvh = made_bvh(motion::default_character().skeleton, made, {motion::Pose()}, 0.01);
+void expect_mapped(const NamedRig& named, const SyntheticRig& made) {
+  const Bvh bvh = synthetic_bvh(motion::default_character().skeleton, made, {motion::Pose()}, 0.01);
   const RoleMap map = map_roles(bvh);
   for (Role role : kRoles) {
     const int joint = map.joint[role];
@@ -116,7 +116,7 @@ void expect_mapped(const NamedRig& named, const MadeRig& made) {
 
 TEST(RoleMap, FindsEveryRoleOfKnownRigs) {
   for (const NamedRig& named : kRigs) {
-    MadeRig rig;
+    SyntheticRig rig;
     rig.names = named.names;
     expect_mapped(named, rig);
   }
@@ -124,7 +124,7 @@ TEST(RoleMap, FindsEveryRoleOfKnownRigs) {
 
 TEST(RoleMap, IsNotMisledByDummiesAndTwistBones) {
   for (const NamedRig& named : kRigs) {
-    MadeRig rig;
+    SyntheticRig rig;
     rig.names = named.names;
     rig.dummy_suffix = "Dummy";
     rig.twist_suffix = "Twist";
@@ -145,10 +145,10 @@ TEST(RoleMap, KeepsSidesApart) {
 }
 
 TEST(RoleMap, FindsALimbJointBetweenItsNeighbours) {
-  MadeRig rig;
+  SyntheticRig rig;
   rig.names[Role::left_forearm] = "codo";
   rig.names[Role::right_foot] = "tobillo";
-  const Bvh bvh = made_bvh(motion::default_character().skeleton, rig, {motion::Pose()}, 0.01);
+  const Bvh bvh = synthetic_bvh(motion::default_character().skeleton, rig, {motion::Pose()}, 0.01);
   const RoleMap map = map_roles(bvh);
   EXPECT_EQ(bvh.joints[static_cast<std::size_t>(map.joint[Role::left_forearm])].name, "codo");
   EXPECT_EQ(map.source[Role::left_forearm], RoleSource::topology);
@@ -156,10 +156,10 @@ TEST(RoleMap, FindsALimbJointBetweenItsNeighbours) {
 }
 
 TEST(RoleMap, NamesTheMissingRoleTheFreeJointsAndTheLineThatMapsOne) {
-  MadeRig rig;
+  SyntheticRig rig;
   rig.names[Role::left_thigh] = "muslo";
   rig.names[Role::left_shin] = "pantorrilla";
-  const Bvh bvh = made_bvh(motion::default_character().skeleton, rig, {motion::Pose()}, 0.01);
+  const Bvh bvh = synthetic_bvh(motion::default_character().skeleton, rig, {motion::Pose()}, 0.01);
   const std::string message = error_of([&] { map_roles(bvh); });
   EXPECT_THAT(message, HasSubstr("made.bvh: no joint found for left_thigh"));
   EXPECT_THAT(message, HasSubstr("muslo"));
@@ -181,14 +181,16 @@ TEST(RoleMap, RefusesWhatIsNotHuman) {
 }
 
 TEST(RoleMap, RefusesLimbsThatDoNotHangTogether) {
-  const Bvh bvh = made_bvh(motion::default_character().skeleton, MadeRig(), {motion::Pose()}, 0.01);
+  const Bvh bvh =
+      synthetic_bvh(motion::default_character().skeleton, SyntheticRig(), {motion::Pose()}, 0.01);
   const RoleOverrides crossed{{Role::left_shin, "right_shin"}, {Role::right_shin, "left_shin"}};
   EXPECT_THAT(error_of([&] { map_roles(bvh, crossed); }),
               HasSubstr("left_shin (right_shin) does not hang from left_thigh"));
 }
 
 TEST(RoleMap, RefusesOverridesOfJointsThatAreNotThere) {
-  const Bvh bvh = made_bvh(motion::default_character().skeleton, MadeRig(), {motion::Pose()}, 0.01);
+  const Bvh bvh =
+      synthetic_bvh(motion::default_character().skeleton, SyntheticRig(), {motion::Pose()}, 0.01);
   EXPECT_THAT(error_of([&] {
                 map_roles(bvh, {{Role::head, "kopf"}});
               }),

@@ -25,7 +25,7 @@ std::span<const std::byte> bytes_of(const std::string& text) {
   return std::as_bytes(std::span(text));
 }
 
-LoadStatus read(const std::string& bytes, Library& library) {
+LoadStatus read(const std::string& bytes, ClipLibrary& library) {
   return read_library(bytes_of(bytes), library);
 }
 
@@ -62,7 +62,7 @@ void expect_same(const motion::Clip& one, const motion::Clip& other) {
   EXPECT_EQ(one.annotation->end_s, other.annotation->end_s);
 }
 
-void expect_same(const Library& one, const Library& other) {
+void expect_same(const ClipLibrary& one, const ClipLibrary& other) {
   EXPECT_EQ(one.name, other.name);
   expect_same(one.character.skeleton.offset, other.character.skeleton.offset);
   expect_same(one.character.skeleton.tip, other.character.skeleton.tip);
@@ -77,9 +77,9 @@ void expect_same(const Library& one, const Library& other) {
 TEST(LibraryFile, ALibraryComesBackBitForBit) {
   const tests::TemporaryFolder folder;
   for (unsigned seed = 0; seed < 5; ++seed) {
-    const Library library = random_library(seed, 40);
+    const ClipLibrary library = random_library(seed, 40);
     const std::uint64_t hash = write_library(library, folder / "a.flinchlib");
-    Library read;
+    ClipLibrary read;
     ASSERT_EQ(read_library(folder / "a.flinchlib", read), LoadStatus::ok);
     expect_same(read, library);
     EXPECT_EQ(read.hash, hash);
@@ -88,11 +88,11 @@ TEST(LibraryFile, ALibraryComesBackBitForBit) {
 }
 
 TEST(LibraryFile, TheHashIsOfTheContentAndOnlyOfIt) {
-  Library library = random_library(1, 3);
+  ClipLibrary library = random_library(1, 3);
   const std::string bytes = library_bytes(library);
   library.hash = 17;
   EXPECT_EQ(library_bytes(library), bytes);
-  Library read;
+  ClipLibrary read;
   ASSERT_EQ(database::read_library(bytes_of(bytes), read), LoadStatus::ok);
   EXPECT_EQ(library_bytes(read), bytes);
   const std::uint64_t hash = read.hash;
@@ -106,14 +106,14 @@ TEST(LibraryFile, BytesMayStandAnywhereInMemory) {
   const std::string bytes = library_bytes(random_library(2, 3));
   for (std::size_t shift = 0; shift < 16; ++shift) {
     const std::string moved = std::string(shift, 'x') + bytes;
-    Library library;
+    ClipLibrary library;
     EXPECT_EQ(read_library(bytes_of(moved).subspan(shift), library), LoadStatus::ok);
   }
 }
 
 TEST(LibraryFile, OneWrongBitAnywhereIsNoticed) {
   std::string bytes = library_bytes(random_library(3, 2));
-  Library library;
+  ClipLibrary library;
   for (char& byte : bytes) {
     for (int bit = 0; bit < 8; ++bit) {
       byte = static_cast<char>(byte ^ (1 << bit));
@@ -127,7 +127,7 @@ TEST(LibraryFile, OneWrongBitAnywhereIsNoticed) {
 
 TEST(LibraryFile, AMissingEndOrOneTooManyIsNoticed) {
   const std::string bytes = library_bytes(random_library(3, 2));
-  Library library;
+  ClipLibrary library;
   for (std::size_t size = 0; size < bytes.size(); ++size) {
     ASSERT_NE(read(bytes.substr(0, size), library), LoadStatus::ok) << size;
   }
@@ -136,7 +136,7 @@ TEST(LibraryFile, AMissingEndOrOneTooManyIsNoticed) {
 
 TEST(LibraryFile, TheStatusSaysWhatIsWrong) {
   const std::string bytes = library_bytes(random_library(3, 2));
-  Library library;
+  ClipLibrary library;
   EXPECT_EQ(read_library("no/such/file", library), LoadStatus::cannot_open);
   EXPECT_EQ(read_library(FLINCH_SOURCE_DIR, library), LoadStatus::cannot_open);
   EXPECT_EQ(read("", library), LoadStatus::not_a_library);
@@ -149,12 +149,12 @@ TEST(LibraryFile, TheStatusSaysWhatIsWrong) {
 
 /// The content with a seal that fits it: what only the checks behind the seal can refuse.
 std::string sealed(const std::string& content) {
-  const auto seal = make_seal(kLibraryKind, bytes_of(content));
+  const auto seal = make_file_header(kLibraryFormat, bytes_of(content));
   return std::string(reinterpret_cast<const char*>(seal.data()), seal.size()) + content;
 }
 
 TEST(LibraryFile, ContentThatIsWrongUnderASoundSealIsReadOnlyIfItKeepsTheInvariants) {
-  const std::string content = library_bytes(random_library(4, 2)).substr(kSealSize);
+  const std::string content = library_bytes(random_library(4, 2)).substr(kFileHeaderSize);
   std::mt19937 random(4);
   int refused = 0;
   for (int i = 0; i < 20000; ++i) {
@@ -163,7 +163,7 @@ TEST(LibraryFile, ContentThatIsWrongUnderASoundSealIsReadOnlyIfItKeepsTheInvaria
       damaged[random() % damaged.size()] = static_cast<char>(random() % 256);
     }
     if (i % 10 == 0) damaged.resize(random() % damaged.size());
-    Library library;
+    ClipLibrary library;
     if (read(sealed(damaged), library) != LoadStatus::ok) {
       ++refused;
     } else {
@@ -187,14 +187,14 @@ std::string with_float(const std::string& content, float what, float with) {
 }
 
 TEST(LibraryFile, NumbersThatBreakAnInvariantAreRefusedUnderASoundSeal) {
-  Library library = random_library(5, 3);
+  ClipLibrary library = random_library(5, 3);
   library.clips[3].motion.poses[2].root_position.z() = 123.456F;
-  const std::string content = library_bytes(library).substr(kSealSize);
+  const std::string content = library_bytes(library).substr(kFileHeaderSize);
   const float nan = std::numeric_limits<float>::quiet_NaN();
   const float mass = library.character.mass_kg;
   const float component = library.clips[0].motion.poses[1].rotation[motion::Role::head].w();
   const float peak = library.clips[0].annotation->peak_s;
-  Library read_back;
+  ClipLibrary read_back;
   EXPECT_EQ(read(sealed(with_float(content, mass, 62)), read_back), LoadStatus::ok);
   EXPECT_EQ(read_back.character.mass_kg, 62);
   for (const std::string& wrong :
@@ -208,41 +208,42 @@ TEST(LibraryFile, NumbersThatBreakAnInvariantAreRefusedUnderASoundSeal) {
 
 struct Breakage {
   const char* words;
-  std::function<void(Library&)> apply;
+  std::function<void(ClipLibrary&)> apply;
 };
 
 TEST(LibraryFile, ALibraryThatCouldNotBeReadIsNotWritten) {
   const float nan = std::numeric_limits<float>::quiet_NaN();
   const Breakage breakages[] = {
-      {"no name", [](Library& l) { l.name.clear(); }},
-      {"clip 2 () has no name", [](Library& l) { l.clips[2].name.clear(); }},
-      {"clip 3 (idle) shares its name", [](Library& l) { l.clips[3].name = "idle"; }},
-      {"rate", [](Library& l) { l.rate_hz = 0; }},
-      {"another rate", [](Library& l) { l.clips[0].motion.rate_hz = 30; }},
-      {"mass", [](Library& l) { l.character.mass_kg = -1; }},
-      {"skeleton", [&](Library& l) { l.character.skeleton.tip[motion::Role::head].x() = nan; }},
-      {"no idle", [](Library& l) { l.idle = -1; }},
-      {"no idle", [](Library& l) { l.idle = 4; }},
-      {"no idle", [](Library& l) { l.clips.clear(); }},
-      {"no poses", [](Library& l) { l.clips[3].motion.poses.clear(); }},
-      {"not finite", [&](Library& l) { l.clips[3].motion.poses[1].root_position.y() = nan; }},
+      {"no name", [](ClipLibrary& l) { l.name.clear(); }},
+      {"clip 2 () has no name", [](ClipLibrary& l) { l.clips[2].name.clear(); }},
+      {"clip 3 (idle) shares its name", [](ClipLibrary& l) { l.clips[3].name = "idle"; }},
+      {"rate", [](ClipLibrary& l) { l.rate_hz = 0; }},
+      {"another rate", [](ClipLibrary& l) { l.clips[0].motion.rate_hz = 30; }},
+      {"mass", [](ClipLibrary& l) { l.character.mass_kg = -1; }},
+      {"skeleton", [&](ClipLibrary& l) { l.character.skeleton.tip[motion::Role::head].x() = nan; }},
+      {"no idle", [](ClipLibrary& l) { l.idle = -1; }},
+      {"no idle", [](ClipLibrary& l) { l.idle = 4; }},
+      {"no idle", [](ClipLibrary& l) { l.clips.clear(); }},
+      {"no poses", [](ClipLibrary& l) { l.clips[3].motion.poses.clear(); }},
+      {"not finite", [&](ClipLibrary& l) { l.clips[3].motion.poses[1].root_position.y() = nan; }},
       {"unit",
-       [](Library& l) { l.clips[3].motion.poses[1].rotation[motion::Role::neck].w() += 2; }},
-      {"target", [](Library& l) { l.clips[0].annotation->target = motion::Target{4}; }},
-      {"degree", [](Library& l) { l.clips[0].annotation->degree = motion::Degree{2}; }},
-      {"purpose", [](Library& l) { l.clips[0].purpose = motion::Purpose{3}; }},
-      {"sex", [](Library& l) { l.character.sex = motion::Sex{2}; }},
-      {"eight", [](Library& l) { l.clips[0].annotation->direction = 0.1F; }},
-      {"eight", [](Library& l) { l.clips[0].annotation->direction = -std::numbers::pi_v<float>; }},
-      {"eight", [&](Library& l) { l.clips[0].annotation->direction = nan; }},
-      {"onset", [](Library& l) { l.clips[0].annotation->onset_s = -0.1F; }},
-      {"onset", [](Library& l) { l.clips[0].annotation->peak_s = 0; }},
-      {"onset", [](Library& l) { l.clips[0].annotation->end_s = 0.01F; }},
-      {"onset", [](Library& l) { l.clips[0].annotation->end_s += 0.01F; }},
+       [](ClipLibrary& l) { l.clips[3].motion.poses[1].rotation[motion::Role::neck].w() += 2; }},
+      {"target", [](ClipLibrary& l) { l.clips[0].annotation->target = motion::Target{4}; }},
+      {"degree", [](ClipLibrary& l) { l.clips[0].annotation->degree = motion::Degree{2}; }},
+      {"purpose", [](ClipLibrary& l) { l.clips[0].purpose = motion::Purpose{3}; }},
+      {"sex", [](ClipLibrary& l) { l.character.sex = motion::Sex{2}; }},
+      {"eight", [](ClipLibrary& l) { l.clips[0].annotation->direction = 0.1F; }},
+      {"eight",
+       [](ClipLibrary& l) { l.clips[0].annotation->direction = -std::numbers::pi_v<float>; }},
+      {"eight", [&](ClipLibrary& l) { l.clips[0].annotation->direction = nan; }},
+      {"onset", [](ClipLibrary& l) { l.clips[0].annotation->onset_s = -0.1F; }},
+      {"onset", [](ClipLibrary& l) { l.clips[0].annotation->peak_s = 0; }},
+      {"onset", [](ClipLibrary& l) { l.clips[0].annotation->end_s = 0.01F; }},
+      {"onset", [](ClipLibrary& l) { l.clips[0].annotation->end_s += 0.01F; }},
   };
   const tests::TemporaryFolder folder;
   for (const Breakage& breakage : breakages) {
-    Library library = random_library(6, 3);
+    ClipLibrary library = random_library(6, 3);
     EXPECT_FALSE(fault_of(library));
     breakage.apply(library);
     EXPECT_THAT(tests::error_of([&] { write_library(library, folder / "a.flinchlib"); }),

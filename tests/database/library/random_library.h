@@ -21,9 +21,9 @@ inline motion::Clip random_clip(std::mt19937& random, const std::string& name, i
 
 /// A sound library at 60 Hz: an idle clip of one pose, an annotated clip, its mirror image by name
 /// only, and a clip without annotation; `poses` poses each.
-inline database::Library random_library(unsigned seed, int poses) {
+inline database::ClipLibrary random_library(unsigned seed, int poses) {
   std::mt19937 random(seed);
-  database::Library library;
+  database::ClipLibrary library;
   library.name = "random";
   library.character = motion::default_character();
   library.character.skeleton = with_crooked_bones(library.character.skeleton, random);

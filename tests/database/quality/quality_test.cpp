@@ -12,9 +12,9 @@ using motion::Clip;
 using motion::degrees;
 using motion::radians;
 using motion::Role;
+using motion::rotation_about;
 using motion::Side;
-using motion::turn_about;
-using test::Scene;
+using test::AuthorScene;
 using testing::Contains;
 using testing::IsEmpty;
 
@@ -26,7 +26,7 @@ Clip still_clip(const motion::Pose& pose, int count = 30) {
 }
 
 TEST(Quality, StandingStillBreaksNothing) {
-  const Scene scene;
+  const AuthorScene scene;
   const ClipQuality quality = measure_quality(scene.figure, still_clip(scene.start));
   EXPECT_THAT(broken_bounds(quality), IsEmpty());
   EXPECT_EQ(quality.limit_excess_deg, 0);
@@ -35,9 +35,9 @@ TEST(Quality, StandingStillBreaksNothing) {
 }
 
 TEST(Quality, SeesAKneeBentTheWrongWay) {
-  const Scene scene;
+  const AuthorScene scene;
   motion::Pose pose = scene.start;
-  pose.rotation[Role::left_shin] = turn_about(Eigen::Vector3f::UnitY(), radians(-25));
+  pose.rotation[Role::left_shin] = rotation_about(Eigen::Vector3f::UnitY(), radians(-25));
   const ClipQuality quality = measure_quality(scene.figure, still_clip(pose));
   EXPECT_NEAR(quality.limit_excess_deg, 20, 0.01);
   EXPECT_EQ(quality.limit_joint, "left_knee");
@@ -45,16 +45,16 @@ TEST(Quality, SeesAKneeBentTheWrongWay) {
 }
 
 TEST(Quality, SeesAHandInTheBelly) {
-  const Scene scene;
+  const AuthorScene scene;
   motion::Pose pose = scene.start;
   const Eigen::Vector3f inside = scene.frames.position[Role::abdomen] + Eigen::Vector3f(0, 0, 0.1F);
-  put_hand(scene.figure.skeleton(), scene.frames, Side::left,
-           {inside, -Eigen::Vector3f::UnitX(), 0}, pose);
+  solve_arm(scene.figure.skeleton(), scene.frames, Side::left,
+            {inside, -Eigen::Vector3f::UnitX(), 0}, pose);
   EXPECT_LT(measure_quality(scene.figure, still_clip(pose)).hand_clearance_m, 0);
 }
 
 TEST(Quality, SeesSlippingAndSinkingFeet) {
-  const Scene scene;
+  const AuthorScene scene;
   Clip slipping = still_clip(scene.start);
   for (std::size_t k = 0; k < slipping.motion.poses.size(); ++k) {
     slipping.motion.poses[k].root_position.x() += 0.001F * static_cast<float>(k);
@@ -66,24 +66,24 @@ TEST(Quality, SeesSlippingAndSinkingFeet) {
 }
 
 TEST(Quality, SeesAFigureThatWouldFall) {
-  const Scene scene;
+  const AuthorScene scene;
   const motion::Pose leaning = motion::placed(scene.start, 0, Eigen::Vector3f::Zero());
   motion::Pose pose = leaning;
   pose.root_position.x() += 0.25F;
   pose.root_position.z() -= 0.08F;
   pose = with_feet(scene.figure.skeleton(), pose,
-                   {foot_place(scene.frames, Side::left), foot_place(scene.frames, Side::right)});
+                   {foot_pose(scene.frames, Side::left), foot_pose(scene.frames, Side::right)});
   EXPECT_LT(measure_quality(scene.figure, still_clip(pose)).balance_margin_m, 0);
 }
 
 // A head that turns 10 degrees a pose at 60 Hz does 600 degrees a second, of the neck's 700.
 TEST(Quality, MeasuresSpeedAsAShareOfTheHumanOne) {
-  const Scene scene;
+  const AuthorScene scene;
   Clip clip = still_clip(scene.start, 8);
   for (std::size_t k = 0; k < clip.motion.poses.size(); ++k) {
     clip.motion.poses[k].rotation[Role::head] =
         scene.start.rotation[Role::head] *
-        turn_about(Eigen::Vector3f::UnitZ(), radians(10) * static_cast<float>(k));
+        rotation_about(Eigen::Vector3f::UnitZ(), radians(10) * static_cast<float>(k));
   }
   const ClipQuality quality = measure_quality(scene.figure, clip);
   EXPECT_NEAR(quality.speed_share, 600.0F / 700, 0.01F);
@@ -92,7 +92,7 @@ TEST(Quality, MeasuresSpeedAsAShareOfTheHumanOne) {
 
 // Constant acceleration of 3 m/s^2 of the whole figure.
 TEST(Quality, MeasuresAcceleration) {
-  const Scene scene;
+  const AuthorScene scene;
   Clip clip = still_clip(scene.start, 20);
   for (std::size_t k = 0; k < clip.motion.poses.size(); ++k) {
     const float time = static_cast<float>(k) / 60;

@@ -40,7 +40,7 @@ bool play(Game& game, const std::string& selector_file) {
   runtime::Library library;      // one for all characters of a kind
   runtime::Workspace workspace;  // one for each thread
   if (library.load(selector_file) != database::LoadStatus::ok ||
-      workspace.make_room(library.selection_bytes()) != database::LoadStatus::ok) {
+      workspace.reserve_memory(library.selection_bytes()) != database::LoadStatus::ok) {
     return false;
   }
   runtime::Character character(library);

@@ -30,7 +30,7 @@ std::vector<int> uneven_labels(int count) {
 TEST(Folds, AreAStratifiedPartition) {
   const std::vector<int> label = uneven_labels(503);
   for (const int fold_count : {2, 5, 7, 503}) {
-    const std::vector<int> fold = make_folds(label, fold_count, 3);
+    const std::vector<int> fold = assign_folds(label, fold_count, 3);
     ASSERT_EQ(fold.size(), label.size());
     std::map<int, std::vector<int>> count_of;  // label -> observations in each fold
     std::vector<int> size(static_cast<std::size_t>(fold_count));
@@ -42,8 +42,8 @@ TEST(Folds, AreAStratifiedPartition) {
       ++size[static_cast<std::size_t>(fold[i])];
     }
     const auto spread = [](const std::vector<int>& counts) {
-      const auto [least, most] = std::minmax_element(counts.begin(), counts.end());
-      return *most - *least;
+      const auto [min, max] = std::minmax_element(counts.begin(), counts.end());
+      return *max - *min;
     };
     EXPECT_LE(spread(size), 1);
     for (const auto& [one, counts] : count_of) {
@@ -54,41 +54,41 @@ TEST(Folds, AreAStratifiedPartition) {
 
 TEST(Folds, AreTheSameForTheSameSeedOnly) {
   const std::vector<int> label = uneven_labels(200);
-  EXPECT_EQ(make_folds(label, 5, 1), make_folds(label, 5, 1));
-  EXPECT_NE(make_folds(label, 5, 1), make_folds(label, 5, 2));
+  EXPECT_EQ(assign_folds(label, 5, 1), assign_folds(label, 5, 1));
+  EXPECT_NE(assign_folds(label, 5, 1), assign_folds(label, 5, 2));
   // By hand from the 64-bit Mersenne twister's first outputs for its standard seed 5489,
   // 14514284786278117030, 4620546740167642908 and 13109570281517897720: swaps with 14514… mod 4 =
   // 2, 4620… mod 3 = 0 and 13109… mod 2 = 0 turn 0123 into 0132, 3102 -> 3 1 0 2 and 1 3 0 2.
-  EXPECT_THAT(make_folds(std::vector<int>(4, 0), 4, 5489), testing::ElementsAre(2, 0, 3, 1));
+  EXPECT_THAT(assign_folds(std::vector<int>(4, 0), 4, 5489), testing::ElementsAre(2, 0, 3, 1));
 }
 
 TEST(Folds, RefuseImpossibleCounts) {
   const std::vector<int> label(4, 0);
-  EXPECT_THROW(make_folds(label, 1, 1), Error);
-  EXPECT_THROW(make_folds(label, 5, 1), Error);
-  EXPECT_THROW(make_folds({}, 2, 1), Error);
+  EXPECT_THROW(assign_folds(label, 1, 1), Error);
+  EXPECT_THROW(assign_folds(label, 5, 1), Error);
+  EXPECT_THROW(assign_folds({}, 2, 1), Error);
 }
 
 TEST(Folds, AreFewerWhereFewHoldOutEnough) {
   const std::vector<int> label = uneven_labels(4000);
-  const std::vector<int> fold = make_folds(label, 5, 3);  // of 800 each
-  const std::vector<int> few = enough_folds(fold);
+  const std::vector<int> fold = assign_folds(label, 5, 3);  // of 800 each
+  const std::vector<int> few = limit_folds(fold);
   for (std::size_t i = 0; i < fold.size(); ++i) {
     EXPECT_EQ(few[i], fold[i] < 2 ? fold[i] : kNeverHeldOut);
   }
-  const std::vector<int> small = make_folds(uneven_labels(1499), 5, 3);
-  EXPECT_EQ(enough_folds(small), small);
+  const std::vector<int> small = assign_folds(uneven_labels(1499), 5, 3);
+  EXPECT_EQ(limit_folds(small), small);
 }
 
 TEST(BestOf, IsTheFirstOfTheLeast) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(best_of(std::vector<double>{3, 1, 2, 1}), 1U);
-  EXPECT_EQ(best_of(std::vector<double>{nan, 2, nan, 1}), 3U);
-  EXPECT_EQ(best_of(std::vector<double>{nan}), 0U);
+  EXPECT_EQ(argmin(std::vector<double>{3, 1, 2, 1}), 1U);
+  EXPECT_EQ(argmin(std::vector<double>{nan, 2, nan, 1}), 3U);
+  EXPECT_EQ(argmin(std::vector<double>{nan}), 0U);
 }
 
 /// 1 where the choice is not the label.
-Score mistakes(const TrainingSet& set) {
+LossFunction mistakes(const TrainingSet& set) {
   return [&set](int observation, int chosen) {
     return chosen == set.label[static_cast<std::size_t>(observation)] ? 0.0 : 1.0;
   };
@@ -110,7 +110,7 @@ TrainingSet signs_of_product(int count) {
 
 TEST(ChooseParameters, FindsTheKernelThatFits) {
   const TrainingSet set = signs_of_product(150);
-  const std::vector<int> fold = make_folds(set.label, 5, 1);
+  const std::vector<int> fold = assign_folds(set.label, 5, 1);
   const std::vector<SvmParameters> grid{{3, 1, 0, 10}, {1, 1, 0, 10}, {2, 1, 0, 10}, {5, 1, 0, 10}};
   const auto chosen = choose_parameters(set, grid, fold, mistakes(set));
   EXPECT_EQ(chosen.parameters, grid[2]);
@@ -121,8 +121,8 @@ TEST(ChooseParameters, FindsTheKernelThatFits) {
 
 TEST(ChooseParameters, TakesTheFirstOfEquals) {
   const TrainingSet set = signs_of_product(100);
-  const std::vector<int> fold = make_folds(set.label, 4, 1);
-  const Score same = [](int, int) { return 1.0; };
+  const std::vector<int> fold = assign_folds(set.label, 4, 1);
+  const LossFunction same = [](int, int) { return 1.0; };
   EXPECT_EQ(choose_parameters(set, svm_grid(2), fold, same).parameters, default_svm_parameters(2));
   EXPECT_EQ(choose_parameters(set, knn_grid(), fold, same).parameters, knn_grid().front());
 }
@@ -138,16 +138,16 @@ TEST(ChooseParameters, AsksManyNeighboursWhereLabelsAreNoisy) {
   }
   const TrainingSet set = make_set(2, points, label, 2);
   const std::vector<KnnParameters> grid{{1, KnnVote::majority}, {25, KnnVote::majority}};
-  const auto chosen = choose_parameters(set, grid, make_folds(set.label, 5, 1), mistakes(set));
+  const auto chosen = choose_parameters(set, grid, assign_folds(set.label, 5, 1), mistakes(set));
   EXPECT_EQ(chosen.parameters.k, 25);
   EXPECT_NEAR(chosen.mean_score, 0.3, 0.06);
 }
 
 TEST(ChooseParameters, MinimisesTheScoreItIsGiven) {
   const TrainingSet set = signs_of_product(200);
-  const std::vector<int> fold = make_folds(set.label, 4, 1);
+  const std::vector<int> fold = assign_folds(set.label, 4, 1);
   const std::vector<SvmParameters> grid{{2, 1, 0, 10}, {3, 1, 0, 10}};
-  const Score right_is_bad = [&](int observation, int chosen) {
+  const LossFunction right_is_bad = [&](int observation, int chosen) {
     return 1 - mistakes(set)(observation, chosen);
   };
   EXPECT_EQ(choose_parameters(set, grid, fold, right_is_bad).parameters, grid[1]);
@@ -174,11 +174,11 @@ TrainingSet masked_clouds(int count) {
 template <typename Parameters, typename Fit>
 void expect_choices_of_others(const TrainingSet& set, int fold_count,
                               const std::vector<Parameters>& grid, const Fit& fit) {
-  const std::vector<int> fold = make_folds(set.label, fold_count, 2);
+  const std::vector<int> fold = assign_folds(set.label, fold_count, 2);
   for (const Parameters& parameters : grid) {
     const std::vector<int> choices = held_out_choices(set, parameters, fold);
     for (int f = 0; f < fold_count; ++f) {
-      const auto model = fit(others_than(set, fold, f), parameters);
+      const auto model = fit(all_except(set, fold, f), parameters);
       for (int i = 0; i < set.size(); ++i) {
         if (fold[static_cast<std::size_t>(i)] != f) continue;
         const int choice = choices[static_cast<std::size_t>(i)];
@@ -208,7 +208,7 @@ TEST(HeldOutChoices, AreThoseOfPairwiseMachinesThatNeverSawTheObservation) {
 
 TEST(HeldOutChoices, AreNotAskedForWhatIsNeverHeldOut) {
   const TrainingSet set = masked_clouds(90);
-  std::vector<int> fold = make_folds(set.label, 3, 1);
+  std::vector<int> fold = assign_folds(set.label, 3, 1);
   std::replace(fold.begin(), fold.end(), 2, kNeverHeldOut);
   const SvmParameters parameters{3, 0.2, 0, 1};
   const std::vector<int> choices = held_out_choices(set, parameters, fold);
@@ -219,7 +219,7 @@ TEST(HeldOutChoices, AreNotAskedForWhatIsNeverHeldOut) {
 
 TEST(HeldOutChoices, DoNotDependOnTheNumberOfThreads) {
   const TrainingSet set = with_costs(masked_clouds(240), 11);
-  const std::vector<int> fold = make_folds(set.label, 5, 3);
+  const std::vector<int> fold = assign_folds(set.label, 5, 3);
   const auto choices = [&] {
     return std::vector{held_out_choices(set, default_svm_parameters(6), fold),
                        held_out_choices(set, knn_grid().front(), fold),
@@ -238,7 +238,7 @@ TEST(HeldOutChoices, DoNotDependOnTheNumberOfThreads) {
 
 TEST(HeldOutChoices, TellOfErrorsInTheirThreads) {
   const TrainingSet set = masked_clouds(60);
-  const std::vector<int> fold = make_folds(set.label, 3, 1);
+  const std::vector<int> fold = assign_folds(set.label, 3, 1);
   EXPECT_THROW(held_out_choices(set, SvmParameters{3, 1, 0, -1}, fold), Error);
 }
 

@@ -14,7 +14,7 @@ template <typename Parameters>
 std::vector<int> held_out_choices(const TrainingSet& set, const Parameters& parameters,
                                   std::span<const int> fold) {
   std::vector<int> choices(set.label.size(), -1);
-  const Score record = [&choices](int observation, int chosen) {
+  const LossFunction record = [&choices](int observation, int chosen) {
     choices[static_cast<std::size_t>(observation)] = chosen;
     return 0.0;
   };
@@ -23,7 +23,7 @@ std::vector<int> held_out_choices(const TrainingSet& set, const Parameters& para
 }
 
 /// The observations that are not of fold `held_out`.
-inline TrainingSet others_than(const TrainingSet& set, std::span<const int> fold, int held_out) {
+inline TrainingSet all_except(const TrainingSet& set, std::span<const int> fold, int held_out) {
   std::vector<int> others;
   for (int i = 0; i < set.size(); ++i) {
     if (fold[static_cast<std::size_t>(i)] != held_out) others.push_back(i);

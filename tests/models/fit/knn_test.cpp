@@ -58,7 +58,7 @@ KnnModel model_of_ties(std::uint64_t seed, int count, int features) {
   for (float& value : model.points) {
     value = std::round(value);
   }
-  index(model);
+  build_leaves(model);
   return model;
 }
 
@@ -143,7 +143,7 @@ TEST(NeighbourIndex, OrdersDistancesThatDifferByRoundingAlone) {
     std::copy(coordinates.begin(), coordinates.end(), row);
     std::shuffle(row, row + 16, random);
   }
-  index(model);
+  build_leaves(model);
   const NeighbourIndex tree(doubles(model.points), 16);
   for (const int k : {1, 3, 10, 100}) {
     const std::vector<double> query(16, 1.0 / k);
@@ -240,8 +240,8 @@ TEST(KnnCosts, AreAveragedOverTheNeighboursThatTriedTheClip) {
 TEST(KnnCosts, AreKeptToHalfAStep) {
   const TrainingSet set = with_costs(random_clouds(19, 200, 8, 5), 20);
   const KnnModel model = fit_knn(set, {1, KnnVote::cost});
-  const float most = *std::max_element(set.cost.begin(), set.cost.end());
-  EXPECT_NEAR(model.cost_step_ns, most / 65534, 1e-6 * most);
+  const float max_cost = *std::max_element(set.cost.begin(), set.cost.end());
+  EXPECT_NEAR(model.cost_step_ns, max_cost / 65534, 1e-6 * max_cost);
   for (std::size_t i = 0; i < set.cost.size(); ++i) {
     ASSERT_NE(model.cost[i], KnnModel::kUntried);
     ASSERT_NEAR(model.cost[i] * model.cost_step_ns, set.cost[i], 0.51 * model.cost_step_ns);

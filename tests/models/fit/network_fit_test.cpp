@@ -28,9 +28,9 @@ NetworkBatch random_batch(std::mt19937_64& random) {
     value = static_cast<float>(random_point(random, 1)[0]);
   for (float& value : batch.targets.reshaped())
     value = static_cast<float>(random_point(random, 1)[0]);
-  batch.shares.setConstant(0.5F);
+  batch.loss_weights.setConstant(0.5F);
   for (int i = 0; i < 6; ++i) {
-    batch.shares(i % 3, i) = 0;
+    batch.loss_weights(i % 3, i) = 0;
     batch.targets(i % 3, i) = 0;
   }
   return batch;
@@ -40,14 +40,14 @@ std::vector<double> column(const Eigen::MatrixXf& matrix, Eigen::Index i) {
   return {matrix.col(i).begin(), matrix.col(i).end()};
 }
 
-double twin_loss(const NetworkBatch& batch, const std::vector<double>& weights) {
+double reference_loss(const NetworkBatch& batch, const std::vector<double>& weights) {
   double loss = 0;
   for (Eigen::Index i = 0; i < batch.inputs.cols(); ++i) {
-    const auto answers = twin_answers(kShape, weights, column(batch.inputs, i));
+    const auto answers = reference_outputs(kShape, weights, column(batch.inputs, i));
     for (Eigen::Index output = 0; output < 3; ++output) {
       const double difference =
           answers[static_cast<std::size_t>(output)] - double{batch.targets(output, i)};
-      loss += double{batch.shares(output, i)} * difference * difference / 2;
+      loss += double{batch.loss_weights(output, i)} * difference * difference / 2;
     }
   }
   return loss / static_cast<double>(batch.inputs.cols());
@@ -63,20 +63,20 @@ TEST(NetworkGradient, IsThatOfFiniteDifferences) {
     weights.push_back(double{weight});
   }
   Eigen::VectorXf gradient;
-  EXPECT_NEAR(network_loss(kShape, batch, floats, gradient), twin_loss(batch, weights), 1e-5);
+  EXPECT_NEAR(network_loss(kShape, batch, floats, gradient), reference_loss(batch, weights), 1e-5);
   for (std::size_t i = 0; i < weights.size(); ++i) {
     constexpr double kStep = 1e-6;
     std::vector<double> moved = weights;
     moved[i] += kStep;
-    const double above = twin_loss(batch, moved);
+    const double above = reference_loss(batch, moved);
     moved[i] -= 2 * kStep;
-    const double slope = (above - twin_loss(batch, moved)) / (2 * kStep);
+    const double slope = (above - reference_loss(batch, moved)) / (2 * kStep);
     ASSERT_NEAR(gradient[static_cast<Eigen::Index>(i)], slope, 1e-4 + 1e-4 * std::abs(slope)) << i;
   }
 }
 
 /// Six clips, of which each observation's mask allows four.
-TrainingSet costly_set(int count) {
+TrainingSet set_with_costs(int count) {
   TrainingSet set = random_clouds(2, count, 3, 4);
   set.masks.assign(3, ClipMask(6, true));
   for (std::size_t mask = 0; mask < 3; ++mask) {
@@ -95,7 +95,7 @@ double regret_of(const TrainingSet& set, int observation, int chosen) {
 }
 
 TEST(NetworkFit, ExpectsTheCostsOfObservationsThatItHasNotSeen) {
-  const TrainingSet set = costly_set(500);
+  const TrainingSet set = set_with_costs(500);
   std::vector<int> first(400);
   std::vector<int> rest(100);
   for (int i = 0; i < 500; ++i)
@@ -123,7 +123,7 @@ TEST(NetworkFit, ExpectsTheCostsOfObservationsThatItHasNotSeen) {
 }
 
 TEST(NetworkFit, HasTheSameBitsForAnyNumberOfThreads) {
-  const TrainingSet set = costly_set(90);
+  const TrainingSet set = set_with_costs(90);
   const NetworkParameters parameters{.hidden_count = 16, .member_count = 3, .epoch_count = 3};
   const int threads = omp_get_max_threads();
   omp_set_num_threads(1);
@@ -139,8 +139,8 @@ TEST(NetworkFit, HasTheSameBitsForAnyNumberOfThreads) {
 }
 
 TEST(NetworkFit, IsJudgedByWhatItHasNotSeen) {
-  const TrainingSet set = costly_set(90);
-  std::vector<int> fold = make_folds(set.label, 3, 1);
+  const TrainingSet set = set_with_costs(90);
+  std::vector<int> fold = assign_folds(set.label, 3, 1);
   std::replace(fold.begin(), fold.end(), 2, kNeverHeldOut);
   const NetworkParameters parameters{.hidden_count = 16, .member_count = 1, .epoch_count = 3};
   std::vector<int> choices(90, -1);
@@ -153,7 +153,7 @@ TEST(NetworkFit, IsJudgedByWhatItHasNotSeen) {
   double held_out = 0;
   double sum = 0;
   for (int f = 0; f < 2; ++f) {
-    const NetworkModel model = fit_network(others_than(set, fold, f), parameters);
+    const NetworkModel model = fit_network(all_except(set, fold, f), parameters);
     for (int i = 0; i < set.size(); ++i) {
       if (fold[static_cast<std::size_t>(i)] != f) continue;
       const auto ranked = expected_costs(model, set.point(i), set.allowed_clips(i));
@@ -171,7 +171,7 @@ TEST(NetworkFit, IsJudgedByWhatItHasNotSeen) {
 }
 
 TEST(NetworkFit, RefusesWhatCannotBeUsed) {
-  TrainingSet set = costly_set(20);
+  TrainingSet set = set_with_costs(20);
   EXPECT_THROW(fit_network(set, {.hidden_count = 20}), Error);
   EXPECT_THROW(fit_network(set, {.member_count = 0}), Error);
   EXPECT_THROW(fit_network(set, {.epoch_count = 0}), Error);
@@ -181,7 +181,7 @@ TEST(NetworkFit, RefusesWhatCannotBeUsed) {
 }
 
 TEST(NetworkFit, TakesCostsThatAreAllTheSame) {
-  TrainingSet set = costly_set(20);
+  TrainingSet set = set_with_costs(20);
   for (float& cost : set.cost) {
     if (std::isfinite(cost)) cost = 4;
   }

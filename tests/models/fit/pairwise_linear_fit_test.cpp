@@ -98,8 +98,8 @@ TEST(PairwiseFit, SumsOfItsWeightsHaveRoomAndUseIt) {
       sum += std::abs(weight);
       largest = std::max(largest, std::abs(std::int32_t{weight}));
     }
-    EXPECT_LE(sum, PairwiseModel::kMostWeightSum);
-    EXPECT_TRUE(sum > 0.99 * PairwiseModel::kMostWeightSum || largest == 0x7FFF);
+    EXPECT_LE(sum, PairwiseModel::kMaxWeightSum);
+    EXPECT_TRUE(sum > 0.99 * PairwiseModel::kMaxWeightSum || largest == 0x7FFF);
   }
 }
 

@@ -122,9 +122,9 @@ TEST(Svm, RanksAllowedClassesAsLibsvmsVotesDo) {
         ASSERT_EQ(ranked[k].index, expected[k].first) << "case " << i << ", place " << k;
         ASSERT_EQ(ranked[k].votes, expected[k].second) << "case " << i << ", place " << k;
       }
-      for (const std::size_t most : {1U, 2U, 5U}) {
-        const auto first = rank(model, point, allowed, most);
-        ASSERT_EQ(first.size(), std::min(most, ranked.size()));
+      for (const std::size_t max_count : {1U, 2U, 5U}) {
+        const auto first = rank(model, point, allowed, max_count);
+        ASSERT_EQ(first.size(), std::min(max_count, ranked.size()));
         for (std::size_t k = 0; k < first.size(); ++k) {
           ASSERT_EQ(first[k].index, ranked[k].index) << "case " << i << ", place " << k;
           ASSERT_EQ(first[k].votes, ranked[k].votes) << "case " << i << ", place " << k;
@@ -145,7 +145,7 @@ TEST(Svm, DecidesToLibsvmsBit) {
       const std::vector<double> expected = oracle.decisions(point);
       for (std::size_t a = 0; a < 8; ++a) {
         for (std::size_t b = a + 1; b < 8; ++b) {
-          ASSERT_EQ(decision(model, point, a, b), expected[model.machine_of(a, b)]);
+          ASSERT_EQ(decision_value(model, point, a, b), expected[model.machine_of(a, b)]);
         }
       }
     }
@@ -165,12 +165,13 @@ TEST(Svm, FollowsLibsvmAlongItsBoundaries) {
     // Halve the way between a point that class 0 has from class 1 and one that it has not.
     std::vector<double> inside = random_point(random, 4);
     std::vector<double> outside = random_point(random, 4);
-    if ((decision(model, inside, 0, 1) > 0) == (decision(model, outside, 0, 1) > 0)) continue;
-    const bool side = decision(model, inside, 0, 1) > 0;
+    if ((decision_value(model, inside, 0, 1) > 0) == (decision_value(model, outside, 0, 1) > 0))
+      continue;
+    const bool side = decision_value(model, inside, 0, 1) > 0;
     for (int step = 0; step < 60; ++step) {
       std::vector<double> middle(4);
       for (std::size_t f = 0; f < 4; ++f) middle[f] = (inside[f] + outside[f]) / 2;
-      ((decision(model, middle, 0, 1) > 0) == side ? inside : outside) = middle;
+      ((decision_value(model, middle, 0, 1) > 0) == side ? inside : outside) = middle;
     }
     for (const std::vector<double>& point : {inside, outside}) {
       const auto expected = sorted(oracle.votes(point, all), all);

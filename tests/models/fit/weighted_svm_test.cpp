@@ -13,7 +13,7 @@
 namespace flinch::models {
 namespace {
 
-constexpr DescentLimits kToTheEnd{.pass_count = 20000, .tolerance = 1e-5F};
+constexpr DescentOptions kUntilConverged{.pass_count = 20000, .tolerance = 1e-5F};
 
 struct Problem {
   FeatureRows rows;
@@ -54,7 +54,7 @@ double primal(const Problem& problem, const Eigen::VectorXd& u) {
 
 /// The dual by steepest descent with projection onto the box, its step the inverse of a bound on
 /// the curvature: slow and plain.
-Eigen::VectorXd twin_weights(const Problem& problem) {
+Eigen::VectorXd reference_weights(const Problem& problem) {
   const auto count = static_cast<Eigen::Index>(problem.examples.size());
   Eigen::MatrixXd x(count, problem.rows.cols());
   Eigen::VectorXd bound(count);
@@ -76,9 +76,9 @@ TEST(WeightedSvm, MinimisesWhatItSays) {
   for (const std::uint64_t seed : {1U, 2U, 3U}) {
     const Problem problem = random_problem(seed, 40, 5, true);
     const LinearMachine machine =
-        fit_weighted_svm(problem.rows, problem.examples, kToTheEnd,
-                         features::Random(seed, features::Purpose::fitting, 0));
-    const Eigen::VectorXd expected = twin_weights(problem);
+        fit_weighted_svm(problem.rows, problem.examples, kUntilConverged,
+                         features::Random(seed, features::RandomStream::fitting, 0));
+    const Eigen::VectorXd expected = reference_weights(problem);
     const Eigen::VectorXd found = machine.weights.cast<double>();
     EXPECT_LT((found - expected).lpNorm<Eigen::Infinity>(), 1e-3 * expected.norm());
     // The duality gap: no weights at all have a lower primal value than the dual's.
@@ -112,21 +112,22 @@ TEST(WeightedSvm, LooksAgainAtWhatItHadLeftOut) {
     const Problem problem = random_problem(seed, 300, 30, true);
     const LinearMachine machine =
         fit_weighted_svm(problem.rows, problem.examples, {.pass_count = 20000, .tolerance = 0.01F},
-                         features::Random(seed, features::Purpose::fitting, 0));
+                         features::Random(seed, features::RandomStream::fitting, 0));
     EXPECT_LT(largest_projected_gradient(problem, machine), 0.02);
   }
 }
 
 TEST(WeightedSvm, SettlesWithinAFewPassesWhereItMatters) {
   const Problem problem = random_problem(4, 400, 20, true);
-  const auto value_after = [&](const DescentLimits& limits) {
-    const LinearMachine machine = fit_weighted_svm(
-        problem.rows, problem.examples, limits, features::Random(4, features::Purpose::fitting, 0));
+  const auto value_after = [&](const DescentOptions& limits) {
+    const LinearMachine machine =
+        fit_weighted_svm(problem.rows, problem.examples, limits,
+                         features::Random(4, features::RandomStream::fitting, 0));
     return primal(problem, machine.weights.cast<double>());
   };
-  const double least = value_after(kToTheEnd);
-  EXPECT_LT(value_after({}), 1.02 * least);
-  EXPECT_GT(value_after({.pass_count = 1, .tolerance = 0}), 1.02 * least);
+  const double min_value = value_after(kUntilConverged);
+  EXPECT_LT(value_after({}), 1.02 * min_value);
+  EXPECT_GT(value_after({.pass_count = 1, .tolerance = 0}), 1.02 * min_value);
 }
 
 // libsvm's machines have an offset and ours none; with every example mirrored through the origin
@@ -142,8 +143,8 @@ TEST(WeightedSvm, IsLibsvmsWhereAllWeighTheSame) {
     }
   }
   const LinearMachine machine =
-      fit_weighted_svm(problem.rows, problem.examples, kToTheEnd,
-                       features::Random(1, features::Purpose::fitting, 0));
+      fit_weighted_svm(problem.rows, problem.examples, kUntilConverged,
+                       features::Random(1, features::RandomStream::fitting, 0));
   const LibsvmOracle oracle(make_set(4, std::move(points), std::move(label), 2), {1, 1, 0, 1});
   std::mt19937_64 random(6);
   int asked = 0;

@@ -58,9 +58,9 @@ TEST_F(CApi, NullIsAStatusEverywhere) {
       [&] { return flinch_character_create(nullptr, &new_character); },
       [&] { return flinch_character_create(library, nullptr); },
       [&] { return flinch_character_place(nullptr, 0, 0, 0, 0); },
-      [&] { return flinch_character_stand_in(nullptr, &some_pose, &some_pose, 0.1F); },
-      [&] { return flinch_character_stand_in(character, nullptr, &some_pose, 0.1F); },
-      [&] { return flinch_character_stand_in(character, &some_pose, nullptr, 0.1F); },
+      [&] { return flinch_character_set_pose(nullptr, &some_pose, &some_pose, 0.1F); },
+      [&] { return flinch_character_set_pose(character, nullptr, &some_pose, 0.1F); },
+      [&] { return flinch_character_set_pose(character, &some_pose, nullptr, 0.1F); },
       [&] { return flinch_character_settle(nullptr); },
       [&] { return flinch_character_limit_perception(nullptr, &limits, 0); },
       [&] { return flinch_character_limit_perception(character, nullptr, 0); },
@@ -117,9 +117,9 @@ TEST_F(CApi, NumbersThatAreNoneAreRefusedAndHarmNothing) {
       auto frames = sized<flinch_joint_frames>();
       (i < 3 ? changed.root_position[i] : changed.rotation[(i - 3) / 4][(i - 3) % 4]) = bad;
       refuses(FLINCH_BAD_POSE,
-              [&] { return flinch_character_stand_in(character, &changed, &good, 0.1F); });
+              [&] { return flinch_character_set_pose(character, &changed, &good, 0.1F); });
       refuses(FLINCH_BAD_POSE,
-              [&] { return flinch_character_stand_in(character, &good, &changed, 0.1F); });
+              [&] { return flinch_character_set_pose(character, &good, &changed, 0.1F); });
       refuses(FLINCH_BAD_POSE,
               [&] { return flinch_character_pose_over(character, &changed, &mask, &changed); });
       refuses(FLINCH_BAD_POSE,
@@ -141,7 +141,7 @@ TEST_F(CApi, NumbersThatAreNoneAreRefusedAndHarmNothing) {
     const flinch_pose good = pose();
     refuses(FLINCH_BAD_TIME, [&] { return flinch_character_update(character, bad); });
     refuses(FLINCH_BAD_TIME,
-            [&] { return flinch_character_stand_in(character, &good, &good, bad); });
+            [&] { return flinch_character_set_pose(character, &good, &good, bad); });
     refuses(FLINCH_BAD_THREAT, [&] { return flinch_character_respond(character, 9, bad); });
     refuses(FLINCH_BAD_THREAT, [&] {
       return flinch_character_perceive_known(character, &threat, FLINCH_HEAD, bad, workspace);
@@ -202,7 +202,7 @@ TEST_F(CApi, AnyCallsLeaveAPoseThatCanBeDrawn) {
     const auto which = random() % 12;
     if (which == 0)
       status = flinch_character_place(character, number(), number(), number(), number());
-    if (which == 1) status = flinch_character_stand_in(character, &before, &now, number());
+    if (which == 1) status = flinch_character_set_pose(character, &before, &now, number());
     if (which == 2) status = flinch_character_settle(character);
     if (which == 3) {
       const auto target = static_cast<std::int32_t>(random() % 5);
@@ -229,7 +229,7 @@ TEST_F(CApi, ARotationThatIsNotUnitIsRefused) {
   stretched.rotation[3][0] *= 1.5F;
   const flinch_pose good = pose();
   refuses(FLINCH_BAD_POSE,
-          [&] { return flinch_character_stand_in(character, &stretched, &good, 0.1F); });
+          [&] { return flinch_character_set_pose(character, &stretched, &good, 0.1F); });
 }
 
 TEST_F(CApi, ThereIsNothingBeyondTheLastIndex) {

@@ -18,7 +18,7 @@ TEST(CApiLoad, TellsWhatIsWrongWithAFile) {
   EXPECT_EQ(flinch_library_load(FLINCH_SOURCE_DIR "/README.md", &library), FLINCH_NOT_A_SELECTOR);
   EXPECT_EQ(flinch_library_load_memory("", 0, &library), FLINCH_NOT_A_SELECTOR);
   const tests::MadeUpSelector made = tests::made_up_selector(
-      database::authored_library(motion::default_character()), 60, tests::Fitted::knn);
+      database::authored_library(motion::default_character()), 60, tests::ModelKind::knn);
   const std::string bare = train::selector_bytes(made.selector);
   EXPECT_EQ(flinch_library_load_memory(bare.data(), bare.size(), &library), FLINCH_WITHOUT_CLIPS);
   std::string later = bare;

@@ -22,7 +22,7 @@ inline constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 inline const std::string& selector_file() {
   static const std::string kFile =
-      made_up_selector(database::authored_library(motion::default_character()), 60, Fitted::knn)
+      made_up_selector(database::authored_library(motion::default_character()), 60, ModelKind::knn)
           .file();
   return kFile;
 }

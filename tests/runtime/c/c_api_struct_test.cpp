@@ -48,7 +48,7 @@ TEST_F(CApi, StructsOfOlderProgramsAreServedAndOfNewerOnesRefused) {
                 [&](auto* p) { return flinch_library_joint_frames(library, &good_pose, p); });
   refuses_sizes(flinch_pose{}, [&](auto* p) { return flinch_character_pose(character, p); });
   refuses_sizes(good_pose,
-                [&](auto* p) { return flinch_character_stand_in(character, p, &good_pose, 0.1F); });
+                [&](auto* p) { return flinch_character_set_pose(character, p, &good_pose, 0.1F); });
   refuses_sizes(good_mask, [&](auto* p) {
     return flinch_character_pose_over(character, &good_pose, p, &good_pose);
   });

@@ -35,7 +35,7 @@ TEST_F(CApi, PlaysTheMotionOfTheCxxApiBitForBit) {
   Library ours;
   ASSERT_EQ(ours.load(std::as_bytes(std::span(selector_file()))), database::LoadStatus::ok);
   Workspace our_workspace;
-  ASSERT_EQ(our_workspace.make_room(ours.selection_bytes()), database::LoadStatus::ok);
+  ASSERT_EQ(our_workspace.reserve_memory(ours.selection_bytes()), database::LoadStatus::ok);
   Character twin(ours);
   twin.place({0.03F, -0.02F}, 0.4F, 1.1F);
   ASSERT_EQ(flinch_character_place(character, 0.03F, -0.02F, 0.4F, 1.1F), FLINCH_OK);
@@ -92,7 +92,7 @@ TEST_F(CApi, AnswersAKnownThreatWithAClipOfItsChoice) {
 }
 
 TEST_F(CApi, TellsOfTheLibraryWhatTheFileHolds) {
-  const database::Library authored = database::authored_library(motion::default_character());
+  const database::ClipLibrary authored = database::authored_library(motion::default_character());
   auto info = sized<flinch_library_info>();
   ASSERT_EQ(flinch_library_describe(library, &info), FLINCH_OK);
   ASSERT_EQ(static_cast<std::size_t>(info.clip_count), authored.clips.size());
@@ -198,7 +198,7 @@ TEST_F(CApi, AllocatesNothingButHandles) {
   const std::size_t before = tests::allocation_count();
   for (int frame = 0; frame < 300; ++frame) {
     if (frame % 50 == 10) flinch_character_perceive(character, &threat, workspace);
-    if (frame % 100 == 90) flinch_character_stand_in(character, &now, &now, 0.01F);
+    if (frame % 100 == 90) flinch_character_set_pose(character, &now, &now, 0.01F);
     flinch_character_update(character, 0.01F);
     flinch_character_pose(character, &now);
     flinch_character_pose_over(character, &now, &mask, &now);

@@ -44,9 +44,9 @@ float lowest(const std::vector<Eigen::Vector3f>& points) {
 // How far a point is inside the sole of a foot, seen from above, m.
 float margin_in_sole(const PreparedLibrary& library, const JointFrames& frames, Side side,
                      const Eigen::Vector3f& point) {
-  const motion::FootPlace foot = motion::foot_place(frames, side);
+  const motion::FootPose foot = motion::foot_pose(frames, side);
   const Eigen::Quaternionf heading =
-      motion::turn_about(Eigen::Vector3f::UnitZ(), motion::yaw_of(foot.orientation));
+      motion::rotation_about(Eigen::Vector3f::UnitZ(), motion::yaw_of(foot.orientation));
   const Eigen::Vector3f local = heading.conjugate() * (point - foot.ankle);
   return motion::signed_distance_inside(library.soles[motion::index_of(side)].hull,
                                         local.head<2>());
@@ -64,7 +64,7 @@ Centre centre_at(const Response& r, float time_s) {
   constexpr float kGravity = 9.81F;
   const auto place_at = [&](float t) {
     return motion::centre_of_mass(
-        r.library->bodies,
+        r.library->body_model,
         motion::forward_kinematics(r.library->skeleton(), runtime::pose_at(r, t)));
   };
   const Eigen::Vector3f place = place_at(time_s);
@@ -99,14 +99,14 @@ struct Standing {
 };
 
 Standing standing_of(const PreparedLibrary& library, const JointFrames& frames) {
-  const Eigen::Vector3f centre = motion::centre_of_mass(library.bodies, frames);
+  const Eigen::Vector3f centre = motion::centre_of_mass(library.body_model, frames);
   Standing standing;
   float nearest = 1e9F;
   for (Side side : motion::kSides) {
     const std::size_t i = motion::index_of(side);
     standing.points[i] = sole_points(library.soles[i], frames, side);
     standing.stands[i] = lowest(standing.points[i]) <= kOnGround;
-    const float distance = (motion::foot_place(frames, side).ankle - centre).head<2>().norm();
+    const float distance = (motion::foot_pose(frames, side).ankle - centre).head<2>().norm();
     if (standing.stands[i] && distance < nearest) {
       nearest = distance;
       standing.support = side;
@@ -143,7 +143,7 @@ void measure_feet(const Response& r, ResponseQuality& quality) {
       quality.below_ground_m = std::max(quality.below_ground_m, -lowest(standing.points[i]));
       const bool leaves = stood[i] && !standing.stands[i] && standing.stands[1 - i];
       const bool first = side != r.support && time_s < r.peak_s && quality.lift_margin_m == 1;
-      const bool home = r.feet[i].home_lift_m > 0 && time_s > r.feet[i].home.begin_s;
+      const bool home = r.feet[i].return_lift_m > 0 && time_s > r.feet[i].return_step.begin_s;
       if (leaves && (first || home)) {
         const Centre centre = centre_at(r, time_s);
         const Side standing_foot = motion::other(side);
@@ -212,26 +212,26 @@ ResponseQuality measure_response(const Response& r, float time_to_impact_s) {
   measure_feet(r, quality);
   quality.clip_slip_m = slip_of(*r.library, r.library->clip(r.clip));
   const float own = velocity_step_of(r.library->clip(r.clip), r.playback_rate);
-  measure_seam(r, r.start_s, "start", own, quality);
+  measure_seam(r, r.first_motion_s, "start", own, quality);
   measure_seam(r, r.begin_s, "begin of the clip", own, quality);
-  measure_seam(r, r.begin_s + r.blend_s, "end of the blend", own, quality);
+  measure_seam(r, r.begin_s + r.blend_duration_s, "end of the blend", own, quality);
   measure_seam(r, r.end_s, "end of the clip", own, quality);
   measure_seam(r, runtime::duration_s(r), "back at idle", own, quality);
   for (const runtime::FootPlan& plan : r.feet) {
     if (plan.offset.yaw != 0 || !plan.offset.translation.isZero(0)) {
-      measure_seam(r, plan.change.begin_s, "step", own, quality);
-      measure_seam(r, plan.change.end_s, "end of step", own, quality);
+      measure_seam(r, plan.correction.begin_s, "step", own, quality);
+      measure_seam(r, plan.correction.end_s, "end of step", own, quality);
     }
-    measure_seam(r, plan.home.begin_s, "step home", own, quality);
-    measure_seam(r, plan.home.end_s, "end of step home", own, quality);
+    measure_seam(r, plan.return_step.begin_s, "step home", own, quality);
+    measure_seam(r, plan.return_step.end_s, "end of step home", own, quality);
   }
   for (const runtime::WeightShift& shift : r.shifts) {
-    measure_seam(r, shift.window.begin_s, "weight shift", own, quality);
-    measure_seam(r, shift.held.begin_s, "weight shifted", own, quality);
-    measure_seam(r, shift.held.end_s, "weight leaves", own, quality);
-    measure_seam(r, shift.window.end_s, "weight back", own, quality);
+    measure_seam(r, shift.interval.begin_s, "weight shift", own, quality);
+    measure_seam(r, shift.hold.begin_s, "weight shifted", own, quality);
+    measure_seam(r, shift.hold.end_s, "weight leaves", own, quality);
+    measure_seam(r, shift.interval.end_s, "weight back", own, quality);
   }
-  if (r.playback_rate < runtime::kMostPlaybackRate) {
+  if (r.playback_rate < runtime::kMaxPlaybackRate) {
     quality.peak_error_s = std::abs(r.peak_s - time_to_impact_s);
   }
   return quality;

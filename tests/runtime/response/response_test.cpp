@@ -26,8 +26,9 @@ using motion::Side;
 using tests::allocation_count;
 using tests::distance;
 
-const database::Library& authored() {
-  static const database::Library library = database::authored_library(motion::default_character());
+const database::ClipLibrary& authored() {
+  static const database::ClipLibrary library =
+      database::authored_library(motion::default_character());
   return library;
 }
 
@@ -36,7 +37,7 @@ const PreparedLibrary& prepared() {
   return library;
 }
 
-int clip_named(const database::Library& library, std::string_view name) {
+int clip_named(const database::ClipLibrary& library, std::string_view name) {
   for (std::size_t i = 0; i < library.clips.size(); ++i) {
     if (library.clips[i].name == name) return static_cast<int>(i);
   }
@@ -56,7 +57,7 @@ const motion::Annotation& annotation_of(int clip) {
   return *prepared().clip(clip).annotation;
 }
 
-float way_to_peak_s(int clip) {
+float time_to_peak_s(int clip) {
   return annotation_of(clip).peak_s - annotation_of(clip).onset_s;
 }
 
@@ -66,8 +67,8 @@ Pose idle_at(const features::CharacterState& state, float t) {
 
 // The library without all but its idle clip and one other, changed.
 template <typename Change>
-database::Library with_changed(int clip, Change change) {
-  database::Library library = authored();
+database::ClipLibrary with_changed(int clip, Change change) {
+  database::ClipLibrary library = authored();
   const motion::Clip kept = library.clips[static_cast<std::size_t>(clip)];
   library.clips.resize(1);
   library.clips.push_back(kept);
@@ -76,7 +77,7 @@ database::Library with_changed(int clip, Change change) {
 }
 
 // A clip that ends where the body is out of the way, with both feet there.
-database::Library one_way_step() {
+database::ClipLibrary one_way_step() {
   return with_changed(kSidestep, [](motion::Clip& clip) {
     const float until_s = clip.annotation->peak_s + 0.2F;
     clip.motion.poses.resize(static_cast<std::size_t>(until_s * clip.motion.rate_hz));
@@ -85,14 +86,14 @@ database::Library one_way_step() {
 }
 
 // A clip of another actor, who stands wider, turned and elsewhere, and does not step.
-database::Library other_stance() {
+database::ClipLibrary other_stance() {
   return with_changed(kBlock, [](motion::Clip& clip) {
     const motion::Skeleton& skeleton = motion::default_character().skeleton;
     for (Pose& pose : clip.motion.poses) {
       pose = motion::placed(pose, -0.5F, {0.3F, 0.1F, 0});
       const motion::JointFrames frames = motion::forward_kinematics(skeleton, pose);
       for (Side side : motion::kSides) {
-        motion::FootPlace foot = motion::foot_place(frames, side);
+        motion::FootPose foot = motion::foot_pose(frames, side);
         foot.ankle.y() += 0.09F * motion::sign_of(side);
         foot.ankle.x() -= 0.05F * motion::sign_of(side);
         motion::move_limb_end(frames, motion::leg_of(side), foot.ankle, foot.orientation, pose);
@@ -106,37 +107,37 @@ TEST(Response, PeaksAtTheImpactWhenThereIsTime) {
     for (float impact_s : {0.7F, 0.9F, 1.2F}) {
       const Response response = make_response(prepared(), kState, clip, impact_s);
       EXPECT_EQ(response.playback_rate, 1);
-      EXPECT_NEAR(response.begin_s, impact_s - way_to_peak_s(clip), 1e-5F);
+      EXPECT_NEAR(response.begin_s, impact_s - time_to_peak_s(clip), 1e-5F);
       EXPECT_NEAR(response.peak_s, impact_s, 1e-5F);
       const Pose at_peak = pose_at(response, impact_s);
       const Pose peak =
           motion::placed(motion::sample(prepared().clip(clip).motion, annotation_of(clip).peak_s),
                          response.yaw, response.translation);
       const bool weight_is_back =
-          response.shifts[0].window.end_s < impact_s || response.shifts[0].pelvis.isZero(0);
+          response.shifts[0].interval.end_s < impact_s || response.shifts[0].pelvis.isZero(0);
       EXPECT_TRUE(!weight_is_back || distance(at_peak, peak) < 2e-3F) << clip;
     }
   }
 }
 
 TEST(Response, PlaysFasterUpToALimitWhenTimeIsShort) {
-  const float way_s = way_to_peak_s(kDuck);
+  const float way_s = time_to_peak_s(kDuck);
   const Response fast = make_response(prepared(), kState, kDuck, 0.8F * way_s);
   EXPECT_NEAR(fast.playback_rate, 1.25F, 1e-4F);
   EXPECT_EQ(fast.begin_s, 0);
   EXPECT_NEAR(fast.peak_s, 0.8F * way_s, 1e-5F);
   const Response late = make_response(prepared(), kState, kDuck, 0.1F);
-  EXPECT_EQ(late.playback_rate, kMostPlaybackRate);
+  EXPECT_EQ(late.playback_rate, kMaxPlaybackRate);
   EXPECT_EQ(late.begin_s, 0);
-  EXPECT_NEAR(late.peak_s, way_s / kMostPlaybackRate, 1e-5F);
+  EXPECT_NEAR(late.peak_s, way_s / kMaxPlaybackRate, 1e-5F);
 }
 
 TEST(Response, IdlesUntilItStarts) {
   for (int clip : {kDuck, kSidestep}) {
     const Response response = make_response(prepared(), kState, clip, 1.2F);
-    EXPECT_GT(response.start_s, 0.3F);
+    EXPECT_GT(response.first_motion_s, 0.3F);
     for (float part : {0.0F, 0.4F, 1.0F}) {
-      const float t = part * response.start_s;
+      const float t = part * response.first_motion_s;
       EXPECT_EQ(distance(pose_at(response, t), idle_at(kState, t)), 0);
     }
     EXPECT_GT(distance(pose_at(response, 1.1F), idle_at(kState, 1.1F)), 0.05F);
@@ -152,34 +153,34 @@ TEST(Response, StartsFromTheIdlePoseEvenWithoutTime) {
 }
 
 TEST(Response, LaysTheClipsFacingOnTheCharactersAndItsSupportFootOnWhereItStands) {
-  const database::Library library = other_stance();
+  const database::ClipLibrary library = other_stance();
   const PreparedLibrary other = prepare(library);
   const Response response = make_response(other, kState, 1, 1.0F);
   EXPECT_EQ(response.yaw, kState.facing);
   EXPECT_EQ(response.translation.z(), 0);
-  const motion::FootPlace before =
+  const motion::FootPose before =
       foot_of(other.skeleton(), idle_at(kState, response.begin_s), response.support);
   for (float t = 0; t < response.end_s; t += 0.05F) {
-    const motion::FootPlace now = foot_of(other.skeleton(), pose_at(response, t), response.support);
+    const motion::FootPose now = foot_of(other.skeleton(), pose_at(response, t), response.support);
     EXPECT_LT((now.ankle - before.ankle).norm(), 1e-3F) << t;
     EXPECT_LT(now.orientation.angularDistance(before.orientation), 5e-3F) << t;
   }
 }
 
 TEST(Response, StepsWithTheOtherFootToWhereTheClipHasIt) {
-  const database::Library library = other_stance();
+  const database::ClipLibrary library = other_stance();
   const PreparedLibrary other = prepare(library);
   const Response response = make_response(other, kState, 1, 1.0F);
   const Side side = motion::other(response.support);
   const FootPlan& plan = response.feet[motion::index_of(side)];
-  ASSERT_GT(plan.change_lift_m, 0);
-  const float t = plan.change.end_s + 0.02F;
-  const motion::FootPlace clip_foot = foot_of(other.skeleton(), clip_pose_at(response, t), side);
-  const motion::FootPlace foot = foot_of(other.skeleton(), pose_at(response, t), side);
+  ASSERT_GT(plan.correction_lift_m, 0);
+  const float t = plan.correction.end_s + 0.02F;
+  const motion::FootPose clip_foot = foot_of(other.skeleton(), clip_pose_at(response, t), side);
+  const motion::FootPose foot = foot_of(other.skeleton(), pose_at(response, t), side);
   EXPECT_LT((foot.ankle - clip_foot.ankle).norm(), 2e-3F);
-  const float middle_s = 0.5F * (plan.change.begin_s + plan.change.end_s);
+  const float middle_s = 0.5F * (plan.correction.begin_s + plan.correction.end_s);
   EXPECT_GT(foot_of(other.skeleton(), pose_at(response, middle_s), side).ankle.z(),
-            foot.ankle.z() + 0.5F * plan.change_lift_m);
+            foot.ankle.z() + 0.5F * plan.correction_lift_m);
 }
 
 // At most the largest speed of clip and idle, quickened, and of crossing over from one to the other
@@ -190,7 +191,7 @@ TEST(Response, NeverJumps) {
   for (int clip : {kDuck, kSidestep, kLift}) {
     for (float impact_s : {0.15F, 0.4F, 0.7F, 1.2F}) {
       const Response response = make_response(prepared(), kState, clip, impact_s);
-      const float most_speed = 1.875F * 6.3F / response.blend_s + kMostPlaybackRate * 20;
+      const float most_speed = 1.875F * 6.3F / response.blend_duration_s + kMaxPlaybackRate * 20;
       Pose last = pose_at(response, 0);
       for (float t = kStep_s; t < duration_s(response) + 0.5F; t += kStep_s) {
         const Pose pose = pose_at(response, t);
@@ -208,22 +209,22 @@ TEST(Response, ComesBackToIdleAndKeepsIdling) {
   for (float later_s : {0.0F, 0.5F, 10.0F}) {
     const float t = duration_s(response) + later_s;
     Pose idle = idle_at(kState, t);
-    idle.root_position += response.travel;
+    idle.root_position += response.idle_displacement;
     EXPECT_LT(distance(pose_at(response, t), idle), 1e-5F);
   }
-  EXPECT_NEAR(duration_s(response), response.end_s + kBlend, 1e-6F);
+  EXPECT_NEAR(duration_s(response), response.end_s + kMinBlend_s, 1e-6F);
 }
 
 // Left of a character that faces 0.9 rad is (-sin, cos); the default library steps to the right.
 TEST(Response, StaysWhereAStepLedAndTheNextStateGoesOnThere) {
-  const database::Library library = one_way_step();
+  const database::ClipLibrary library = one_way_step();
   const PreparedLibrary stepping = prepare(library);
   const Response response = make_response(stepping, kState, 1, 1.0F);
   const Eigen::Vector3f right(std::sin(0.9F), -std::cos(0.9F), 0);
-  EXPECT_GT(response.travel.dot(right), 0.3F);
-  EXPECT_EQ(response.travel.z(), 0);
+  EXPECT_GT(response.idle_displacement.dot(right), 0.3F);
+  EXPECT_EQ(response.idle_displacement.z(), 0);
   features::CharacterState next = kState;
-  next.position += response.travel.head<2>();
+  next.position += response.idle_displacement.head<2>();
   const float t = duration_s(response) + 0.4F;
   EXPECT_LT(distance(pose_at(response, t), idle_at(next, t)), 1e-5F);
   // Feet that stand elsewhere than the idle's step home, and nothing jumps when they have.
@@ -273,21 +274,21 @@ TEST(Response, OfTheIdleClipIsIdling) {
 TEST(Response, OfUnusableInputIsInvalidAndHarmless) {
   constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
   constexpr float kInfinity = std::numeric_limits<float>::infinity();
-  const database::Library library = authored();
+  const database::ClipLibrary library = authored();
   features::CharacterState lost = kState;
   lost.position.x() = kNan;
-  database::Library disordered = authored();
+  database::ClipLibrary disordered = authored();
   disordered.clips[kDuck].annotation->peak_s = -0.05F;
-  database::Library without_poses = authored();
+  database::ClipLibrary without_poses = authored();
   without_poses.clips[kDuck].motion.poses.clear();
-  database::Library without_idle = authored();
+  database::ClipLibrary without_idle = authored();
   without_idle.idle = 4000;
   const PreparedLibrary whole = prepare(library);
   const PreparedLibrary mixed_up = prepare(disordered);
   const PreparedLibrary poseless = prepare(without_poses);
   const PreparedLibrary idleless = prepare(without_idle);
-  Origin nowhere;
-  nowhere.idles = false;
+  Inertialization nowhere;
+  nowhere.is_zero = false;
   nowhere.root.x() = kNan;
   for (const Response& response :
        {make_response(whole, kState, kDuck, 0.5F, nowhere), make_response(whole, kState, -1, 0.5F),
@@ -312,7 +313,7 @@ TEST(Response, TakesTimesThatAreNoTimesAsPerception) {
 
 TEST(Response, AllocatesNothing) {
   const std::size_t before_copy = allocation_count();
-  const database::Library copy = authored();
+  const database::ClipLibrary copy = authored();
   ASSERT_GT(allocation_count(), before_copy);  // the count counts
   prepared();
   const std::size_t before = allocation_count();
@@ -355,25 +356,26 @@ struct Interruption {
   Pose before;
   Pose now;
   features::CharacterState state;
-  Origin origin;
+  Inertialization inertialization;
 };
 
 Interruption interrupted(int clip, float at_s) {
   constexpr float kStep_s = 1e-3F;
   const Response response = make_response(prepared(), kState, clip, 0.6F);
   Interruption at{pose_at(response, at_s - kStep_s), pose_at(response, at_s), {}, {}};
-  at.state = state_under(prepared(), at.now);
-  at.origin = make_origin(prepared(), at.state, at.before, at.now, kStep_s);
+  at.state = idle_state_at(prepared(), at.now);
+  at.inertialization = make_inertialization(prepared(), at.state, at.before, at.now, kStep_s);
   return at;
 }
 
-TEST(Origin, GoesOnWithPoseAndVelocity) {
+TEST(Inertialization, GoesOnWithPoseAndVelocity) {
   constexpr float kStep_s = 1e-3F;
   for (int clip : {kDuck, kBlock, kSidestep}) {
     for (float at_s : {0.35F, 0.5F, 0.7F}) {
       const Interruption from = interrupted(clip, at_s);
       for (int next : {kIdle, kDuck, kLift}) {
-        const Response response = make_response(prepared(), from.state, next, 0.5F, from.origin);
+        const Response response =
+            make_response(prepared(), from.state, next, 0.5F, from.inertialization);
         ASSERT_TRUE(is_valid(response));
         EXPECT_LT(distance(pose_at(response, 0), from.now), 2e-3F) << clip << " at " << at_s;
         const Pose after = pose_at(response, kStep_s);
@@ -390,10 +392,11 @@ TEST(Origin, GoesOnWithPoseAndVelocity) {
   }
 }
 
-TEST(Origin, KeepsFeetWhereTheyStandAndEndsAtIdle) {
+TEST(Inertialization, KeepsFeetWhereTheyStandAndEndsAtIdle) {
   for (float at_s : {0.45F, 0.6F, 0.75F}) {
     const Interruption from = interrupted(kDuck, at_s);
-    const Response response = make_response(prepared(), from.state, kIdle, 0.5F, from.origin);
+    const Response response =
+        make_response(prepared(), from.state, kIdle, 0.5F, from.inertialization);
     const motion::JointFrames first =
         motion::forward_kinematics(prepared().skeleton(), pose_at(response, 0));
     for (float t = 0; t < 1; t += 0.05F) {
@@ -401,7 +404,7 @@ TEST(Origin, KeepsFeetWhereTheyStandAndEndsAtIdle) {
           motion::forward_kinematics(prepared().skeleton(), pose_at(response, t));
       for (Side side : motion::kSides) {
         EXPECT_LT(
-            (motion::foot_place(frames, side).ankle - motion::foot_place(first, side).ankle).norm(),
+            (motion::foot_pose(frames, side).ankle - motion::foot_pose(first, side).ankle).norm(),
             2e-3F);
       }
     }

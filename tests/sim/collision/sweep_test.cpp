@@ -11,11 +11,11 @@ namespace flinch::sim {
 namespace {
 
 constexpr double kHorizon_s = 0.05;
-constexpr double kTouch_m = 1e-4;
+constexpr double kTestContactDistance_m = 1e-4;
 
-class RandomScene : public tests::RandomOutlines {
+class RandomScene : public tests::RandomShapes {
  public:
-  using RandomOutlines::RandomOutlines;
+  using RandomShapes::RandomShapes;
 
   MovingShape shape() {
     MovingShape shape{outline()};
@@ -34,7 +34,7 @@ TEST(TimeOfTouch, AgreesWithFineSampling) {
   for (int i = 0; i < 400; ++i) {
     const features::FreeFlight ball = random.ball();
     const MovingShape shape = random.shape();
-    const auto found = time_of_touch(ball, shape, kHorizon_s, kTouch_m, 0);
+    const auto found = time_of_contact(ball, shape, kHorizon_s, kTestContactDistance_m, 0);
     constexpr int kSamples = 20000;
     std::optional<double> sampled;
     double least = std::numeric_limits<double>::infinity();
@@ -42,15 +42,16 @@ TEST(TimeOfTouch, AgreesWithFineSampling) {
       const double time_s = kHorizon_s * k / kSamples;
       const double gap = clearance(ball.position_at(time_s), ball.radius, shape.at(time_s)).gap;
       least = std::min(least, gap);
-      if (gap <= 0.5 * kTouch_m) sampled = time_s;
+      if (gap <= 0.5 * kTestContactDistance_m) sampled = time_s;
     }
     if (sampled) {
       ASSERT_TRUE(found) << "missed a touch at " << *sampled;
       EXPECT_LE(*found, *sampled);
       // At the time found the surfaces do touch.
-      EXPECT_LE(clearance(ball.position_at(*found), ball.radius, shape.at(*found)).gap, kTouch_m);
+      EXPECT_LE(clearance(ball.position_at(*found), ball.radius, shape.at(*found)).gap,
+                kTestContactDistance_m);
       ++touched;
-    } else if (least > 1.1 * kTouch_m) {
+    } else if (least > 1.1 * kTestContactDistance_m) {
       EXPECT_FALSE(found);
       ++missed;
     }
@@ -69,7 +70,8 @@ TEST(TimeOfTouch, WithSlackIsSafeForAcceleratingShapes) {
     const MovingShape shape = random.shape();
     const Eigen::Vector3d acceleration = kSlack_mps2 * random.vector(1).normalized();
     const double safe_s =
-        time_of_touch(ball, shape, kHorizon_s, kTouch_m, kSlack_mps2).value_or(kHorizon_s);
+        time_of_contact(ball, shape, kHorizon_s, kTestContactDistance_m, kSlack_mps2)
+            .value_or(kHorizon_s);
     for (int k = 0; k < 1000; ++k) {
       const double time_s = safe_s * k / 1000;
       MovingShape accelerated = shape.at(time_s);

@@ -12,28 +12,28 @@ namespace {
 
 using motion::Body;
 
-class PushesTest : public testing::Test {
+class BodyContactsTest : public testing::Test {
  protected:
-  FigurePlan plan_{motion::default_character()};
-  Pushes pushes_{plan_};
+  FigureModel figure_model_{motion::default_character()};
+  BodyContacts body_contacts_{figure_model_};
   motion::PerBody<double> impulse_;
 
   void step(double time_s, const std::vector<ContactImpulse>& contacts) {
-    pushes_.begin_step(time_s);
+    body_contacts_.begin_step(time_s);
     for (const ContactImpulse& contact : contacts) {
-      if (!contact.second) pushes_.hit(contact.first);
+      if (!contact.second) body_contacts_.add_hit(contact.first);
     }
-    pushes_.charge(contacts, impulse_);
+    body_contacts_.add_impulses(contacts, impulse_);
   }
 };
 
-TEST_F(PushesTest, BodyPassesOnAtMostWhatTheBallGaveIt) {
+TEST_F(BodyContactsTest, BodyPassesOnAtMostWhatTheBallGaveIt) {
   step(0, {{Body::left_hand, {}, 5}, {Body::head, Body::left_hand, 8}});
   EXPECT_DOUBLE_EQ(impulse_[Body::left_hand], 5 + 5);
   EXPECT_DOUBLE_EQ(impulse_[Body::head], 5);
 }
 
-TEST_F(PushesTest, WhatIsPassedOnInPartsAddsUpToNoMore) {
+TEST_F(BodyContactsTest, WhatIsPassedOnInPartsAddsUpToNoMore) {
   step(0, {{Body::left_hand, {}, 5}});
   step(0.001, {{Body::head, Body::left_hand, 2}});
   step(0.002, {{Body::chest, Body::left_hand, 2}});
@@ -43,7 +43,7 @@ TEST_F(PushesTest, WhatIsPassedOnInPartsAddsUpToNoMore) {
   EXPECT_DOUBLE_EQ(impulse_[Body::abdomen], 1);
 }
 
-TEST_F(PushesTest, BodyThatWasGivenAPushPassesItOn) {
+TEST_F(BodyContactsTest, BodyThatWasGivenAPushPassesItOn) {
   step(0, {{Body::left_hand, {}, 5},
            {Body::left_forearm, Body::left_hand, 3},
            {Body::chest, Body::left_forearm, 9}});
@@ -51,7 +51,7 @@ TEST_F(PushesTest, BodyThatWasGivenAPushPassesItOn) {
   EXPECT_DOUBLE_EQ(impulse_[Body::chest], 3);
 }
 
-TEST_F(PushesTest, WhatABodyWasGivenIsForgottenWithItsBlow) {
+TEST_F(BodyContactsTest, WhatABodyWasGivenIsForgottenWithItsBlow) {
   step(0, {{Body::left_hand, {}, 5}});
   step(0.2, {{Body::head, Body::left_hand, 4}});
   EXPECT_DOUBLE_EQ(impulse_[Body::head], 0);

@@ -27,16 +27,16 @@ Eigen::Matrix3d inertia_by_ode(const motion::Shape& shape, double mass_kg) {
   return inertia;
 }
 
-TEST(FigurePlan, InertiasAreThoseOfTheReferenceEngine) {
-  const motion::Character character = motion::default_character();
-  const FigurePlan plan(character);
+TEST(FigureModel, InertiasAreThoseOfTheReferenceEngine) {
+  const motion::Physique character = motion::default_character();
+  const FigureModel figure_model(character);
   for (Body body : motion::kBodies) {
     SCOPED_TRACE(name_of(body));
-    const motion::BodyProperties& properties = plan.model[body];
+    const motion::BodyProperties& properties = figure_model.model[body];
     const Eigen::Matrix3d turn = properties.shape.orientation.cast<double>().toRotationMatrix();
     const Eigen::Matrix3d expected =
         turn * inertia_by_ode(properties.shape, double{properties.mass_kg}) * turn.transpose();
-    EXPECT_LT((plan.inertia[body] - expected).norm(), 1e-6 * expected.norm());
+    EXPECT_LT((figure_model.inertia[body] - expected).norm(), 1e-6 * expected.norm());
     EXPECT_GT(expected.norm(), 0);
   }
 }

@@ -24,7 +24,7 @@ Eigen::Quaterniond about(const Eigen::Vector3d& axis, double degrees) {
 TEST(JointAngles, GiveTheRotationBack) {
   std::mt19937 generator(3);
   for (Body body : motion::kBodies) {
-    const JointLimits limits = limits_of(body);
+    const JointRange limits = limits_of(body);
     for (int i = 0; i < 50; ++i) {
       const Eigen::Quaterniond rotation = tests::uniform_rotation(generator);
       const Eigen::Quaterniond back = joint_rotation(limits, joint_angles(limits, rotation));
@@ -34,7 +34,7 @@ TEST(JointAngles, GiveTheRotationBack) {
 }
 
 TEST(JointAngles, OfTwistAndSwingAreTheirComponents) {
-  JointLimits limits;
+  JointRange limits;
   limits.bone = -Eigen::Vector3d::UnitZ();
   const Eigen::Quaterniond rotation =
       about(Eigen::Vector3d::UnitY(), -70) * about(Eigen::Vector3d::UnitZ(), 20);
@@ -45,7 +45,8 @@ TEST(JointAngles, OfTwistAndSwingAreTheirComponents) {
 // What the signs of the table mean, by where the bone goes.
 TEST(JointLimits, LetTheBodyDoWhatBodiesDo) {
   const auto within = [](Body body, const Eigen::Quaterniond& rotation) {
-    return beyond_limits(limits_of(body), rotation, Eigen::Quaterniond::Identity()).norm() < 1e-12;
+    return limit_violation(limits_of(body), rotation, Eigen::Quaterniond::Identity()).norm() <
+           1e-12;
   };
   const Eigen::Vector3d x = Eigen::Vector3d::UnitX();
   const Eigen::Vector3d y = Eigen::Vector3d::UnitY();
@@ -80,17 +81,17 @@ TEST(JointLimits, LetTheBodyDoWhatBodiesDo) {
 }
 
 TEST(JointLimits, LeadBackToTheLimit) {
-  const JointLimits knee = limits_of(Body::left_shin);
+  const JointRange knee = limits_of(Body::left_shin);
   const Eigen::Vector3d back =
-      beyond_limits(knee, about(Eigen::Vector3d::UnitY(), 165), Eigen::Quaterniond::Identity());
+      limit_violation(knee, about(Eigen::Vector3d::UnitY(), 165), Eigen::Quaterniond::Identity());
   EXPECT_TRUE(back.isApprox(-15 * kDegree * Eigen::Vector3d::UnitY(), 1e-6)) << back.transpose();
 }
 
 TEST(JointLimits, GiveWayToTheReference) {
-  const JointLimits knee = limits_of(Body::left_shin);
+  const JointRange knee = limits_of(Body::left_shin);
   const Eigen::Quaterniond reference = about(Eigen::Vector3d::UnitY(), 165);
-  EXPECT_EQ(beyond_limits(knee, about(Eigen::Vector3d::UnitY(), 163), reference).norm(), 0);
-  EXPECT_NEAR(beyond_limits(knee, about(Eigen::Vector3d::UnitY(), 170), reference).norm(),
+  EXPECT_EQ(limit_violation(knee, about(Eigen::Vector3d::UnitY(), 163), reference).norm(), 0);
+  EXPECT_NEAR(limit_violation(knee, about(Eigen::Vector3d::UnitY(), 170), reference).norm(),
               5 * kDegree, 1e-9);
 }
 
@@ -101,10 +102,10 @@ TEST(JointLimits, AskForNothingExactlyWithinThem) {
   int beyond = 0;
   for (Body body : motion::kBodies) {
     if (!parent_of(body)) continue;
-    const JointLimits limits = limits_of(body);
+    const JointRange limits = limits_of(body);
     // The reference, at angles of 0, is allowed too.
-    const Eigen::Vector3d low = limits.low.cwiseMin(0);
-    const Eigen::Vector3d high = limits.high.cwiseMax(0);
+    const Eigen::Vector3d low = limits.min.cwiseMin(0);
+    const Eigen::Vector3d high = limits.max.cwiseMax(0);
     for (int i = 0; i < 2000; ++i) {
       const Eigen::Vector3d at(share(generator), share(generator), share(generator));
       const Eigen::Vector3d wanted = low + at.cwiseProduct(high - low);
@@ -116,7 +117,7 @@ TEST(JointLimits, AskForNothingExactlyWithinThem) {
       // A quaternion and its negative are the same rotation.
       for (const double sign : {1.0, -1.0}) {
         const Eigen::Quaterniond same(sign * rotation.coeffs());
-        EXPECT_EQ(beyond_limits(limits, same, limits.reference).norm() == 0, is_within)
+        EXPECT_EQ(limit_violation(limits, same, limits.reference).norm() == 0, is_within)
             << name_of(body) << " " << angles.transpose();
       }
     }
@@ -134,8 +135,9 @@ TEST(JointLimits, NeverAskForMoreThanTheWayToTheReference) {
     for (int i = 0; i < 200; ++i) {
       const Eigen::Quaterniond reference = tests::uniform_rotation(generator);
       const Eigen::Vector3d turn(normal(generator), normal(generator), normal(generator));
-      const Eigen::Quaterniond rotation = motion::rotation_by<double>(0.05 * turn) * reference;
-      EXPECT_LE(beyond_limits(limits_of(body), rotation, reference).norm(),
+      const Eigen::Quaterniond rotation =
+          motion::rotation_from_vector<double>(0.05 * turn) * reference;
+      EXPECT_LE(limit_violation(limits_of(body), rotation, reference).norm(),
                 0.05 * turn.norm() + 1e-9);
     }
   }

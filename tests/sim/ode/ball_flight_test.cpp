@@ -36,13 +36,13 @@ class FreeSphere {
     for (double time_s = 0; time_s < duration_s;) {
       const MovingShape shape = outline();
       contacts_.clear();
-      const StepAhead ahead = step_ahead(ball_.flight(), {&shape, 1}, options_);
+      const NextStep ahead = next_step(ball_.flight(), {&shape, 1}, options_);
       const motion::Clearance near =
           clearance(ball_.flight().position, ball_.flight().radius, shape);
       if (hits(ball_.flight(), shape, near)) {
         contacts_.add_hit(ball_.body(), body_, Body::head, near, options_.restitution);
       }
-      if (ahead.on_ground) ball_.meet_ground(contacts_, options_.restitution);
+      if (ahead.on_ground) ball_.add_ground_contact(contacts_, options_.restitution);
       const double step_s = std::min(ahead.step_s, duration_s - time_s);
       ball_.step(world_, step_s);
       for (const ContactImpulse& hit : contacts_.impulses(step_s)) impulse_ += hit.impulse_ns;

@@ -32,9 +32,9 @@ double change(const SimulationResult& first, const SimulationResult& second) {
 
 class RehearsalTest : public testing::Test {
  protected:
-  motion::Character man_ = motion::default_character();
-  std::vector<scenes::NamedMotion> motions_ = scenes::motions_by_rule(man_.skeleton);
-  Simulator simulator_{man_, {}};
+  motion::Physique character_ = motion::default_character();
+  std::vector<scenes::NamedMotion> motions_ = scenes::motions_by_rule(character_.skeleton);
+  Simulator simulator_{character_, {}};
 
   std::vector<Rehearsal> rehearsals(double from_s = 0) const {
     std::vector<Rehearsal> result;
@@ -45,7 +45,7 @@ class RehearsalTest : public testing::Test {
   }
   /// Aimed at the figure, and turned aside so that many just miss it or glance off.
   std::vector<scenes::Hit> balls(std::size_t count, unsigned seed) const {
-    auto hits = scenes::random_hits(man_, motions_, count, seed);
+    auto hits = scenes::random_hits(character_, motions_, count, seed);
     std::mt19937 generator(seed);
     std::uniform_real_distribution<double> aside(-0.3, 0.3);
     for (scenes::Hit& hit : hits) {
@@ -96,36 +96,36 @@ TEST_F(RehearsalTest, SeesHitsAfterABounceOffTheGround) {
 
 // Against the figure's way and the ball's sampled so finely that a gap changes by 2 mm at most.
 TEST_F(RehearsalTest, BallMeetsTheFigureNoSoonerThanFound) {
-  const FigurePlan plan(man_);
+  const FigureModel figure_model(character_);
   const SimulationOptions options;
   std::vector<std::unique_ptr<Rehearsal::Track>> tracks;
   for (const auto& [name, motion] : motions_) {
-    tracks.push_back(std::make_unique<Rehearsal::Track>(plan, options, motion, 0, 1));
+    tracks.push_back(std::make_unique<Rehearsal::Track>(figure_model, options, motion, 0, 1));
   }
   int met = 0;
   std::size_t steps = 0;
   for (const scenes::Hit& hit : balls(120, 12)) {
     if (hit.ball.position.z() < hit.ball.radius) continue;  // thrown from under the ground
     const Rehearsal::Track& track = *tracks[hit.motion];
-    const auto meeting = first_meeting(plan, options, track, hit.ball);
-    if (meeting) ++met;
-    const std::size_t until = meeting.value_or(track.begins_s.size());
+    const auto contact_step = first_possible_contact(figure_model, options, track, hit.ball);
+    if (contact_step) ++met;
+    const std::size_t until = contact_step.value_or(track.step_begins_s.size());
     steps += until;
     features::FreeFlight ball{hit.ball.position, hit.ball.velocity, hit.ball.radius,
                               options.gravity_mps2};
     constexpr int kSamples = 250;
     for (std::size_t step = 0; step < until; ++step) {
-      const auto& next = track.figure_at(std::min(step + 1, track.begins_s.size() - 1));
+      const auto& next = track.figure_at(std::min(step + 1, track.step_begins_s.size() - 1));
       for (int k = 0; k < kSamples; ++k) {
         const double later_s = options.free_step_s * k / kSamples;
-        const Eigen::Vector3d centre = ball.position_at(track.begins_s[step] + later_s);
+        const Eigen::Vector3d centre = ball.position_at(track.step_begins_s[step] + later_s);
         ASSERT_GT(centre.z(), ball.radius);
         for (Body body : motion::kBodies) {
           // A step moves bodies with the velocity at its end.
           BodyState state = track.figure_at(step)[body];
           state.velocity = next[body].velocity;
           state.angular_velocity = next[body].angular_velocity;
-          const MovingShape there = placed_shape(plan.outline[body], state);
+          const MovingShape there = placed_shape(figure_model.outline[body], state);
           if ((there.centre - centre).norm() > 1) continue;
           ASSERT_GT(clearance(centre, ball.radius, there.at(later_s)).gap, 0);
         }
@@ -168,7 +168,7 @@ TEST_F(RehearsalTest, KeptFromLaterOnGivesTheSameBitsInLessMemory) {
     EXPECT_EQ(late[i].from_s(), 0.25);
   }
   int hits = 0;
-  for (const scenes::Hit& hit : scenes::random_hits(man_, motions_, 40, 14)) {
+  for (const scenes::Hit& hit : scenes::random_hits(character_, motions_, 40, 14)) {
     const auto expected = simulator_.simulate(whole[hit.motion], hit.ball);
     if (expected.first_contact_s < 0.32) continue;
     try {

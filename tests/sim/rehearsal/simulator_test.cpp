@@ -21,8 +21,8 @@ using motion::Body;
 constexpr double kRestitution = 0.7;
 constexpr double kVolleyball_kg = 0.27;
 
-const motion::Character& character() {
-  static const motion::Character man = motion::default_character();
+const motion::Physique& character() {
+  static const motion::Physique man = motion::default_character();
   return man;
 }
 

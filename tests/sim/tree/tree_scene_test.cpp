@@ -20,7 +20,8 @@ constexpr double kGravity_mps2 = 9.81;
 /// Steps of anything to anywhere: what the two scenes are compared by.
 class RandomStep {
  public:
-  explicit RandomStep(const FigurePlan& plan, unsigned seed) : plan_(plan), generator_(seed) {}
+  explicit RandomStep(const FigureModel& figure_model, unsigned seed)
+      : figure_model_(figure_model), generator_(seed) {}
 
   double uniform(double low, double high) {
     return std::uniform_real_distribution<double>(low, high)(generator_);
@@ -30,12 +31,12 @@ class RandomStep {
   }
   /// A pose bent everywhere by up to `turn` radians, often beyond the joints' limits.
   ReferenceState state(double turn) {
-    motion::Pose pose = scenes::standing(plan_.skeleton);
+    motion::Pose pose = scenes::standing(figure_model_.skeleton);
     for (motion::Role role : motion::kRoles) {
       pose.rotation[role] =
-          pose.rotation[role] * motion::rotation_by<float>(vector(turn).cast<float>());
+          pose.rotation[role] * motion::rotation_from_vector<float>(vector(turn).cast<float>());
     }
-    ReferenceState result = state_at_rest(plan_.skeleton, plan_.model, pose);
+    ReferenceState result = state_at_rest(figure_model_.skeleton, figure_model_.model, pose);
     for (BodyState& body : result.body) {
       body.velocity = vector(3);
       body.angular_velocity = vector(8);
@@ -47,20 +48,20 @@ class RandomStep {
     ReferenceState result = from;
     for (BodyState& body : result.body) {
       body.position += vector(0.01);
-      body.orientation = motion::rotation_by<double>(vector(0.3)) * body.orientation;
+      body.orientation = motion::rotation_from_vector<double>(vector(0.3)) * body.orientation;
       body.velocity += vector(1);
     }
     return result;
   }
 
  private:
-  const FigurePlan& plan_;
+  const FigureModel& figure_model_;
   std::mt19937 generator_;
 };
 
 class TreeSceneTest : public testing::Test {
  protected:
-  FigurePlan plan_{motion::default_character()};
+  FigureModel figure_model_{motion::default_character()};
 
   /// The greatest difference of a velocity after the step, over the greatest velocity.
   double difference(const OdeScene& ode, const TreeScene& tree) {
@@ -84,7 +85,7 @@ class TreeSceneTest : public testing::Test {
 };
 
 TEST_F(TreeSceneTest, StepsFreeFiguresAsOdeDoes) {
-  RandomStep random(plan_, 1);
+  RandomStep random(figure_model_, 1);
   for (int i = 0; i < 200; ++i) {
     ReferenceState start = random.disturbed(random.state(i % 2 ? 0.3 : 1.2));
     const ReferenceState target = random.state(i % 2 ? 0.3 : 1.2);
@@ -92,16 +93,16 @@ TEST_F(TreeSceneTest, StepsFreeFiguresAsOdeDoes) {
     // ODE takes the joints' places on the children from the start, as it must not.
     for (Body body : motion::kBodies) {
       if (const auto parent = parent_of(body)) {
-        const BodyState& holder = start.body[*parent];
-        start.socket[body] =
-            holder.orientation.conjugate() *
-            (start.body[body].position + start.body[body].orientation * joint_of(plan_, body) -
-             holder.position);
+        const BodyState& parent_state = start.body[*parent];
+        start.socket[body] = parent_state.orientation.conjugate() *
+                             (start.body[body].position +
+                              start.body[body].orientation * joint_offset(figure_model_, body) -
+                              parent_state.position);
       }
     }
-    OdeScene ode(plan_, start, nullptr, kGravity_mps2);
-    TreeScene tree(plan_, start.body, nullptr, kGravity_mps2);
-    ode.figure().drive(target, step_s);
+    OdeScene ode(figure_model_, start, nullptr, kGravity_mps2);
+    TreeScene tree(figure_model_, start.body, nullptr, kGravity_mps2);
+    ode.figure().set_motors(target, step_s);
     ode.step(target, step_s);
     tree.step(target, step_s);
     EXPECT_LT(difference(ode, tree), 1e-9) << "step " << i << " of " << step_s;
@@ -109,7 +110,7 @@ TEST_F(TreeSceneTest, StepsFreeFiguresAsOdeDoes) {
 }
 
 TEST_F(TreeSceneTest, StepsFiguresInContactAsOdeDoes) {
-  RandomStep random(plan_, 2);
+  RandomStep random(figure_model_, 2);
   int rubbed = 0;
   for (int i = 0; i < 300; ++i) {
     ReferenceState start = random.state(0.4);
@@ -118,9 +119,9 @@ TEST_F(TreeSceneTest, StepsFiguresInContactAsOdeDoes) {
     Ball thrown;
     thrown.position = {0.3, 0, 1};
     thrown.velocity = random.vector(20);
-    OdeScene ode(plan_, start, &thrown, kGravity_mps2);
-    TreeScene tree(plan_, start.body, &thrown, kGravity_mps2);
-    ode.figure().drive(target, step_s);
+    OdeScene ode(figure_model_, start, &thrown, kGravity_mps2);
+    TreeScene tree(figure_model_, start.body, &thrown, kGravity_mps2);
+    ode.figure().set_motors(target, step_s);
     const auto both = [&](auto&& add) {
       add(ode);
       add(tree);
@@ -144,7 +145,7 @@ TEST_F(TreeSceneTest, StepsFiguresInContactAsOdeDoes) {
       const motion::Clearance near{0, start.body[first].position + random.vector(0.1),
                                    random.vector(1).normalized()};
       const double closing = random.uniform(0, 1);
-      both([&](auto& scene) { scene.add_push(first, second, near, closing, true); });
+      both([&](auto& scene) { scene.add_body_contact(first, second, near, closing, true); });
     }
     ode.step(target, step_s);
     tree.step(target, step_s);

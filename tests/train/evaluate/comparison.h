@@ -25,7 +25,7 @@ inline CostModel default_cost(const StoreHeader& header) {
 
 /// All that a comparison is made of. Its clock goes on by `tick_s` each time that it is asked.
 struct Comparison {
-  explicit Comparison(Split made, double tick_s = 1)
+  explicit Comparison(TrainTestSplit made, double tick_s = 1)
       : split(std::move(made)), cost_model(default_cost(split.header)) {
     double time_s = 0;
     const Clock clock = [time_s, tick_s]() mutable { return time_s += tick_s; };
@@ -34,7 +34,7 @@ struct Comparison {
   }
   StudyPlan plan() const { return {split, cost_model, kTestMethods, 1}; }
 
-  Split split;
+  TrainTestSplit split;
   CostModel cost_model;
   std::vector<FittedMethod> fitted;
   Evaluation evaluation;

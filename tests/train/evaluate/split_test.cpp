@@ -21,8 +21,8 @@ std::string refusal_of(const Store& training, const Store& test) {
   return "";
 }
 
-TEST(Split, HoldsOutEveryFourth) {
-  const Split split = split_of(made_up_store(10));
+TEST(TrainTestSplit, HoldsOutEveryFourth) {
+  const TrainTestSplit split = split_of(made_up_store(10));
   ASSERT_EQ(split.tested.size(), 2U);
   EXPECT_EQ(split.tested[0].number, 3U);
   EXPECT_EQ(split.tested[1].number, 7U);
@@ -30,15 +30,15 @@ TEST(Split, HoldsOutEveryFourth) {
   EXPECT_FALSE(split.has_test_store);
 }
 
-TEST(Split, OfTwoStoresFitsToAllOfOneAndTestsOnAllOfTheOther) {
-  const Split split = split_of(made_up_store(10), made_up_store(6, 6));
+TEST(TrainTestSplit, OfTwoStoresFitsToAllOfOneAndTestsOnAllOfTheOther) {
+  const TrainTestSplit split = split_of(made_up_store(10), made_up_store(6, 6));
   EXPECT_EQ(split.fitted.size(), 10U);
   EXPECT_EQ(split.tested.size(), 6U);
   EXPECT_EQ(split.header.seed, 5U);
   EXPECT_TRUE(split.has_test_store);
 }
 
-TEST(Split, TooFewScenariosAreRefused) {
+TEST(TrainTestSplit, TooFewScenariosAreRefused) {
   EXPECT_THROW(split_of(made_up_store(7)), Error);
   EXPECT_THROW(split_of(made_up_store(10), made_up_store(1, 6)), Error);
   EXPECT_THROW(split_of(made_up_store(0), made_up_store(10, 6)), Error);

@@ -8,7 +8,7 @@
 namespace flinch::train {
 namespace {
 
-const Progress kSilence = [](const std::string&) {};
+const ProgressCallback kSilence = [](const std::string&) {};
 
 const EvaluationRow& row(const Comparison& comparison, const std::string& name) {
   return *row_named(comparison.evaluation, name);
@@ -30,7 +30,7 @@ TEST(Noise, OfNothingChangesNothingAndMuchOfItHurtsASharpSelector) {
 
 TEST(Curves, EndAtTheComparisonsOwnRow) {
   const Comparison comparison(split_of(made_up_store(700)));
-  const std::vector<CurveRow> rows = curve_rows(comparison.plan(), kSilence);
+  const std::vector<LearningCurveRow> rows = learning_curve_rows(comparison.plan(), kSilence);
   ASSERT_EQ(rows.size(), 2 * kTestMethods.size());  // 500 and all 525
   for (std::size_t first = 0; first < rows.size(); first += 2) {
     EXPECT_EQ(rows[first].fitted_count, 500U);

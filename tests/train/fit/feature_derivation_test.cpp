@@ -25,7 +25,7 @@ TEST(FeatureDerivation, GivesTheBitsThatTheRunTimeComputes) {
     ASSERT_EQ(library.load(std::as_bytes(std::span(bytes))), database::LoadStatus::ok);
     EXPECT_EQ(library.selector().layout, set.layout);
     runtime::Workspace workspace;
-    workspace.make_room(library.selection_bytes());
+    workspace.reserve_memory(library.selection_bytes());
     for (const Observation& observation : store.observations) {
       const features::Scenario& scenario = observation.scenario;
       EXPECT_EQ(features::feature_vector(library.selector().layout, scenario,

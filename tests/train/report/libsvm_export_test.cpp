@@ -19,8 +19,8 @@ bool succeeds(const std::string& command) {
 
 std::string svm_train_options(const models::SvmModel& svm) {
   std::ostringstream options;
-  options << " -q -t 1 -d " << svm.degree << " -g " << exact(svm.gamma) << " -r "
-          << exact(svm.coef0) << " -c " << exact(svm.cost) << ' ';
+  options << " -q -t 1 -d " << svm.degree << " -g " << exact_text(svm.gamma) << " -r "
+          << exact_text(svm.coef0) << " -c " << exact_text(svm.cost) << ' ';
   return options.str();
 }
 

@@ -13,19 +13,19 @@ namespace {
 // What a game computes from position and velocity alone is what selectors are trained on.
 TEST(PredictImpact, FindsTheTargetAndTheTimeThatScenariosAimAt) {
   constexpr int kScenarios = 3000;
-  const database::Library library = scenes::synthetic_library();
+  const database::ClipLibrary library = scenes::synthetic_library();
   const motion::BodyModel model = make_body_model(library.character);
   const motion::Skeleton& skeleton = library.character.skeleton;
   const motion::Motion& idle = library.clips[static_cast<std::size_t>(library.idle)].motion;
-  const features::SweptFigure figure = features::make_swept_figure(skeleton, model);
-  const features::Sway sway = features::sway_of(skeleton, model, idle);
+  const features::CollisionFigure figure = features::make_collision_figure(skeleton, model);
+  const features::MotionBounds motion_bounds = features::motion_bounds_of(skeleton, model, idle);
   int impacts = 0;
   int aimed = 0;
   for (int i = 0; i < kScenarios; ++i) {
     const features::Scenario scenario =
         sample_scenario(library, model, {}, 1, static_cast<std::uint64_t>(i));
     const features::PredictedImpact impact =
-        features::predict_impact(scenario.threat, figure, idle, sway, scenario.state);
+        features::predict_impact(scenario.threat, figure, idle, motion_bounds, scenario.state);
     if (impact.outcome != features::Outcome::impact) continue;
     ++impacts;
     EXPECT_LT(impact.touch_s, scenario.time_to_impact_s);

@@ -23,7 +23,7 @@ class ScenarioSampling : public testing::Test {
   }
   const motion::Motion& idle() const { return library_.clips[0].motion; }
 
-  database::Library library_ = scenes::synthetic_library();
+  database::ClipLibrary library_ = scenes::synthetic_library();
   motion::BodyModel model_ = motion::make_body_model(library_.character);
   ScenarioDistribution distribution_;
 };
@@ -79,7 +79,7 @@ TEST_F(ScenarioSampling, ThreatsKeepToTheDistributionAndAboveTheGround) {
 TEST_F(ScenarioSampling, TimesAndCharactersAreOnTheirGrid) {
   std::array<int, 20> per_time{};
   std::array<int, 4> per_state{};
-  ASSERT_EQ(time_count(distribution_), 20);
+  ASSERT_EQ(time_to_impact_count(distribution_), 20);
   const float period_s = 2 * idle().duration_s();
   for (int number = 0; number < kScenarios; ++number) {
     const features::Scenario scenario = sample(static_cast<std::uint64_t>(number));
@@ -90,13 +90,13 @@ TEST_F(ScenarioSampling, TimesAndCharactersAreOnTheirGrid) {
     EXPECT_NEAR(quarters, std::round(quarters), 1e-4F);
     EXPECT_GE(scenario.state.idle_time_s, 0);
     EXPECT_LE(scenario.state.idle_time_s, period_s);
-    const GridPlace place = place_of(distribution_, idle(), scenario);
-    EXPECT_EQ(place.time, std::lround(steps));
-    EXPECT_EQ(place.character_state, std::lround(quarters) % 4);
-    EXPECT_EQ(character_state_at(distribution_, idle(), place).idle_time_s,
+    const GridCell cell = grid_cell_of(distribution_, idle(), scenario);
+    EXPECT_EQ(cell.time, std::lround(steps));
+    EXPECT_EQ(cell.idle_phase, std::lround(quarters) % 4);
+    EXPECT_EQ(character_state_at(distribution_, idle(), cell).idle_time_s,
               scenario.state.idle_time_s);
-    ++per_time[static_cast<std::size_t>(place.time)];
-    ++per_state[static_cast<std::size_t>(place.character_state)];
+    ++per_time[static_cast<std::size_t>(cell.time)];
+    ++per_state[static_cast<std::size_t>(cell.idle_phase)];
   }
   for (const int count : per_time) EXPECT_NEAR(count, kScenarios / 20, 45);
   for (const int count : per_state) EXPECT_NEAR(count, kScenarios / 4, 80);
@@ -112,18 +112,18 @@ TEST_F(ScenarioSampling, TheSameNumberGivesTheSameBits) {
 }
 
 TEST_F(ScenarioSampling, ADistributionWithoutFeasibleThreatsIsRefused) {
-  distribution_.most_speed_mps = 8;
-  distribution_.least_time_to_impact_s = 3;
-  distribution_.most_time_to_impact_s = 4;
+  distribution_.max_speed_mps = 8;
+  distribution_.min_time_to_impact_s = 3;
+  distribution_.max_time_to_impact_s = 4;
   EXPECT_THROW(sample(0), Error);
 }
 
-TEST(LeastFeasibleElevation, PutsTheStartOnTheGround) {
-  const double elevation = least_feasible_elevation(12, 0.9, 0.105, 1.1);
+TEST(MinFeasibleElevation, PutsTheStartOnTheGround) {
+  const double elevation = min_feasible_elevation(12, 0.9, 0.105, 1.1);
   // Height at the start, from the closed form.
   const double start = 1.1 + 12 * std::sin(elevation) * 0.9 - 0.5 * 9.81 * 0.9 * 0.9;
   EXPECT_NEAR(start, 0.105, 1e-6);
-  EXPECT_DOUBLE_EQ(least_feasible_elevation(1, 5, 0.105, 1.1), M_PI / 2);
+  EXPECT_DOUBLE_EQ(min_feasible_elevation(1, 5, 0.105, 1.1), M_PI / 2);
 }
 
 TEST_F(ScenarioSampling, ADescribedThreatHasTheFeaturesOfAnObserverWhoStandsStill) {

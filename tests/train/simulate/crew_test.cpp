@@ -14,34 +14,34 @@ namespace {
 
 constexpr std::uint64_t kRun = 42;
 
-Done done_of(ScenarioRange range) {
-  Done done{range, {}, {}, {}};
+RangeResult done_of(ScenarioRange range) {
+  RangeResult done{range, {}, {}, {}};
   done.counts.simulations = range.count;
   for (std::uint64_t i = 0; i < range.count; ++i)
     done.trials.push_back(std::vector<std::byte>(static_cast<std::size_t>((range.first + i) % 5)));
   return done;
 }
 
-/// A run of helpers that do nothing, and of a writer that only hands out.
+/// A run of workers that do nothing, and of a writer that only hands out.
 struct Outcome {
   std::vector<int> times_done;  ///< of each scenario
   std::uint64_t simulations = 0;
 };
 
-Outcome run(std::uint64_t scenarios, int helpers,
-            const std::function<std::optional<Done>(int helper, ScenarioRange)>& simulate) {
-  LocalExchange exchange(helpers + 1);
+Outcome run(std::uint64_t scenarios, int workers,
+            const std::function<std::optional<RangeResult>(int worker, ScenarioRange)>& simulate) {
+  LocalExchange exchange(workers + 1);
   std::vector<std::jthread> threads;
-  for (int helper = 1; helper <= helpers; ++helper) {
-    threads.emplace_back([&exchange, &simulate, helper] {
-      LocalMessenger messenger(exchange, helper);
-      help(messenger, kRun, 1, [&](ScenarioRange range) { return simulate(helper, range); });
+  for (int worker = 1; worker <= workers; ++worker) {
+    threads.emplace_back([&exchange, &simulate, worker] {
+      LocalMessenger messenger(exchange, worker);
+      run_worker(messenger, kRun, 1, [&](ScenarioRange range) { return simulate(worker, range); });
     });
   }
   LocalMessenger messenger(exchange, 0);
-  ScenarioRanges ranges({{0, scenarios}}, helpers, 64);
+  ScenarioScheduler ranges({{0, scenarios}}, workers, 64);
   Outcome outcome{std::vector<int>(scenarios), 0};
-  const auto take = [&](const Done& done) {
+  const auto take = [&](const RangeResult& done) {
     EXPECT_EQ(done.trials.size(), done.range.count);
     for (std::uint64_t i = 0; i < done.range.count; ++i) {
       ++outcome.times_done[done.range.first + i];
@@ -49,35 +49,35 @@ Outcome run(std::uint64_t scenarios, int helpers,
     }
     outcome.simulations += done.counts.simulations;
   };
-  Crew crew(messenger,
-            {[&](int) { return ranges.next(1); }, take,
-             [&](ScenarioRange range) { ranges.put_back(range); }},
-            kRun);
+  WorkerPool pool(messenger,
+                  {[&](int) { return ranges.next(1); }, take,
+                   [&](ScenarioRange range) { ranges.put_back(range); }},
+                  kRun);
   try {
-    while (crew.is_at_work()) {
-      crew.attend();
-      crew.wait();
+    while (pool.has_active_workers()) {
+      pool.poll();
+      pool.wait();
     }
   } catch (...) {  // where processes would end with the job, threads must be sent home
-    for (int helper = 1; helper <= helpers; ++helper) messenger.send(helper, encode(Assignment{}));
+    for (int worker = 1; worker <= workers; ++worker) messenger.send(worker, encode(Assignment{}));
     throw;
   }
   return outcome;
 }
 
-TEST(Crew, EveryScenarioIsDoneOnce) {
-  for (const int helpers : {1, 2, 5}) {
+TEST(WorkerPool, EveryScenarioIsDoneOnce) {
+  for (const int workers : {1, 2, 5}) {
     const Outcome outcome =
-        run(3000, helpers, [](int, ScenarioRange range) { return done_of(range); });
+        run(3000, workers, [](int, ScenarioRange range) { return done_of(range); });
     EXPECT_EQ(outcome.times_done, std::vector<int>(3000, 1));
     EXPECT_EQ(outcome.simulations, 3000U);
   }
 }
 
-TEST(Crew, ASlowHelperHoldsNobodyUp) {
+TEST(WorkerPool, ASlowHelperHoldsNobodyUp) {
   std::atomic<std::uint64_t> by_slow = 0;
-  const Outcome outcome = run(2000, 3, [&](int helper, ScenarioRange range) {
-    if (helper == 1) {
+  const Outcome outcome = run(2000, 3, [&](int worker, ScenarioRange range) {
+    if (worker == 1) {
       by_slow += range.count;
       std::this_thread::sleep_for(std::chrono::milliseconds(100));
     }
@@ -87,17 +87,18 @@ TEST(Crew, ASlowHelperHoldsNobodyUp) {
   EXPECT_LT(by_slow, 500U);
 }
 
-TEST(Crew, AnInterruptedHelpersRangeIsDoneByAnother) {
-  const Outcome outcome = run(1000, 3, [](int helper, ScenarioRange range) -> std::optional<Done> {
-    if (helper == 2 && range.first > 100) return std::nullopt;
-    return done_of(range);
-  });
+TEST(WorkerPool, AnInterruptedHelpersRangeIsDoneByAnother) {
+  const Outcome outcome =
+      run(1000, 3, [](int worker, ScenarioRange range) -> std::optional<RangeResult> {
+        if (worker == 2 && range.first > 100) return std::nullopt;
+        return done_of(range);
+      });
   EXPECT_EQ(outcome.times_done, std::vector<int>(1000, 1));
 }
 
-TEST(Crew, AFailureIsToldWithItsReason) {
-  const auto fails = [](int helper, ScenarioRange range) -> std::optional<Done> {
-    if (helper == 2) throw Error("real.flinchlib", "is gone");
+TEST(WorkerPool, AFailureIsToldWithItsReason) {
+  const auto fails = [](int worker, ScenarioRange range) -> std::optional<RangeResult> {
+    if (worker == 2) throw Error("real.flinchlib", "is gone");
     return done_of(range);
   };
   try {
@@ -108,31 +109,31 @@ TEST(Crew, AFailureIsToldWithItsReason) {
   }
 }
 
-TEST(Crew, AHelperOfAnotherRunIsRefused) {
+TEST(WorkerPool, AHelperOfAnotherRunIsRefused) {
   LocalExchange exchange(2);
-  LocalMessenger helper(exchange, 1);
-  helper.send(0, encode(Ready{kRun + 1, 1}));
+  LocalMessenger worker(exchange, 1);
+  worker.send(0, encode(WorkRequest{kRun + 1, 1}));
   LocalMessenger messenger(exchange, 0);
-  Crew crew(messenger, {}, kRun);
-  EXPECT_THROW(crew.attend(), Error);
+  WorkerPool pool(messenger, {}, kRun);
+  EXPECT_THROW(pool.poll(), Error);
 }
 
-TEST(CrewMessages, ArriveAsTheyWereSent) {
-  Done done = done_of({7, 3});
+TEST(WorkerMessages, ArriveAsTheyWereSent) {
+  RangeResult done = done_of({7, 3});
   done.trials[1] = {std::byte{1}, std::byte{255}};
   done.counts = {1, 2, 3, 4, 5};
-  done.cpu.striking_s = 0.25;
-  const auto arrived = std::get<Done>(decode(encode(done)));
+  done.cpu.contact_s = 0.25;
+  const auto arrived = std::get<RangeResult>(decode(encode(done)));
   EXPECT_EQ(arrived.range.first, 7U);
   EXPECT_EQ(arrived.trials, done.trials);
   EXPECT_EQ(arrived.counts.solver_messages, 5U);
-  EXPECT_EQ(arrived.cpu.striking_s, 0.25);
-  EXPECT_EQ(std::get<Failed>(decode(encode(Failed{"why"}))).why, "why");
-  EXPECT_EQ(std::get<Ready>(decode(encode(Ready{9, 8}))).threads, 8U);
+  EXPECT_EQ(arrived.cpu.contact_s, 0.25);
+  EXPECT_EQ(std::get<WorkerFailure>(decode(encode(WorkerFailure{"why"}))).why, "why");
+  EXPECT_EQ(std::get<WorkRequest>(decode(encode(WorkRequest{9, 8}))).threads, 8U);
   EXPECT_EQ(std::get<Assignment>(decode(encode(Assignment{{4, 5}}))).range.count, 5U);
 }
 
-TEST(CrewMessages, CutShortOrTooLongAreRefused) {
+TEST(WorkerMessages, CutShortOrTooLongAreRefused) {
   std::vector<std::byte> bytes = encode(done_of({7, 3}));
   for (std::size_t size = 0; size < bytes.size(); ++size)
     EXPECT_THROW(decode(std::span(bytes).first(size)), Error) << size;

@@ -8,16 +8,16 @@
 namespace flinch::train {
 namespace {
 
-std::vector<ScenarioRange> all_of(ScenarioRanges& ranges, int threads = 1) {
+std::vector<ScenarioRange> all_of(ScenarioScheduler& ranges, int threads = 1) {
   std::vector<ScenarioRange> handed_out;
   while (const auto range = ranges.next(threads)) handed_out.push_back(*range);
   return handed_out;
 }
 
-TEST(ScenarioRanges, HandOutEachMissingScenarioOnce) {
+TEST(ScenarioScheduler, HandOutEachMissingScenarioOnce) {
   const std::vector<ScenarioRange> missing{{3, 40}, {100, 1}, {1000, 5000}};
   for (const int workers : {1, 2, 7}) {
-    ScenarioRanges ranges(missing, workers, 128);
+    ScenarioScheduler ranges(missing, workers, 128);
     std::set<std::uint64_t> numbers;
     std::uint64_t count = 0;
     for (const ScenarioRange& range : all_of(ranges)) {
@@ -35,8 +35,8 @@ TEST(ScenarioRanges, HandOutEachMissingScenarioOnce) {
   }
 }
 
-TEST(ScenarioRanges, BeginSmallAndGrowToTheMost) {
-  ScenarioRanges ranges({{0, 100'000}}, 1, 128);
+TEST(ScenarioScheduler, BeginSmallAndGrowToTheMost) {
+  ScenarioScheduler ranges({{0, 100'000}}, 1, 128);
   const auto handed_out = all_of(ranges);
   EXPECT_EQ(handed_out.front().count, 16U);
   for (std::size_t i = 1; i + 1 < handed_out.size(); ++i)
@@ -44,23 +44,23 @@ TEST(ScenarioRanges, BeginSmallAndGrowToTheMost) {
   EXPECT_EQ(handed_out[20].count, 128U);
 }
 
-TEST(ScenarioRanges, AreSmallAgainWhereOthersWouldWaitForTheLast) {
-  ScenarioRanges ranges({{0, 10'000}}, 10, 128);
+TEST(ScenarioScheduler, AreSmallAgainWhereOthersWouldWaitForTheLast) {
+  ScenarioScheduler ranges({{0, 10'000}}, 10, 128);
   const auto handed_out = all_of(ranges);
   EXPECT_LE(handed_out.back().count, 16U);
   EXPECT_EQ(handed_out[handed_out.size() / 2].count, 128U);
 }
 
-TEST(ScenarioRanges, AreLargerForProcessesOfMoreThreads) {
-  ScenarioRanges ranges({{0, 100'000}}, 1, 128);
+TEST(ScenarioScheduler, AreLargerForProcessesOfMoreThreads) {
+  ScenarioScheduler ranges({{0, 100'000}}, 1, 128);
   EXPECT_EQ(ranges.next(8)->count, 8 * 16U);
   for (int i = 0; i < 20; ++i) ranges.next(8);
   EXPECT_EQ(ranges.next(8)->count, 8 * 128U);
   EXPECT_EQ(ranges.next(1)->count, 128U);
 }
 
-TEST(ScenarioRanges, ARangeTakenBackIsTheNext) {
-  ScenarioRanges ranges({{0, 32}}, 2, 128);
+TEST(ScenarioScheduler, ARangeTakenBackIsTheNext) {
+  ScenarioScheduler ranges({{0, 32}}, 2, 128);
   const ScenarioRange first = *ranges.next(1);
   ranges.put_back(first);
   EXPECT_EQ(ranges.next(1)->first, first.first);

@@ -17,7 +17,7 @@ namespace {
 class SharedResponse : public testing::Test {
  protected:
   static void SetUpTestSuite() {
-    library_ = new database::Library(database::authored_library(motion::default_character()));
+    library_ = new database::ClipLibrary(database::authored_library(motion::default_character()));
     prepared_ = new runtime::PreparedLibrary(runtime::prepare(*library_));
     shared_ = new SharedResponses(*prepared_, kDistribution);
   }
@@ -27,10 +27,10 @@ class SharedResponse : public testing::Test {
     delete library_;
   }
 
-  static runtime::Response response(int clip, GridPlace place) {
+  static runtime::Response response(int clip, GridCell cell) {
     return runtime::make_response(*prepared_,
-                                  character_state_at(kDistribution, prepared_->idle(), place), clip,
-                                  time_to_impact_s(kDistribution, place.time));
+                                  character_state_at(kDistribution, prepared_->idle(), cell), clip,
+                                  time_to_impact_s(kDistribution, cell.time));
   }
 
   /// The farthest that a joint of the two is apart, both seen from the impact, m, from when the
@@ -50,7 +50,7 @@ class SharedResponse : public testing::Test {
   }
 
   static constexpr ScenarioDistribution kDistribution{};
-  static inline const database::Library* library_ = nullptr;
+  static inline const database::ClipLibrary* library_ = nullptr;
   static inline const runtime::PreparedLibrary* prepared_ = nullptr;
   static inline const SharedResponses* shared_ = nullptr;
 };
@@ -58,16 +58,15 @@ class SharedResponse : public testing::Test {
 TEST_F(SharedResponse, IsTheSameMotionSeenFromTheImpact) {
   int compared = 0;
   for (int clip = 0; clip < static_cast<int>(library_->clips.size()); ++clip) {
-    for (int time = 0; time < time_count(kDistribution); ++time) {
-      const GridPlace place{(clip + time) % 4,
-                            time};  // each state for each clip, not for each time
-      const runtime::Response own = response(clip, place);
+    for (int time = 0; time < time_to_impact_count(kDistribution); ++time) {
+      const GridCell cell{(clip + time) % 4, time};  // each state for each clip, not for each time
+      const runtime::Response own = response(clip, cell);
       if (!runtime::is_valid(own)) continue;
-      const ResponseKey key = shared_->key_of(clip, place);
-      ASSERT_LE(key.place.time, time);
-      if (key.place.time == time) continue;
-      EXPECT_LT(apart(response(clip, key.place), time_to_impact_s(kDistribution, key.place.time),
-                      own, time_to_impact_s(kDistribution, time)),
+      const ResponseKey key = shared_->key_of(clip, cell);
+      ASSERT_LE(key.cell.time, time);
+      if (key.cell.time == time) continue;
+      EXPECT_LT(apart(response(clip, key.cell), time_to_impact_s(kDistribution, key.cell.time), own,
+                      time_to_impact_s(kDistribution, time)),
                 2e-4F)
           << library_->clips[static_cast<std::size_t>(clip)].name << ", time " << time;
       ++compared;
@@ -79,12 +78,12 @@ TEST_F(SharedResponse, IsTheSameMotionSeenFromTheImpact) {
 TEST_F(SharedResponse, IsNoLongerSharedWhereThereIsLessTime) {
   int rushed = 0;
   for (int clip = 0; clip < static_cast<int>(library_->clips.size()); ++clip) {
-    const int last = time_count(kDistribution) - 1;
+    const int last = time_to_impact_count(kDistribution) - 1;
     const ResponseKey key = shared_->key_of(clip, {0, last});
-    if (key.place.time < 1) continue;
-    const GridPlace sooner{0, key.place.time - 1};
+    if (key.cell.time < 1) continue;
+    const GridCell sooner{0, key.cell.time - 1};
     EXPECT_GT(apart(response(clip, sooner), time_to_impact_s(kDistribution, sooner.time),
-                    response(clip, key.place), time_to_impact_s(kDistribution, key.place.time)),
+                    response(clip, key.cell), time_to_impact_s(kDistribution, key.cell.time)),
               2e-4F)
         << library_->clips[static_cast<std::size_t>(clip)].name;
     ++rushed;
@@ -93,13 +92,13 @@ TEST_F(SharedResponse, IsNoLongerSharedWhereThereIsLessTime) {
 }
 
 TEST_F(SharedResponse, OfTheIdlerIsOneForAllTimes) {
-  for (int time = 0; time < time_count(kDistribution); ++time)
+  for (int time = 0; time < time_to_impact_count(kDistribution); ++time)
     EXPECT_EQ(shared_->key_of(library_->idle, {2, time}), (ResponseKey{library_->idle, {2, 0}}));
 }
 
 TEST_F(SharedResponse, ThereAreFarFewerThanPlaces) {
   const std::size_t places =
-      library_->clips.size() * 4 * static_cast<std::size_t>(time_count(kDistribution));
+      library_->clips.size() * 4 * static_cast<std::size_t>(time_to_impact_count(kDistribution));
   EXPECT_LT(shared_->count(), places / 2);
   EXPECT_GT(shared_->count(), 4 * library_->clips.size());
   RecordProperty("responses", static_cast<int>(shared_->count()));

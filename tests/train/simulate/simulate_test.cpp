@@ -16,7 +16,7 @@ namespace flinch::train {
 namespace {
 
 TEST(ClipsToTry, AreTheAllowedOnesAndIdle) {
-  database::Library library = scenes::synthetic_library();
+  database::ClipLibrary library = scenes::synthetic_library();
   library.clips[2].annotation.reset();
   std::vector<std::string> names;
   for (const int clip : clips_to_try(library, motion::Target::head))
@@ -26,15 +26,15 @@ TEST(ClipsToTry, AreTheAllowedOnesAndIdle) {
 }
 
 TEST(ReferenceWork, IsPositiveForClipsThatMoveAndTheSameForTheirMirrorImages) {
-  const database::Library library = scenes::synthetic_library();
-  const SimulationSubject subject(library, {});
-  EXPECT_EQ(reference_work_j(subject, library.idle), 0);
+  const database::ClipLibrary library = scenes::synthetic_library();
+  const SimulationSetup setup(library, {});
+  EXPECT_EQ(reference_work_j(setup, library.idle), 0);
   for (std::size_t i = 1; i < library.clips.size(); ++i)
-    EXPECT_GT(reference_work_j(subject, static_cast<int>(i)), 1) << library.clips[i].name;
+    EXPECT_GT(reference_work_j(setup, static_cast<int>(i)), 1) << library.clips[i].name;
 }
 
 TEST(ReferenceWork, ResponsesArePlayedAtTheirOwnRate) {
-  const database::Library library = scenes::synthetic_library();
+  const database::ClipLibrary library = scenes::synthetic_library();
   const runtime::PreparedLibrary prepared = runtime::prepare(library);
   for (int clip = 1; clip < static_cast<int>(library.clips.size()); ++clip) {
     const auto& annotation = library.clips[static_cast<std::size_t>(clip)].annotation;
@@ -44,9 +44,9 @@ TEST(ReferenceWork, ResponsesArePlayedAtTheirOwnRate) {
 }
 
 TEST(StoreHeader, KeepsTheReferencesOfTheNormalisation) {
-  const database::Library library = scenes::synthetic_library();
-  const SimulationSubject subject(library, {});
-  const StoreHeader header = make_store_header(subject);
+  const database::ClipLibrary library = scenes::synthetic_library();
+  const SimulationSetup setup(library, {});
+  const StoreHeader header = make_store_header(setup);
   // (1 + 0.7) * 0.27 kg * 30 m/s
   EXPECT_NEAR(header.reference_impulse_ns, 13.77, 1e-12);
   EXPECT_EQ(header.reference_work_j, *std::ranges::max_element(header.clip_work_j));
@@ -54,19 +54,19 @@ TEST(StoreHeader, KeepsTheReferencesOfTheNormalisation) {
 }
 
 TEST(StoreHeader, ALibraryWithoutAnnotatedClipsIsRefused) {
-  database::Library library = scenes::synthetic_library();
+  database::ClipLibrary library = scenes::synthetic_library();
   for (motion::Clip& clip : library.clips) clip.annotation.reset();
-  const SimulationSubject subject(library, {});
-  EXPECT_THROW(make_store_header(subject), Error);
+  const SimulationSetup setup(library, {});
+  EXPECT_THROW(make_store_header(setup), Error);
 }
 
 TEST(Trials, ABallAtAnIdlerLeavesAPlausibleImpulse) {
-  const database::Library library = scenes::synthetic_library();
-  const SimulationSubject subject(library, {});
+  const database::ClipLibrary library = scenes::synthetic_library();
+  const SimulationSetup setup(library, {});
   int hits = 0;
   for (std::uint64_t number = 0; number < 20; ++number) {
-    const Observation posed = pose_scenario(subject, number);
-    const Trial trial = try_clip(subject, posed.scenario, library.idle);
+    const Observation posed = make_observation(setup, number);
+    const Trial trial = try_clip(setup, posed.scenario, library.idle);
     double impulse = 0;
     for (const float i : trial.impulse) impulse += double{i};
     hits += impulse > 1 ? 1 : 0;
@@ -77,12 +77,12 @@ TEST(Trials, ABallAtAnIdlerLeavesAPlausibleImpulse) {
   EXPECT_GE(hits, 14) << "most aimed balls hit one who stands still";
 }
 
-Batch simulated(const SimulationSubject& subject, ScenarioRange range, int threads,
-                Rehearsals& rehearsals) {
+Batch simulated(const SimulationSetup& setup, ScenarioRange range, int threads,
+                RehearsalCache& rehearsals) {
   Batch batch;
   BatchContext context;
   context.threads = threads;
-  EXPECT_TRUE(simulate_batch(subject, rehearsals, range, context, batch));
+  EXPECT_TRUE(simulate_batch(setup, rehearsals, range, context, batch));
   EXPECT_EQ(batch.observations.size(), range.count);
   return batch;
 }
@@ -97,17 +97,17 @@ std::vector<std::vector<std::byte>> trials_of(const Batch& batch) {
 }
 
 TEST(SimulateBatch, GivesTheSameBitsForAnyThreadsMemoryAndCompany) {
-  const database::Library library = scenes::synthetic_library();
+  const database::ClipLibrary library = scenes::synthetic_library();
   SimulationPlan plan;
   plan.tail_s = 0.05;
-  const SimulationSubject subject(library, plan);
-  Rehearsals all(std::uint64_t{1} << 30);
-  Rehearsals none(0);
-  const Batch batch = simulated(subject, {5, 4}, 1, all);
+  const SimulationSetup setup(library, plan);
+  RehearsalCache all(std::uint64_t{1} << 30);
+  RehearsalCache none(0);
+  const Batch batch = simulated(setup, {5, 4}, 1, all);
   const auto alone = trials_of(batch);
-  EXPECT_TRUE(alone == trials_of(simulated(subject, {5, 4}, 2, all))) << "as kept";
-  EXPECT_TRUE(alone == trials_of(simulated(subject, {5, 4}, 3, none))) << "rehearsed anew";
-  const auto apart = trials_of(simulated(subject, {7, 1}, 1, none));
+  EXPECT_TRUE(alone == trials_of(simulated(setup, {5, 4}, 2, all))) << "as kept";
+  EXPECT_TRUE(alone == trials_of(simulated(setup, {5, 4}, 3, none))) << "rehearsed anew";
+  const auto apart = trials_of(simulated(setup, {7, 1}, 1, none));
   EXPECT_TRUE(alone[2] == apart[0]) << "by itself";
   EXPECT_GT(all.byte_count(), 0U);
   EXPECT_EQ(none.byte_count(), 0U);
@@ -118,33 +118,33 @@ TEST(SimulateBatch, GivesTheSameBitsForAnyThreadsMemoryAndCompany) {
   EXPECT_GT(batch.counts.hits, 0U);
 }
 
-TEST(Rehearsals, KeepNoMoreThanTheyMay) {
-  const database::Library library = scenes::synthetic_library();
-  const SimulationSubject subject(library, {});
-  const auto first = std::make_shared<const RehearsedResponse>(rehearse(subject, {0, {0, 0}}));
-  const auto second = std::make_shared<const RehearsedResponse>(rehearse(subject, {0, {1, 0}}));
-  Rehearsals rehearsals(first->byte_count() + second->byte_count() - 1);
-  rehearsals.offer(first);
-  rehearsals.offer(first);
-  rehearsals.offer(second);
+TEST(RehearsalCache, KeepNoMoreThanTheyMay) {
+  const database::ClipLibrary library = scenes::synthetic_library();
+  const SimulationSetup setup(library, {});
+  const auto first = std::make_shared<const RehearsedResponse>(rehearse(setup, {0, {0, 0}}));
+  const auto second = std::make_shared<const RehearsedResponse>(rehearse(setup, {0, {1, 0}}));
+  RehearsalCache rehearsals(first->byte_count() + second->byte_count() - 1);
+  rehearsals.insert(first);
+  rehearsals.insert(first);
+  rehearsals.insert(second);
   EXPECT_EQ(rehearsals.byte_count(), first->byte_count());
   EXPECT_EQ(rehearsals.find(first->key), first);
   EXPECT_EQ(rehearsals.find(second->key), nullptr);
 }
 
 TEST(MemoryPlan, TooLittleIsRefusedWithTheLeastThatDoes) {
-  const database::Library library = scenes::synthetic_library();
-  const SimulationSubject subject(library, {});
-  const MemoryPlan plan = plan_memory(subject, std::uint64_t{1} << 30, 2);
+  const database::ClipLibrary library = scenes::synthetic_library();
+  const SimulationSetup setup(library, {});
+  const MemoryPlan plan = plan_memory(setup, std::uint64_t{1} << 30, 2);
   EXPECT_TRUE(plan.keeps_all());
-  EXPECT_EQ(plan.response_count, subject.responses.count());
+  EXPECT_EQ(plan.response_count, setup.responses.count());
   try {
-    plan_memory(subject, 1 << 20, 2);
+    plan_memory(setup, 1 << 20, 2);
     FAIL() << "a mebibyte was enough";
   } catch (const Error& error) {
     EXPECT_THAT(error.what(), testing::HasSubstr("--memory 96M"));
   }
-  EXPECT_NO_THROW(plan_memory(subject, 96 << 20, 2));
+  EXPECT_NO_THROW(plan_memory(setup, 96 << 20, 2));
 }
 
 /// Shares against the whole of both, of the bodies' differences.
@@ -159,19 +159,19 @@ double difference(const Trial& a, const Trial& b) {
 }
 
 TEST(SharedTrials, FindWhatTheUnabridgedOnesDo) {
-  const database::Library library = scenes::synthetic_library();
+  const database::ClipLibrary library = scenes::synthetic_library();
   SimulationPlan plan;
-  plan.distribution.least_time_to_impact_s = 0.5;  // so that many responses are begun later
-  const SimulationSubject subject(library, plan);
+  plan.distribution.min_time_to_impact_s = 0.5;  // so that many responses are begun later
+  const SimulationSetup setup(library, plan);
   int compared = 0;
   int close = 0;
   for (std::uint64_t number = 0; number < 12; ++number) {
-    const Observation posed = pose_scenario(subject, number);
-    const GridPlace place = place_of(plan.distribution, subject.idle(), posed.scenario);
+    const Observation posed = make_observation(setup, number);
+    const GridCell cell = grid_cell_of(plan.distribution, setup.idle(), posed.scenario);
     for (const int clip : {posed.trials.front().clip, posed.trials.back().clip}) {
-      const RehearsedResponse shared = rehearse(subject, subject.responses.key_of(clip, place));
-      const Trial slow = try_clip(subject, posed.scenario, clip);
-      const Trial fast = try_rehearsed(subject, posed.scenario, shared).trial;
+      const RehearsedResponse shared = rehearse(setup, setup.responses.key_of(clip, cell));
+      const Trial slow = try_clip(setup, posed.scenario, clip);
+      const Trial fast = try_rehearsed(setup, posed.scenario, shared).trial;
       EXPECT_NEAR(slow.work_j, fast.work_j, 1e-3F * slow.work_j);
       close += difference(slow, fast) < 0.005 ? 1 : 0;
       ++compared;
@@ -181,11 +181,11 @@ TEST(SharedTrials, FindWhatTheUnabridgedOnesDo) {
 }
 
 /// A run of the whole, as the program asks for it.
-SimulationRun run_of(const SimulationSubject& subject, ScenarioRange wanted, int threads) {
+SimulationRun run_of(const SimulationSetup& setup, ScenarioRange wanted, int threads) {
   SimulationRun run;
   run.wanted = wanted;
   run.batch.threads = threads;
-  run.memory = plan_memory(subject, std::uint64_t{1} << 30, threads);
+  run.memory = plan_memory(setup, std::uint64_t{1} << 30, threads);
   return run;
 }
 
@@ -198,50 +198,50 @@ class SimulateStore : public testing::Test {
   }
 
   std::string whole() {
-    EXPECT_TRUE(simulate_store(subject_, folder_ / "whole", run_of(subject_, kWanted, 2)));
+    EXPECT_TRUE(simulate_store(setup_, folder_ / "whole", run_of(setup_, kWanted, 2)));
     return bytes_of(folder_ / "whole");
   }
 
   /// Works as process `rank` until process 0 sends it home.
   void help(LocalExchange& exchange, int rank) {
     LocalMessenger messenger(exchange, rank);
-    SimulationRun run = run_of(subject_, kWanted, 1);
+    SimulationRun run = run_of(setup_, kWanted, 1);
     run.messenger = &messenger;
-    help_simulate(subject_, run);
+    run_simulation_worker(setup_, run);
   }
 
   static constexpr ScenarioRange kWanted{3, 18};
   TemporaryFolder folder_;
-  database::Library library_ = scenes::synthetic_library();
-  SimulationSubject subject_{library_, plan()};
+  database::ClipLibrary library_ = scenes::synthetic_library();
+  SimulationSetup setup_{library_, plan()};
 };
 
 TEST_F(SimulateStore, StoppedAndRunAgainGivesTheBytesOfAnUninterruptedRun) {
   std::atomic<bool> stop = false;
-  SimulationRun run = run_of(subject_, kWanted, 1);
+  SimulationRun run = run_of(setup_, kWanted, 1);
   run.batch.stop = &stop;
   run.report = [&stop](const SimulationProgress& progress) { stop = progress.scenarios >= 16; };
-  EXPECT_FALSE(simulate_store(subject_, folder_ / "stopped", run));
+  EXPECT_FALSE(simulate_store(setup_, folder_ / "stopped", run));
   EXPECT_FALSE(std::filesystem::exists(folder_ / "stopped"));
   EXPECT_EQ(summarise_store(folder_ / "stopped.partial").observation_count, 16U);
   stop = false;
   run.report = [](const SimulationProgress&) {};
-  ASSERT_TRUE(simulate_store(subject_, folder_ / "stopped", run));
+  ASSERT_TRUE(simulate_store(setup_, folder_ / "stopped", run));
   EXPECT_TRUE(bytes_of(folder_ / "stopped") == whole());
 }
 
 TEST_F(SimulateStore, TheNumberOfProcessesDoesNotShow) {
   LocalExchange exchange(3);
-  std::vector<std::jthread> helpers;
+  std::vector<std::jthread> workers;
   for (int rank = 1; rank < 3; ++rank) {
-    helpers.emplace_back([&, rank] { help(exchange, rank); });
+    workers.emplace_back([&, rank] { help(exchange, rank); });
   }
   LocalMessenger messenger(exchange, 0);
-  SimulationRun run = run_of(subject_, kWanted, 1);
+  SimulationRun run = run_of(setup_, kWanted, 1);
   run.messenger = &messenger;
   SimulationProgress last;
   run.report = [&last](const SimulationProgress& progress) { last = progress; };
-  ASSERT_TRUE(simulate_store(subject_, folder_ / "crew", run));
+  ASSERT_TRUE(simulate_store(setup_, folder_ / "crew", run));
   EXPECT_EQ(last.scenarios, kWanted.count);
   EXPECT_TRUE(bytes_of(folder_ / "crew") == whole());
 }
@@ -249,11 +249,11 @@ TEST_F(SimulateStore, TheNumberOfProcessesDoesNotShow) {
 TEST_F(SimulateStore, AFinishedStoreSendsTheHelpersHome) {
   whole();
   LocalExchange exchange(2);
-  std::jthread helper([&] { help(exchange, 1); });
+  std::jthread worker([&] { help(exchange, 1); });
   LocalMessenger messenger(exchange, 0);
-  SimulationRun run = run_of(subject_, kWanted, 1);
+  SimulationRun run = run_of(setup_, kWanted, 1);
   run.messenger = &messenger;
-  EXPECT_TRUE(simulate_store(subject_, folder_ / "whole", run));
+  EXPECT_TRUE(simulate_store(setup_, folder_ / "whole", run));
 }
 
 }  // namespace

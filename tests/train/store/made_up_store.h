@@ -26,12 +26,12 @@ inline std::string bytes_of(const std::string& path) {
 
 /// Says what a store of the synthetic library would, with round numbers.
 inline StoreHeader made_up_header() {
-  const database::Library library = scenes::synthetic_library();
+  const database::ClipLibrary library = scenes::synthetic_library();
   StoreHeader header;
   const std::string file = database::library_bytes(library);
   const auto bytes = std::as_bytes(std::span(file));
   header.library_file.assign(bytes.begin(), bytes.end());
-  header.library_hash = database::unseal(database::kLibraryKind, bytes).hash;
+  header.library_hash = database::verify_file(database::kLibraryFormat, bytes).hash;
   header.library_name = library.name;
   header.seed = 5;
   header.distribution = "{\"made\":\"up\"}";
@@ -50,7 +50,7 @@ inline StoreHeader made_up_header() {
 /// A scenario whose best clip follows from where the threat comes from, without simulation: the
 /// impulse that a clip lets through grows with the angle between its direction and the threat's.
 inline Observation made_up_observation(const StoreHeader& header, std::uint64_t number) {
-  static const database::Library kLibrary = scenes::synthetic_library();
+  static const database::ClipLibrary kLibrary = scenes::synthetic_library();
   static const motion::BodyModel kModel = motion::make_body_model(kLibrary.character);
   Observation observation;
   observation.number = number;

@@ -119,12 +119,12 @@ TEST_F(Merge, StoresOfOtherRunsAreRefusedByFileAndDifference) {
   expect("distribution");
   header_.simulation = "{}";
   expect("simulation");
-  database::Library other = scenes::synthetic_library();
+  database::ClipLibrary other = scenes::synthetic_library();
   other.name = "other";
   const std::string file = database::library_bytes(other);
   const auto bytes = std::as_bytes(std::span(file));
   header_.library_file.assign(bytes.begin(), bytes.end());
-  header_.library_hash = database::unseal(database::kLibraryKind, bytes).hash;
+  header_.library_hash = database::verify_file(database::kLibraryFormat, bytes).hash;
   header_.library_name = "other";
   expect("another library (other");
 }

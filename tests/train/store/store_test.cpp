@@ -246,7 +246,7 @@ TEST(Store, AChangedByteAnywhereIsNoticedOrChangesNothing) {
   const std::string whole = bytes_of(folder / "whole");
   const std::string content = content_of(folder / "whole");
   ASSERT_NE(content, "refused");
-  features::Random random(3, features::Purpose::baseline, 0);
+  features::Random random(3, features::RandomStream::baseline, 0);
   std::size_t refused = 0;
   // The library has tests of its own: half of the flips hit the file's ends, and half an
   // observation, of which the trials and some hundred bytes before them are.

@@ -60,7 +60,7 @@ TEST(StoreTrials, HaveTheBytesThatTheDocumentationTells) {
 }
 
 TEST(StoreTrials, ComeBackToTheBit) {
-  features::Random random(1, features::Purpose::baseline, 0);
+  features::Random random(1, features::RandomStream::baseline, 0);
   for (int i = 0; i < 300; ++i) {
     const std::vector<Trial> trials = random_trials(random);
     expect_same(decode_trials(encode_trials(trials)), trials);
@@ -85,7 +85,7 @@ TEST(StoreTrials, DamagedBytesAreRefusedOrAreOtherTrials) {
   EXPECT_THROW(decode_trials(bytes({0x21, 0, 0, 0, 0, 0, 17, 0, 0, 0, 0})), Error) << "no body";
   EXPECT_THROW(decode_trials(bytes({0x22, 0, 0, 0, 0, 0, 3, 0, 0, 0, 1, 3, 0, 0, 0, 1})), Error)
       << "a body twice";
-  features::Random random(2, features::Purpose::baseline, 0);
+  features::Random random(2, features::RandomStream::baseline, 0);
   std::size_t refused = 0;
   for (int i = 0; i < 2000; ++i) {
     std::vector<std::byte> damaged = encode_trials(random_trials(random));
