@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "features/free_flight.h"
-#include "motion/outline.h"
+#include "motion/collision_shape.h"
 
 namespace flinch::features {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "features/poses_ahead.h"
+#include "features/predicted_motion.h"
 
 namespace flinch::features {
 

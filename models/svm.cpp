@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "models/power.h"
+#include "models/integer_power.h"
 
 namespace flinch::models {
 namespace {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "models/power.h"
+#include "models/integer_power.h"
 
 namespace flinch::models {
 namespace {

@@ -10,7 +10,7 @@
 #include "database/import/file_io.h"
 #include "motion/error.h"
 #include "program/command.h"
-#include "program/film.h"
+#include "program/response_recording.h"
 #include "program/load.h"
 #include "program/table.h"
 #include "program/threat_options.h"

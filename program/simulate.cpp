@@ -15,7 +15,7 @@
 #include "program/interrupt.h"
 #include "program/progress.h"
 #include "program/table.h"
-#include "train/simulate/crew.h"
+#include "train/simulate/worker_pool.h"
 #include "train/simulate/mpi_messenger.h"
 
 namespace flinch::program {

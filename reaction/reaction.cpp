@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "motion/interpolation.h"
-#include "reaction/reaction_run.h"
+#include "reaction/reaction_simulation.h"
 
 namespace flinch::reaction {
 namespace {

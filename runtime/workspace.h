@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "database/library/sealed_file.h"
+#include "database/library/file_header.h"
 #include "models/selector.h"
 
 namespace flinch::runtime {

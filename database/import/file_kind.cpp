@@ -5,7 +5,7 @@
 #include <array>
 #include <utility>
 
-#include "database/library/sealed_file.h"
+#include "database/library/file_header.h"
 
 namespace flinch::database {
 namespace {

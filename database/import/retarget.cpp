@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "database/import/foot_placement.h"
+#include "database/import/ankle_goals.h"
 #include "motion/interpolation.h"
 #include "motion/limb_ik.h"
 #include "motion/support_polygon.h"

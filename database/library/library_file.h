@@ -7,7 +7,7 @@
 #include <string>
 
 #include "database/library/library.h"
-#include "database/library/sealed_file.h"
+#include "database/library/file_header.h"
 
 namespace flinch::database {
 

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <utility>
 
-#include "models/fit/in_parallel.h"
+#include "models/fit/parallel_for.h"
 #include "models/fit/weighted_svm.h"
 #include "motion/error.h"
 

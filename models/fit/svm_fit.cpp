@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-#include "models/fit/in_parallel.h"
+#include "models/fit/parallel_for.h"
 #include "models/fit/svm_pair.h"
 #include "motion/error.h"
 

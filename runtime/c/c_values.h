@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "database/library/sealed_file.h"
+#include "database/library/file_header.h"
 #include "features/threat.h"
 #include "motion/skeleton.h"
 #include "runtime/c/flinch.h"

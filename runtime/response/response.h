@@ -3,7 +3,7 @@
 
 #include <limits>
 
-#include "runtime/response/origin.h"
+#include "runtime/response/inertialization.h"
 #include "runtime/response/prepared_library.h"
 
 namespace flinch::runtime {

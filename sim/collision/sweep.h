@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "features/free_flight.h"
-#include "motion/outline.h"
+#include "motion/collision_shape.h"
 
 namespace flinch::sim {
 

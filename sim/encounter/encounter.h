@@ -4,7 +4,7 @@
 #include <limits>
 #include <utility>
 
-#include "sim/contact/pushes.h"
+#include "sim/contact/body_contacts.h"
 #include "sim/ode/ode_scene.h"
 #include "sim/tree/tree_scene.h"
 

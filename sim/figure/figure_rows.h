@@ -4,7 +4,7 @@
 #include <array>
 #include <limits>
 
-#include "sim/figure/figure_plan.h"
+#include "sim/figure/figure_model.h"
 #include "sim/figure/reference.h"
 
 namespace flinch::sim {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "sim/contact/step_ahead.h"
+#include "sim/contact/next_step.h"
 #include "sim/ode/contacts.h"
 #include "sim/ode/ode_world.h"
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "sim/contact/contact_impulse.h"
-#include "sim/contact/touch.h"
+#include "sim/contact/contact_constraint.h"
 #include "sim/ode/ode_world.h"
 
 namespace flinch::sim {

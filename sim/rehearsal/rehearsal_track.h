@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "features/free_flight.h"
-#include "sim/figure/figure_plan.h"
+#include "sim/figure/figure_model.h"
 #include "sim/figure/reference.h"
 #include "sim/rehearsal/rehearsal.h"
 #include "sim/simulation_options.h"

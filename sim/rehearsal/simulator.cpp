@@ -6,7 +6,7 @@
 
 #include "sim/encounter/encounter.h"
 #include "sim/rehearsal/rehearsal_track.h"
-#include "sim/rehearsal/rehearsed_run.h"
+#include "sim/rehearsal/rehearsal_run.h"
 
 namespace flinch::sim {
 namespace {

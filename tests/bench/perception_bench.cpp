@@ -4,7 +4,7 @@
 
 #include "features/feature_layout.h"
 #include "runtime/perception.h"
-#include "tests/features/swaying_figure.h"
+#include "tests/features/moving_figure.h"
 #include "tests/motion/random_motion.h"
 
 namespace flinch {

@@ -12,7 +12,7 @@
 #include <queue>
 
 #include "features/random.h"
-#include "train/simulate/scenario_ranges.h"
+#include "train/simulate/scenario_scheduler.h"
 
 namespace flinch::train {
 namespace {

@@ -8,7 +8,7 @@
 #include <limits>
 #include <set>
 
-#include "tests/features/swaying_figure.h"
+#include "tests/features/moving_figure.h"
 #include "tests/motion/random_motion.h"
 
 namespace flinch::features {

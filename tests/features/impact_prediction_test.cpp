@@ -8,9 +8,9 @@
 #include <limits>
 
 #include "features/free_flight.h"
-#include "motion/outline.h"
+#include "motion/collision_shape.h"
 #include "motion/rotation.h"
-#include "tests/features/swaying_figure.h"
+#include "tests/features/moving_figure.h"
 #include "tests/motion/random_motion.h"
 
 namespace flinch::features {

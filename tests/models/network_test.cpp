@@ -9,7 +9,7 @@
 #include <random>
 
 #include "models/selector.h"
-#include "tests/models/network_twin.h"
+#include "tests/models/network_reference.h"
 #include "tests/models/training_sets.h"
 
 namespace flinch::models {

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "database/import/library_writer.h"
-#include "database/library/sealed_file.h"
+#include "database/library/file_header.h"
 #include "models/fit/knn_fit.h"
 #include "models/fit/network_fit.h"
 #include "models/fit/pairwise_linear_fit.h"

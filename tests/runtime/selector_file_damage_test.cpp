@@ -3,7 +3,7 @@
 
 #include <random>
 
-#include "database/library/sealed_file.h"
+#include "database/library/file_header.h"
 #include "models/fit/pairwise_linear_fit.h"
 #include "models/fit/svm_fit.h"
 #include "runtime/selector_file.h"

@@ -6,8 +6,8 @@
 #include <functional>
 #include <vector>
 
-#include "train/simulate/rehearsals.h"
-#include "train/store/store_range.h"
+#include "train/simulate/rehearsal_cache.h"
+#include "train/store/scenario_range.h"
 
 namespace flinch::train {
 

@@ -10,10 +10,10 @@
 
 #include "database/import/library_writer.h"
 #include "database/library/content_hash.h"
-#include "database/library/sealed_file.h"
+#include "database/library/file_header.h"
 #include "motion/error.h"
-#include "train/simulate/crew.h"
-#include "train/simulate/scenario_ranges.h"
+#include "train/simulate/worker_pool.h"
+#include "train/simulate/scenario_scheduler.h"
 #include "train/store/store_trials.h"
 
 namespace flinch::train {

@@ -11,7 +11,7 @@
 #include "models/selector.h"
 #include "train/objective/observation.h"
 #include "train/scenario/scenario_sampling.h"
-#include "train/store/store_range.h"
+#include "train/store/scenario_range.h"
 
 namespace flinch::train {
 

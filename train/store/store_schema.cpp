@@ -7,7 +7,7 @@
 #include <span>
 
 #include "database/library/content_hash.h"
-#include "database/library/sealed_file.h"
+#include "database/library/file_header.h"
 #include "motion/error.h"
 #include "train/store/store_rows.h"
 

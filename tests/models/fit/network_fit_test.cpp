@@ -13,7 +13,7 @@
 #include "models/selector.h"
 #include "motion/error.h"
 #include "tests/models/fit/held_out.h"
-#include "tests/models/network_twin.h"
+#include "tests/models/network_reference.h"
 #include "tests/models/training_sets.h"
 
 namespace flinch::models {

@@ -5,7 +5,7 @@
 
 #include <limits>
 
-#include "tests/motion/random_outlines.h"
+#include "tests/motion/random_shapes.h"
 
 namespace flinch::sim {
 namespace {

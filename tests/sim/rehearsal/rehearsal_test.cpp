@@ -9,7 +9,7 @@
 
 #include "motion/error.h"
 #include "sim/figure/figure_rows.h"
-#include "sim/rehearsal/rehearsed_run.h"
+#include "sim/rehearsal/rehearsal_run.h"
 #include "tests/sim/random_hits.h"
 #include "tests/sim/same_bits.h"
 

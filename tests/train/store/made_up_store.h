@@ -8,7 +8,7 @@
 #include <string>
 
 #include "database/import/library_writer.h"
-#include "database/library/sealed_file.h"
+#include "database/library/file_header.h"
 #include "features/random.h"
 #include "tests/scenes/synthetic_library.h"
 #include "tests/scenes/temporary_folder.h"

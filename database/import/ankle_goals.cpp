@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+#include "database/import/ankle_goals.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "motion/foot.h"
+#include "motion/interpolation.h"
+#include "motion/support_polygon.h"
+
+namespace flinch::database {
+namespace {
+
+using Eigen::Quaternionf;
+using Eigen::Vector2f;
+using Eigen::Vector3f;
+
+float squared(float value) {
+  return value * value;
+}
+
+// The offset c of the skeleton's ankle from the source's over the ground. With A and F the source's
+// ankle and its way from ankle to ball, and f the skeleton's, the points at the fraction w of both
+// feet are A + w F and A + c + w f, apart by c - w g with g = F - f. They make the same way from
+// one frame to the next when dc = w dg. The foot turns about the fraction w at which it moves
+// least: 0 where the ankle rests, 1 where the ball does.
+class AnkleTracker {
+ public:
+  explicit AnkleTracker(float interval_s) : interval_s_(interval_s) {}
+
+  Vector2f follow(const Vector3f& ankle, const Vector3f& ball, const Vector2f& to_ball,
+                  float lift) {
+    const Vector2f at_ankle = ankle.head<2>();
+    const Vector2f at_ball = ball.head<2>();
+    const Vector2f gap = at_ball - at_ankle - to_ball;
+    const Vector2f middle = 0.5F * gap;
+    if (is_first_) {
+      offset_ = middle;
+    } else {
+      const float ankle_way = (at_ankle - ankle_).squaredNorm();
+      const float ball_way = (at_ball - ball_).squaredNorm();
+      const float all = ankle_way + ball_way;
+      if (all > 0) offset_ += ankle_way / all * (gap - gap_);
+      const float slowest = std::sqrt(std::min(ankle_way, ball_way)) / interval_s_;
+      offset_ += return_share(slowest, lift) * (middle - offset_);
+    }
+    is_first_ = false;
+    ankle_ = at_ankle;
+    ball_ = at_ball;
+    gap_ = gap;
+    return offset_;
+  }
+
+ private:
+  // Share of the way back to the middle that a foot goes in one frame: none while it is planted.
+  float return_share(float speed_mps, float lift_m) const {
+    constexpr float kTime = 0.1F;  // s, to come back by a factor e
+    const float is_fast = motion::ease_in_ease_out((speed_mps - 0.2F) / 0.6F);
+    const float is_up = motion::ease_in_ease_out((lift_m - 0.03F) / 0.05F);
+    return std::max(is_fast, is_up) * (1 - std::exp(-interval_s_ / kTime));
+  }
+
+  float interval_s_;
+  bool is_first_ = true;
+  Vector2f ankle_ = Vector2f::Zero();  // of the frame before, like the next two
+  Vector2f ball_ = Vector2f::Zero();
+  Vector2f gap_ = Vector2f::Zero();
+  Vector2f offset_ = Vector2f::Zero();
+};
+
+// One foot of the skeleton in its rest pose.
+struct Foot {
+  motion::FootRoles roles;
+  Vector3f to_ball;
+  float ankle_height;
+  float ball_height;
+  std::vector<Vector3f> sole;
+};
+
+Foot foot_of(const motion::Skeleton& skeleton, motion::Side side) {
+  const motion::JointFrames rest = forward_kinematics(skeleton, motion::rest_pose(skeleton));
+  const motion::FootRoles roles = motion::roles_of(side);
+  return {roles, skeleton.offset[roles.toes], rest.position[roles.foot].z(),
+          rest.position[roles.toes].z(), motion::sole_outline(skeleton, side).foot};
+}
+
+// The ankle's height by the source's ankle and by its ball, weighted towards the one that is nearer
+// to its planted height.
+float ankle_height(const Foot& foot, const Vector3f& to_ball, float ankle_lift, float ball_lift) {
+  constexpr float kEven = 0.005F;  // m: lifts below this count alike
+  const float by_ankle = foot.ankle_height + ankle_lift;
+  const float by_ball = foot.ball_height + ball_lift - to_ball.z();
+  const float ankle_weight = squared(std::max(ball_lift, 0.0F) + kEven);
+  const float ball_weight = squared(std::max(ankle_lift, 0.0F) + kEven);
+  return (ankle_weight * by_ankle + ball_weight * by_ball) / (ankle_weight + ball_weight);
+}
+
+}  // namespace
+
+std::vector<AnkleGoals> compute_ankle_goals(const SourceMotion& source,
+                                            const motion::Skeleton& skeleton,
+                                            const std::vector<SourceFrame>& frames,
+                                            float interval_s, float scale) {
+  std::vector<AnkleGoals> goals(frames.size());
+  for (std::size_t side = 0; side < 2; ++side) {
+    const Foot foot = foot_of(skeleton, side == 0 ? motion::Side::left : motion::Side::right);
+    AnkleTracker follower(interval_s);
+    for (std::size_t k = 0; k < frames.size(); ++k) {
+      const SourceFoot& from = frames[k].foot[side];
+      const Quaternionf& orientation = frames[k].orientation[foot.roles.foot];
+      const Vector3f to_ball = orientation * foot.to_ball;
+      const float ankle_lift = scale * (from.ankle.z() - source.ankle_height_m[side]);
+      const float ball_lift = scale * (from.ball.z() - source.ball_height_m[side]);
+      Vector3f& goal = goals[k][side];
+      goal = scale * from.ankle;
+      goal.z() = foot.ankle_height + ankle_lift;
+      if (source.has_ball[side]) {
+        goal.head<2>() += follower.follow(scale * from.ankle, scale * from.ball, to_ball.head<2>(),
+                                          std::min(ankle_lift, ball_lift));
+        goal.z() = ankle_height(foot, to_ball, ankle_lift, ball_lift);
+      }
+      goal.z() = std::max(goal.z(), -motion::min_height(foot.sole, orientation));
+    }
+  }
+  return goals;
+}
+
+}  // namespace flinch::database

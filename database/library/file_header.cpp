@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+#include "database/library/file_header.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <new>
+#include <system_error>
+
+namespace flinch::database {
+namespace {
+
+constexpr std::size_t kMagicSize = 7;
+constexpr std::size_t kHashPosition = kMagicSize + 1;
+
+}  // namespace
+
+const char* message_of(LoadStatus status) noexcept {
+  switch (status) {
+    case LoadStatus::ok:
+      return "is sound";
+    case LoadStatus::cannot_open:
+      return "cannot be read";
+    case LoadStatus::not_a_library:
+      return "is another kind of file";
+    case LoadStatus::other_version:
+      return "was written by another version of Flinch";
+    case LoadStatus::damaged:
+      return "is damaged or cut short";
+    case LoadStatus::other_layout:
+      return "was trained on other features than this version of Flinch computes";
+    case LoadStatus::without_clips:
+      return "has no clips in it";
+    case LoadStatus::out_of_memory:
+      return "does not fit into memory";
+  }
+  return "has an unknown status";
+}
+
+std::array<std::byte, kFileHeaderSize> make_file_header(
+    const FileFormat& kind, std::span<const std::byte> content) noexcept {
+  std::array<std::byte, kFileHeaderSize> seal{};
+  std::transform(kind.magic.begin(), kind.magic.begin() + kMagicSize, seal.begin(),
+                 [](char c) { return static_cast<std::byte>(c); });
+  seal[kMagicSize] = static_cast<std::byte>(kind.version);
+  const std::uint64_t hash = content_hash(content);
+  for (std::size_t i = 0; i < sizeof(hash); ++i) {
+    seal[kHashPosition + i] = static_cast<std::byte>(hash >> (8 * i));
+  }
+  return seal;
+}
+
+VerifiedFile verify_embedded_file(const FileFormat& kind,
+                                  std::span<const std::byte> file) noexcept {
+  const auto same = [](std::byte byte, char c) { return byte == static_cast<std::byte>(c); };
+  const auto mark = file.first(std::min(file.size(), kMagicSize));
+  if (!std::equal(mark.begin(), mark.end(), kind.magic.begin(), kind.magic.end(), same)) {
+    return {.status = LoadStatus::not_a_library};
+  }
+  if (file.size() < kFileHeaderSize) return {.status = LoadStatus::damaged};
+  if (file[kMagicSize] != static_cast<std::byte>(kind.version)) {
+    return {.status = LoadStatus::other_version};
+  }
+  std::uint64_t hash = 0;
+  for (std::size_t i = 0; i < sizeof(hash); ++i) {
+    hash |= std::to_integer<std::uint64_t>(file[kHashPosition + i]) << (8 * i);
+  }
+  return {.status = LoadStatus::ok, .hash = hash, .content = file.subspan(kFileHeaderSize)};
+}
+
+VerifiedFile verify_file(const FileFormat& kind, std::span<const std::byte> file) noexcept {
+  const VerifiedFile unsealed = verify_embedded_file(kind, file);
+  if (unsealed.status != LoadStatus::ok || unsealed.hash == content_hash(unsealed.content)) {
+    return unsealed;
+  }
+  return {.status = LoadStatus::damaged};
+}
+
+std::span<const std::byte> aligned(std::span<const std::byte> bytes,
+                                   std::vector<std::byte>& storage) {
+  if (reinterpret_cast<std::uintptr_t>(bytes.data()) % alignof(std::max_align_t) == 0) return bytes;
+  storage.assign(bytes.begin(), bytes.end());
+  return storage;
+}
+
+LoadStatus read_bytes(const std::string& path, std::vector<std::byte>& bytes) noexcept try {
+  const auto close = [](std::FILE* file) { std::fclose(file); };
+  const std::unique_ptr<std::FILE, decltype(close)> file(std::fopen(path.c_str(), "rb"), close);
+  if (!file) return LoadStatus::cannot_open;
+  std::vector<std::byte> read;
+  constexpr std::size_t kChunk = 1 << 16;
+  std::error_code not_told;  // the size of what is no regular file
+  const std::uintmax_t whole = std::filesystem::file_size(path, not_told);
+  if (!not_told) read.reserve(static_cast<std::size_t>(whole) + kChunk);
+  std::size_t count = kChunk;
+  while (count == kChunk) {
+    const std::size_t size = read.size();
+    read.resize(size + kChunk);
+    count = std::fread(read.data() + size, 1, kChunk, file.get());
+    read.resize(size + count);
+  }
+  if (std::ferror(file.get()) != 0) return LoadStatus::cannot_open;
+  bytes = std::move(read);
+  return LoadStatus::ok;
+} catch (const std::bad_alloc&) {
+  return LoadStatus::out_of_memory;
+}
+
+}  // namespace flinch::database

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#include "features/predicted_motion.h"
+
+#include <algorithm>
+
+#include "motion/collision_shape.h"
+#include "motion/rotation.h"
+
+namespace flinch::features {
+namespace {
+
+// A point's way between two poses is longer than the line, and its speed not even.
+constexpr float kSpeedMargin = 1.25F;
+
+struct BoundingBox {
+  Eigen::Vector3f min;
+  Eigen::Vector3f max;
+};
+
+BoundingBox pelvis_bounding_box(const motion::Motion& motion) {
+  BoundingBox box{motion.poses.front().root_position, motion.poses.front().root_position};
+  for (const motion::Pose& pose : motion.poses) {
+    box.min = box.min.cwiseMin(pose.root_position);
+    box.max = box.max.cwiseMax(pose.root_position);
+  }
+  return box;
+}
+
+/// The farthest that a point of the surface moves from one to the other: with its centre, and with
+/// its turn about that.
+double max_displacement(const motion::CollisionShape& from, const motion::CollisionShape& to) {
+  const Eigen::Quaterniond turn = to.orientation * from.orientation.conjugate();
+  return (to.centre - from.centre).norm() + motion::rotation_vector(turn).norm() * to.reach();
+}
+
+}  // namespace
+
+MotionBounds motion_bounds_of(const motion::Skeleton& skeleton, const motion::BodyModel& model,
+                              const motion::Motion& motion) {
+  const BoundingBox box = pelvis_bounding_box(motion);
+  MotionBounds bounds;
+  bounds.pelvis_centre = 0.5F * (box.min + box.max);
+  bounds.radius = 0.5F * (box.max - box.min).norm();
+  const auto outlines_at = [&](const motion::Pose& pose) {
+    return collision_shapes_of(model, forward_kinematics(skeleton, pose));
+  };
+  motion::PerBody<motion::CollisionShape> from = outlines_at(motion.poses.front());
+  double displacement_m = 0;
+  for (const motion::Pose& pose : motion.poses) {
+    const motion::PerBody<motion::CollisionShape> to = outlines_at(pose);
+    for (motion::Body body : motion::kBodies) {
+      displacement_m = std::max(displacement_m, max_displacement(from[body], to[body]));
+    }
+    from = to;
+  }
+  bounds.max_speed_mps = kSpeedMargin * static_cast<float>(displacement_m) * motion.rate_hz;
+  return bounds;
+}
+
+MotionBounds placed(const MotionBounds& bounds, const CharacterState& state) {
+  MotionBounds result = bounds;
+  result.pelvis_centre =
+      motion::rotation_about(Eigen::Vector3f::UnitZ(), state.facing) * bounds.pelvis_centre;
+  result.pelvis_centre.head<2>() += state.position;
+  return result;
+}
+
+}  // namespace flinch::features

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: MIT
+#include "reaction/reaction_simulation.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "motion/error.h"
+#include "reaction/balance.h"
+
+namespace flinch::reaction {
+namespace {
+
+using motion::Body;
+using motion::Role;
+
+// The free step is half the trainer's, as what is soft swings far and is seen; the contact step
+// twice the trainer's, as a frame must end.
+constexpr double kFreeStep_s = 1.0 / 120;
+constexpr double kContactStep_s = 1.0 / 1000;
+constexpr double kMaxStepRate_hz = 180;
+constexpr double kMaxSavedSteps = 2;
+constexpr double kNegligibleStep_s = 1e-6;  // not worth a step
+constexpr double kImpactStiffnessShare = 1e-4;
+constexpr double kPelvisForceShare = 0.7;  // share of the figure's weight that pulls it back
+
+sim::SimulationOptions simulation_options() {
+  sim::SimulationOptions options;
+  options.free_step_s = kFreeStep_s;
+  options.contact_step_s = kContactStep_s;
+  return options;
+}
+
+sim::BodyState between(const sim::BodyState& from, const sim::BodyState& to, double share) {
+  return {(1 - share) * from.position + share * to.position,
+          from.orientation.slerp(share, to.orientation),
+          (1 - share) * from.velocity + share * to.velocity,
+          (1 - share) * from.angular_velocity + share * to.angular_velocity};
+}
+
+}  // namespace
+
+ReactionSimulation::ReactionSimulation(const sim::FigureModel& figure_model,
+                                       const ReactionOptions& options, const motion::Pose& before,
+                                       const motion::Pose& now, double dt_s, const sim::Ball* ball)
+    : figure_model_(figure_model),
+      struck_strength_{
+          options.stiffness, options.stiffness,
+          kPelvisForceShare * simulation_options().gravity_mps2 * figure_model.mass_kg},
+      encounter_(figure_model, simulation_options(),
+                 LiveReference(figure_model, before, now, dt_s).at(0), ball),
+      feet_(figure_model, encounter_.world(), encounter_.figure()),
+      wanted_(figure_model, before, now, dt_s),
+      feedforward_(wanted_.at(0)),
+      before_(snapshot()),
+      after_(before_),
+      step_budget_(kMaxSavedSteps) {}
+
+void ReactionSimulation::advance(double dt_s, const motion::Pose& wanted) {
+  wanted_.add(wanted, dt_s, after_.time_s);
+  shown_s_ += dt_s;
+  while (after_.time_s < shown_s_ - kNegligibleStep_s) step();
+}
+
+// Steps cost, so there is a budget of them: a rate, and some saved up for the first touches. Beyond
+// it steps are as long as the rate allows, whatever is touched.
+void ReactionSimulation::step() {
+  const sim::ReferenceState now = wanted_.at(encounter_.time_s());
+  const double step_s =
+      encounter_.begin_step(now, kFreeStep_s, (1 - step_budget_) / kMaxStepRate_hz);
+  step_budget_ = std::min(step_budget_ + kMaxStepRate_hz * step_s - 1, kMaxSavedSteps);
+  const sim::ReferenceState target = wanted_.at(encounter_.time_s() + step_s);
+  set_motors(target, step_s);
+  encounter_.end_step(now, target, step_s);
+  before_ = after_;
+  after_ = snapshot();
+  for (const sim::BodyState& body : after_.body) {
+    if (!body.position.allFinite() || !body.orientation.coeffs().allFinite()) {
+      throw Error("reaction", "the simulated figure is nowhere");
+    }
+  }
+}
+
+// A blow lasts no time: what holds the figure to the ground has none to answer it, while gains set
+// for the velocity before it would.
+void ReactionSimulation::set_motors(const sim::ReferenceState& target, double step_s) {
+  const double to_ground = encounter_.is_ball_hit() ? kImpactStiffnessShare : 1;
+  sim::MotorStrength strength =
+      std::isfinite(encounter_.first_contact_s()) ? struck_strength_ : sim::MotorStrength{};
+  strength.pelvis *= to_ground;
+  sim::Figure& figure = encounter_.figure();
+  if (!figure.is_fallen()) {
+    figure.add_feedforward(feedforward_, target, step_s);
+    feet_.lock(target, step_s, to_ground);
+  }
+  feedforward_ = target;
+  figure.set_motors(target, step_s, strength);
+}
+
+void ReactionSimulation::advance_ball(double dt_s) {
+  shown_s_ += dt_s;
+  while (after_.time_s < shown_s_ - kNegligibleStep_s) step_ball();
+}
+
+void ReactionSimulation::step_ball() {
+  encounter_.step_ball_alone();
+  before_ = after_;
+  after_ = snapshot();
+}
+
+ReactionSimulation::Snapshot ReactionSimulation::snapshot() const {
+  Snapshot snapshot;
+  snapshot.time_s = encounter_.time_s();
+  for (Body body : motion::kBodies) {
+    snapshot.body[body] = sim::state_of(encounter_.figure().body(body));
+  }
+  if (encounter_.ball()) snapshot.ball = sim::state_of(encounter_.ball()->body());
+  return snapshot;
+}
+
+double ReactionSimulation::share_of_last_step() const {
+  const double length_s = after_.time_s - before_.time_s;
+  return length_s > 0 ? std::clamp((shown_s_ - before_.time_s) / length_s, 0.0, 1.0) : 1;
+}
+
+motion::Pose ReactionSimulation::pose(const motion::Pose& motion) const {
+  const double share = share_of_last_step();
+  motion::JointFrames frames;
+  for (Role role : motion::kRoles) {
+    const Body body = body_of(role);
+    if (role_of(body) == role) {
+      frames.orientation[role] = before_.body[body]
+                                     .orientation.slerp(share, after_.body[body].orientation)
+                                     .cast<float>()
+                                     .normalized();
+    } else {
+      frames.orientation[role] = frames.orientation[*parent_of(role)] * motion.rotation[role];
+    }
+  }
+  const sim::BodyState pelvis =
+      between(before_.body[Body::pelvis], after_.body[Body::pelvis], share);
+  const Eigen::Vector3d joint =
+      pelvis.position -
+      pelvis.orientation * figure_model_.model[Body::pelvis].centre_of_mass.cast<double>();
+  frames.position[Role::pelvis] = joint.cast<float>();
+  return pose_from_frames(frames);
+}
+
+sim::Ball ReactionSimulation::ball(const sim::Ball& initial_ball) const {
+  sim::Ball ball = initial_ball;
+  if (!encounter_.ball()) return ball;
+  const double share = share_of_last_step();
+  const sim::BodyState state = between(before_.ball, after_.ball, share);
+  ball.position = state.position;
+  ball.velocity = after_.ball.velocity;
+  return ball;
+}
+
+bool ReactionSimulation::is_beyond_recovery() const {
+  const sim::ReferenceState wanted = wanted_.at(after_.time_s);
+  const double out_m = out_of_balance_m(figure_model_, after_.body);
+  return is_beyond_a_step(figure_model_, out_m - out_of_balance_m(figure_model_, wanted.body));
+}
+
+void ReactionSimulation::start_falling() {
+  encounter_.figure().start_falling();
+  feet_.unlock();
+}
+
+}  // namespace flinch::reaction

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "reaction/foot_lock.h"
+#include "reaction/live_reference.h"
+#include "reaction/reaction.h"
+#include "sim/encounter/encounter.h"
+
+namespace flinch::reaction {
+
+/// The simulated part of one reaction.
+///
+/// Steps are the simulation's own, whatever the frames: it runs ahead of the time shown by less
+/// than one step, toward the motion as it goes on, and what is shown lies between the last two
+/// states.
+class ReactionSimulation {
+ public:
+  /// `figure_model` must outlive this. Throws Error if the physics engine fails.
+  ReactionSimulation(const sim::FigureModel& figure_model, const ReactionOptions& options,
+                     const motion::Pose& before, const motion::Pose& now, double dt_s,
+                     const sim::Ball* ball);
+
+  /// Simulates for `dt_s` more, by which time the motion is at `wanted`. Throws Error as above, and
+  /// if the figure's state is no longer finite.
+  void advance(double dt_s, const motion::Pose& wanted);
+  /// Only the ball goes on.
+  void advance_ball(double dt_s);
+
+  /// The simulated figure at the time shown; `motion` gives clavicles and toes.
+  motion::Pose pose(const motion::Pose& motion) const;
+  sim::Ball ball(const sim::Ball& initial_ball) const;
+  const sim::OdeEncounter& encounter() const { return encounter_; }
+
+  /// Whether the blow has put the figure out of balance beyond a step, more than the motion itself.
+  bool is_beyond_recovery() const;
+  void start_falling();
+
+ private:
+  struct Snapshot {
+    double time_s = 0;
+    motion::PerBody<sim::BodyState> body;
+    sim::BodyState ball;
+  };
+  void step();
+  void set_motors(const sim::ReferenceState& target, double step_s);
+  void step_ball();
+  Snapshot snapshot() const;
+  double share_of_last_step() const;
+
+  const sim::FigureModel& figure_model_;
+  sim::MotorStrength struck_strength_;  // from the first contact on; until then the figure is as
+                                        // stiff as the trainer's
+  sim::OdeEncounter encounter_;
+  FootLock feet_;
+  LiveReference wanted_;
+  sim::ReferenceState
+      feedforward_;  // where the forces of Figure::add_feedforward have brought the reference
+  Snapshot before_;  // the last step's beginning and end
+  Snapshot after_;
+  double shown_s_ = 0;
+  double step_budget_ = 0;  // see step
+};
+
+}  // namespace flinch::reaction

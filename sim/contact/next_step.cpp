@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#include "sim/contact/next_step.h"
+
+#include <algorithm>
+
+#include "sim/contact/contact_constraint.h"
+
+namespace flinch::sim {
+namespace {
+
+constexpr double kMinStep_s = 1e-5;
+
+/// The first time within `horizon_s` at which the ball may touch one of the shapes.
+std::optional<double> first_contact(const features::FreeFlight& ball,
+                                    std::span<const MovingShape> shapes, double horizon_s,
+                                    double contact_distance_m, double slack_mps2) {
+  std::optional<double> first;
+  for (const MovingShape& shape : shapes) {
+    if (may_be_near(ball, shape, kContactDistance_m)) {
+      const motion::Clearance near = clearance(ball.position, ball.radius, shape);
+      if (near.gap <= kContactDistance_m && !hits(ball, shape, near)) continue;
+    }
+    const auto time_s =
+        time_of_contact(ball, shape, first.value_or(horizon_s), contact_distance_m, slack_mps2);
+    if (time_s) first = time_s;
+  }
+  return first;
+}
+
+bool hits_any(const features::FreeFlight& ball, std::span<const MovingShape> shapes) {
+  return std::any_of(shapes.begin(), shapes.end(), [&](const MovingShape& shape) {
+    return may_be_near(ball, shape, kContactDistance_m) &&
+           hits(ball, shape, clearance(ball.position, ball.radius, shape));
+  });
+}
+
+double free_step_among(const features::FreeFlight& ball, std::span<const MovingShape> shapes,
+                       const SimulationOptions& options) {
+  if (hits_any(ball, shapes)) return options.contact_step_s;
+  const auto can_touch = first_contact(ball, shapes, options.free_step_s, kNearContactDistance_m,
+                                       kMaxAcceleration_mps2);
+  if (!can_touch) return options.free_step_s;
+  if (*can_touch >= options.contact_step_s) return *can_touch;
+  const auto touch = first_contact(ball, shapes, options.contact_step_s, kContactDistance_m, 0);
+  return touch ? std::max(*touch, kMinStep_s) : options.contact_step_s;
+}
+
+}  // namespace
+
+NextStep next_step(const features::FreeFlight& ball, std::span<const MovingShape> shapes,
+                   const SimulationOptions& options) {
+  NextStep ahead;
+  ahead.step_s = free_step_among(ball, shapes, options);
+  const auto bounce = features::time_of_bounce(ball, ahead.step_s, kContactDistance_m);
+  if (!bounce) return ahead;
+  if (*bounce <= kMinStep_s) {
+    ahead.on_ground = true;
+    // Within the step of a bounce the ball falls the wrong way: short, unless it lies or rolls.
+    if (-ball.velocity.z() > kMinBounceSpeed_mps) {
+      ahead.step_s = std::min(ahead.step_s, options.contact_step_s);
+    }
+  } else {
+    ahead.step_s = *bounce;
+  }
+  return ahead;
+}
+
+bool hits(const features::FreeFlight& ball, const MovingShape& shape,
+          const motion::Clearance& near) {
+  return near.gap <= kContactDistance_m &&
+         near.normal.dot(ball.velocity - shape.velocity_at(near.point)) < 0;
+}
+
+}  // namespace flinch::sim

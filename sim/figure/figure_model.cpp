@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+#include "sim/figure/figure_model.h"
+
+#include <numbers>
+
+#include "sim/collision/pair_clearance.h"
+
+namespace flinch::sim {
+namespace {
+
+using motion::Body;
+
+// How fast the figure takes back what a motion or a hit has put it out of, rad/s: the tracking
+// study of docs/simulation.md.
+constexpr double kJointFrequency = 60;
+constexpr double kPelvisFrequency = 60;
+
+MovingShape collision_shape_of(const motion::BodyProperties& properties) {
+  MovingShape outline{motion::collision_shape_of(properties.shape)};
+  outline.centre = (properties.shape.centre - properties.centre_of_mass).cast<double>();
+  return outline;
+}
+
+// Of even density, with V the volume and m the mass:
+//
+//   box of sides a, b, c:       I_x = m (b^2 + c^2) / 12, and so on
+//   capsule along z, of radius r, whose cylinder is l long (volume V_1) and whose caps make up a
+//   sphere (volume V_2):        I_x = I_y = m / V (V_1 (r^2 / 4 + l^2 / 12)
+//                                                 + V_2 (2 r^2 / 5 + 3 r l / 8 + l^2 / 4))
+//                               I_z = m / V (V_1 / 2 + 2 V_2 / 5) r^2
+
+Eigen::Vector3d box_inertia(const Eigen::Vector3d& sides, double mass_kg) {
+  const Eigen::Vector3d squares = sides.cwiseAbs2();
+  const double volume = sides.x() * sides.y() * sides.z();
+  const Eigen::Vector3d per_density{volume / 12 * (squares.y() + squares.z()),
+                                    volume / 12 * (squares.x() + squares.z()),
+                                    volume / 12 * (squares.x() + squares.y())};
+  return mass_kg / volume * per_density;
+}
+
+Eigen::Vector3d capsule_inertia(double r, double l, double mass_kg) {
+  constexpr double kPi = std::numbers::pi;
+  const double cylinder = kPi * r * r * l;
+  const double caps = 4.0 / 3.0 * kPi * r * r * r;
+  const double across = cylinder * (0.25 * r * r + 1.0 / 12.0 * l * l) +
+                        caps * (0.4 * r * r + 0.375 * r * l + 0.25 * l * l);
+  const double along = (cylinder * 0.5 + caps * 0.4) * r * r;
+  return mass_kg / (cylinder + caps) * Eigen::Vector3d(across, across, along);
+}
+
+/// About its own middle, of a body that fills its outline, kg·m².
+Eigen::Matrix3d inertia_of(const MovingShape& outline, double mass_kg) {
+  const Eigen::Vector3d principal =
+      outline.kind == motion::Shape::Kind::capsule
+          ? capsule_inertia(outline.radius, 2 * outline.half_length, mass_kg)
+          : box_inertia(2 * outline.half_extents, mass_kg);
+  const Eigen::Matrix3d turn = outline.orientation.toRotationMatrix();
+  return turn * principal.asDiagonal() * turn.transpose();
+}
+
+bool is_ancestor_or_self(Body ancestor, Body body) {
+  for (std::optional<Body> at = body; at; at = parent_of(*at)) {
+    if (*at == ancestor) return true;
+  }
+  return false;
+}
+
+/// What a joint carries in the rest pose: the inertia about it of all bodies beyond it,
+///   I = sum tr(I_i)/3 + m_i |c_i - p|^2.
+double composite_inertia(const FigureModel& figure_model, const motion::JointFrames& rest,
+                         Body joint) {
+  const Eigen::Vector3d pivot = rest.position[role_of(joint)].cast<double>();
+  double inertia = 0;
+  for (Body body : motion::kBodies) {
+    if (!is_ancestor_or_self(joint, body)) continue;
+    const Eigen::Vector3d arm =
+        centre_of_mass(figure_model.model, rest, body).cast<double>() - pivot;
+    inertia += figure_model.inertia[body].trace() / 3 +
+               static_cast<double>(figure_model.model[body].mass_kg) * arm.squaredNorm();
+  }
+  return inertia;
+}
+
+MovingShape placed(const MovingShape& outline, const Eigen::Vector3d& centre_of_mass) {
+  MovingShape shape = outline;
+  shape.centre += centre_of_mass;
+  return shape;
+}
+
+}  // namespace
+
+FigureModel::FigureModel(const motion::Physique& character)
+    : skeleton(character.skeleton), model(make_body_model(character)) {
+  const motion::JointFrames rest = forward_kinematics(skeleton, rest_pose(skeleton));
+  for (Body body : motion::kBodies) {
+    const double body_mass_kg = static_cast<double>(model[body].mass_kg);
+    outline[body] = collision_shape_of(model[body]);
+    outline_radius[body] = outline[body].bounding_radius();
+    radius[body] = outline[body].centre.norm() + outline_radius[body];
+    inertia[body] = inertia_of(outline[body], body_mass_kg);
+    kinds[body] = kind_of(body);
+    limits[body] = limits_of(body);
+    mass_kg += body_mass_kg;
+  }
+  for (Body body : motion::kBodies) {
+    const bool root = !parent_of(body);
+    gains[body] = critically_damped(composite_inertia(*this, rest, body),
+                                    root ? kPelvisFrequency : kJointFrequency);
+  }
+  pelvis_gains = critically_damped(mass_kg, kPelvisFrequency);
+
+  motion::PerBody<MovingShape> shapes;
+  for (Body body : motion::kBodies) {
+    shapes[body] = placed(outline[body], centre_of_mass(model, rest, body).cast<double>());
+  }
+  for (Body first : motion::kBodies) {
+    for (Body second : motion::kBodies) {
+      const bool jointed = parent_of(first) == second || parent_of(second) == first;
+      if (first != second && !jointed && clearance(shapes[first], shapes[second]).gap > 0) {
+        may_collide[first] |= set_of(second);
+      }
+    }
+  }
+}
+
+}  // namespace flinch::sim

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: MIT
+#include "sim/rehearsal/rehearsal_run.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "motion/error.h"
+#include "sim/encounter/encounter.h"
+#include "sim/figure/figure_rows.h"
+
+namespace flinch::sim {
+namespace {
+
+using motion::Body;
+
+// A struck figure may be this far from where it was rehearsed, and a ball that bounced off the
+// ground from where it is expected, before the exit test goes wrong.
+constexpr double kClearDistance_m = 0.05;
+
+features::FreeFlight flight_of(const Ball& ball, double time_s, double gravity_mps2) {
+  const features::FreeFlight start{ball.position, ball.velocity, ball.radius, gravity_mps2};
+  return {start.position_at(time_s), start.velocity_at(time_s), ball.radius, gravity_mps2};
+}
+
+bool may_reach(const Rehearsal::Track::Sphere& reach, const features::FreeFlight& ball,
+               double step_s) {
+  const double travel = ball.velocity.norm() * step_s + ball.gravity_mps2 * step_s * step_s / 2;
+  const double max_distance = reach.radius + ball.radius + travel;
+  return (ball.position - reach.centre).squaredNorm() <= max_distance * max_distance;
+}
+
+// The gap falls by at most (|v_ball - v_part| + |w| radius + g T) T, and by a T^2 / 2 more where
+// the part accelerates; time_of_contact rules out by a rate with a T in full and half as much
+// beside, and so must this, or a step would be cut here that is not cut there.
+
+/// Whether a ball may come within `distance_m` of a part within `time_s` on either side of now: by
+/// the sphere about the part's centre of mass, of `radius`. The part may accelerate by
+/// `slack_mps2`.
+bool may_be_reached(double radius, const BodyState& part, const features::FreeFlight& ball,
+                    double time_s, double distance_m, double slack_mps2) {
+  const double speed = (ball.velocity - part.velocity).norm() +
+                       part.angular_velocity.norm() * radius +
+                       (ball.gravity_mps2 + 1.5 * slack_mps2) * time_s;
+  const double max_distance = radius + ball.radius + distance_m + speed * time_s;
+  return (ball.position - part.position).squaredNorm() <= max_distance * max_distance;
+}
+
+/// What step_ahead says among the whole figure: those parts that the sweep would rule out by the
+/// spheres about them are not even placed.
+NextStep next_step_of_figure(const FigureModel& figure_model, const SimulationOptions& options,
+                             const motion::PerBody<BodyState>& figure,
+                             const features::FreeFlight& ball) {
+  std::array<MovingShape, motion::kBodyCount> shapes;
+  std::size_t count = 0;
+  for (Body body : motion::kBodies) {
+    if (may_be_reached(figure_model.radius[body], figure[body], ball, options.free_step_s,
+                       kNearContactDistance_m, kMaxAcceleration_mps2)) {
+      shapes[count++] = placed_shape(figure_model.outline[body], figure[body]);
+    }
+  }
+  return next_step(ball, std::span(shapes).first(count), options);
+}
+
+/// A ball as it goes on from a time, bouncing off the ground without spin.
+class BouncingFlight {
+ public:
+  BouncingFlight(const features::FreeFlight& ball, double time_s, double restitution)
+      : ball_(ball), time_s_(time_s), restitution_(restitution) {}
+
+  features::FreeFlight at(double time_s) {
+    while (const auto bounce =
+               features::time_of_bounce(ball_, time_s - time_s_, kContactDistance_m)) {
+      advance(*bounce);
+      if (-ball_.velocity.z() <= kMinBounceSpeed_mps) {
+        ball_.velocity.z() = 0;
+        ball_.gravity_mps2 = 0;
+      } else {
+        ball_.velocity.z() *= -restitution_;
+      }
+    }
+    advance(time_s - time_s_);
+    return ball_;
+  }
+
+ private:
+  void advance(double by_s) {
+    const Eigen::Vector3d velocity = ball_.velocity_at(by_s);
+    ball_.position = ball_.position_at(by_s);
+    ball_.velocity = velocity;
+    time_s_ += by_s;
+  }
+
+  features::FreeFlight ball_;
+  double time_s_;
+  double restitution_;
+};
+
+/// Whether a ball stays clear of the figure, as it was rehearsed, from `time_s` on.
+bool stays_clear(const FigureModel& figure_model, const SimulationOptions& options,
+                 const Rehearsal::Track& track, const features::FreeFlight& ball, double now_s,
+                 double time_s) {
+  BouncingFlight bouncing(ball, now_s, options.restitution);
+  const auto first =
+      std::upper_bound(track.step_begins_s.begin(), track.step_begins_s.end(), time_s);
+  auto step = static_cast<std::size_t>(first - track.step_begins_s.begin()) - 1;
+  for (; step < track.step_begins_s.size(); ++step) {
+    const double from_s = std::max(time_s, track.step_begins_s[step]);
+    const double horizon_s = track.step_begins_s[step] + options.free_step_s - from_s;
+    const features::FreeFlight then = bouncing.at(from_s);
+    if (!may_reach(track.reach[step], then, horizon_s)) continue;
+    for (Body body : motion::kBodies) {
+      const BodyState& state = track.figure_at(step)[body];
+      if (!may_be_reached(figure_model.radius[body], state, then, options.free_step_s,
+                          kClearDistance_m, 0))
+        continue;
+      const MovingShape there =
+          placed_shape(figure_model.outline[body], state).at(from_s - track.step_begins_s[step]);
+      if (time_of_contact(then, there, horizon_s, kClearDistance_m, 0)) return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+std::optional<std::size_t> first_possible_contact(const FigureModel& figure_model,
+                                                  const SimulationOptions& options,
+                                                  const Rehearsal::Track& track, const Ball& ball) {
+  for (std::size_t step = 0; step < track.step_begins_s.size(); ++step) {
+    const features::FreeFlight flight =
+        flight_of(ball, track.step_begins_s[step], options.gravity_mps2);
+    const bool bounces =
+        features::time_of_bounce(flight, options.free_step_s, kContactDistance_m).has_value();
+    if (!bounces && !may_reach(track.reach[step], flight, options.free_step_s)) continue;
+    if (step < track.first_kept) {
+      throw Error("simulation", "a ball reaches the figure before the rehearsal begins, at " +
+                                    std::to_string(track.from_s) + " s");
+    }
+    const NextStep ahead =
+        next_step_of_figure(figure_model, options, track.figure_at(step), flight);
+    if (bounces || ahead.step_s < options.free_step_s) return step;
+  }
+  return std::nullopt;
+}
+
+SimulationResult run_rehearsed(const FigureModel& figure_model, const SimulationOptions& options,
+                               const Rehearsal::Track& track, const Ball& ball) {
+  SimulationResult result;
+  const auto contact_step = first_possible_contact(figure_model, options, track, ball);
+  if (!contact_step) {
+    result.skipped = true;
+    return result;
+  }
+  const double begin_s = track.step_begins_s[*contact_step];
+  const features::FreeFlight flight = flight_of(ball, begin_s, options.gravity_mps2);
+  Ball then = ball;
+  then.position = flight.position;
+  then.velocity = flight.velocity;
+  Encounter<TreeScene> encounter(figure_model, options, begin_s, figure_model,
+                                 track.figure_at(*contact_step), &then, options.gravity_mps2);
+  ReferenceState now = track.reference.at(begin_s);
+  while (encounter.time_s() < track.duration_s) {
+    const double time_s = encounter.time_s();
+    const double step_s = encounter.begin_step(now, track.duration_s - time_s);
+    if (step_s >= options.free_step_s && !encounter.may_collide_again() &&
+        stays_clear(figure_model, options, track, *encounter.scene().flight(), time_s,
+                    time_s + step_s)) {
+      break;
+    }
+    const ReferenceState target = track.reference.at(time_s + step_s);
+    encounter.end_step(now, target, step_s);
+    now = target;
+    ++result.steps;
+  }
+  result.impulse = encounter.impulse();
+  result.first_contact_s = encounter.first_contact_s();
+  result.solver_messages = encounter.scene().solver_messages();
+  return result;
+}
+
+}  // namespace flinch::sim

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#include "sim/contact/body_contacts.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "motion/default_character.h"
+
+namespace flinch::sim {
+namespace {
+
+using motion::Body;
+
+class BodyContactsTest : public testing::Test {
+ protected:
+  FigureModel figure_model_{motion::default_character()};
+  BodyContacts body_contacts_{figure_model_};
+  motion::PerBody<double> impulse_;
+
+  void step(double time_s, const std::vector<ContactImpulse>& contacts) {
+    body_contacts_.begin_step(time_s);
+    for (const ContactImpulse& contact : contacts) {
+      if (!contact.second) body_contacts_.add_hit(contact.first);
+    }
+    body_contacts_.add_impulses(contacts, impulse_);
+  }
+};
+
+TEST_F(BodyContactsTest, BodyPassesOnAtMostWhatTheBallGaveIt) {
+  step(0, {{Body::left_hand, {}, 5}, {Body::head, Body::left_hand, 8}});
+  EXPECT_DOUBLE_EQ(impulse_[Body::left_hand], 5 + 5);
+  EXPECT_DOUBLE_EQ(impulse_[Body::head], 5);
+}
+
+TEST_F(BodyContactsTest, WhatIsPassedOnInPartsAddsUpToNoMore) {
+  step(0, {{Body::left_hand, {}, 5}});
+  step(0.001, {{Body::head, Body::left_hand, 2}});
+  step(0.002, {{Body::chest, Body::left_hand, 2}});
+  step(0.003, {{Body::abdomen, Body::left_hand, 2}});
+  EXPECT_DOUBLE_EQ(impulse_[Body::head], 2);
+  EXPECT_DOUBLE_EQ(impulse_[Body::chest], 2);
+  EXPECT_DOUBLE_EQ(impulse_[Body::abdomen], 1);
+}
+
+TEST_F(BodyContactsTest, BodyThatWasGivenAPushPassesItOn) {
+  step(0, {{Body::left_hand, {}, 5},
+           {Body::left_forearm, Body::left_hand, 3},
+           {Body::chest, Body::left_forearm, 9}});
+  EXPECT_DOUBLE_EQ(impulse_[Body::left_forearm], 3 + 3);
+  EXPECT_DOUBLE_EQ(impulse_[Body::chest], 3);
+}
+
+TEST_F(BodyContactsTest, WhatABodyWasGivenIsForgottenWithItsBlow) {
+  step(0, {{Body::left_hand, {}, 5}});
+  step(0.2, {{Body::head, Body::left_hand, 4}});
+  EXPECT_DOUBLE_EQ(impulse_[Body::head], 0);
+}
+
+}  // namespace
+}  // namespace flinch::sim

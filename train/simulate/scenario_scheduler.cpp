@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#include "train/simulate/scenario_scheduler.h"
+
+#include <algorithm>
+
+namespace flinch::train {
+
+namespace {
+
+constexpr std::uint64_t kMinPerThread = 16;  // scenarios, for each thread
+
+}  // namespace
+
+ScenarioScheduler::ScenarioScheduler(const std::vector<ScenarioRange>& missing, int workers,
+                                     std::uint64_t max_per_thread)
+    : missing_(missing.begin(), missing.end()),
+      workers_(static_cast<std::uint64_t>(workers)),
+      max_per_thread_(std::max(max_per_thread, kMinPerThread)) {
+  for (const ScenarioRange& range : missing) remaining_ += range.count;
+}
+
+// As many as were handed out to each so far, which doubles the size from range to range; at most
+// half of each one's share of what is left, unless one process does it all.
+std::optional<ScenarioRange> ScenarioScheduler::next(int threads) {
+  if (missing_.empty()) return std::nullopt;
+  const auto each = static_cast<std::uint64_t>(threads);
+  std::uint64_t size = handed_out_ / workers_;
+  if (workers_ > 1) size = std::min(size, remaining_ / (2 * workers_));
+  size = std::clamp(size, kMinPerThread * each, max_per_thread_ * each);
+
+  ScenarioRange& front = missing_.front();
+  const ScenarioRange range{front.first, std::min(size, front.count)};
+  front = {range.end(), front.count - range.count};
+  if (front.count == 0) missing_.pop_front();
+  remaining_ -= range.count;
+  handed_out_ += range.count;
+  return range;
+}
+
+void ScenarioScheduler::put_back(ScenarioRange range) {
+  missing_.push_front(range);
+  remaining_ += range.count;
+}
+
+}  // namespace flinch::train
