@@ -10,8 +10,8 @@
 #include "database/import/file_io.h"
 #include "motion/error.h"
 #include "program/command.h"
-#include "program/response_recording.h"
 #include "program/load.h"
+#include "program/response_recording.h"
 #include "program/table.h"
 #include "program/threat_options.h"
 

@@ -15,8 +15,8 @@
 #include "program/interrupt.h"
 #include "program/progress.h"
 #include "program/table.h"
-#include "train/simulate/worker_pool.h"
 #include "train/simulate/mpi_messenger.h"
+#include "train/simulate/worker_pool.h"
 
 namespace flinch::program {
 

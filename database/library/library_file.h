@@ -6,8 +6,8 @@
 #include <span>
 #include <string>
 
-#include "database/library/library.h"
 #include "database/library/file_header.h"
+#include "database/library/library.h"
 
 namespace flinch::database {
 

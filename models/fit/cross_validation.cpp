@@ -12,8 +12,8 @@
 #include <string>
 #include <utility>
 
-#include "models/fit/parallel_for.h"
 #include "models/fit/fold_splits.h"
+#include "models/fit/parallel_for.h"
 #include "models/selector.h"
 #include "motion/error.h"
 

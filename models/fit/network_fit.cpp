@@ -8,8 +8,8 @@
 #include <string>
 
 #include "features/random.h"
-#include "models/fit/parallel_for.h"
 #include "models/fit/network_gradient.h"
+#include "models/fit/parallel_for.h"
 #include "models/selector.h"
 #include "motion/error.h"
 

@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "sim/contact/contact_impulse.h"
 #include "sim/contact/contact_constraint.h"
+#include "sim/contact/contact_impulse.h"
 #include "sim/ode/ode_world.h"
 
 namespace flinch::sim {

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "sim/encounter/encounter.h"
-#include "sim/rehearsal/rehearsal_track.h"
 #include "sim/rehearsal/rehearsal_run.h"
+#include "sim/rehearsal/rehearsal_track.h"
 
 namespace flinch::sim {
 namespace {

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "features/free_flight.h"
-#include "sim/contact/contact_impulse.h"
 #include "sim/contact/contact_constraint.h"
+#include "sim/contact/contact_impulse.h"
 #include "sim/simulation_options.h"
 #include "sim/tree/box_lcp.h"
 #include "sim/tree/joint_tree.h"

@@ -7,8 +7,8 @@
 #include "database/author/authored_library.h"
 #include "motion/default_character.h"
 #include "tests/scenes/temporary_folder.h"
-#include "train/simulate/worker_messages.h"
 #include "train/simulate/simulate.h"
+#include "train/simulate/worker_messages.h"
 #include "train/store/store_trials.h"
 
 namespace flinch::train {

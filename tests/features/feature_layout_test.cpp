@@ -34,7 +34,7 @@ Scenario random_scenario(std::mt19937& random) {
   return scenario;
 }
 
-TEST(Layout, ComesBackFromItsNames) {
+TEST(Layout, RoundTripsThroughItsNames) {
   for (const FeatureSet& set : feature_sets()) {
     const std::vector<std::string> names = set.layout.names();
     EXPECT_EQ(std::set(names.begin(), names.end()).size(), names.size());
@@ -42,7 +42,7 @@ TEST(Layout, ComesBackFromItsNames) {
   }
 }
 
-TEST(Layout, OfNamesThatAreUnknownRepeatedOrNoneIsRefused) {
+TEST(Layout, RefusesUnknownRepeatedOrNoNames) {
   EXPECT_FALSE(Layout::of(std::vector<std::string>{}));
   EXPECT_FALSE(Layout::of(std::vector<std::string>{"speed_mps", "speed_mph"}));
   EXPECT_FALSE(Layout::of(std::vector<std::string>{"speed_mps", "contact_x", "speed_mps"}));
@@ -50,7 +50,7 @@ TEST(Layout, OfNamesThatAreUnknownRepeatedOrNoneIsRefused) {
   EXPECT_TRUE(Layout::of(std::vector<std::string>{"contact_x", "speed_mps"}));
 }
 
-TEST(Layout, WithoutAGroupHasAllOthersInTheirOrder) {
+TEST(Layout, WithoutAGroupKeepsTheOrderOfTheOthers) {
   for (const FeatureGroup& group : feature_groups()) {
     std::vector<std::string> expected;
     for (const std::string& name : layout("both").names())
@@ -70,7 +70,7 @@ TEST(Layout, EveryComponentIsInExactlyOneGroup) {
   }
 }
 
-TEST(FeatureVectors, HoldTheirComponentsByNameInAnyOrder) {
+TEST(FeatureVectors, FollowTheLayoutsOrder) {
   const tests::SwayingFigure figure;
   std::mt19937 random(5);
   std::vector<std::string> names = layout("both").names();
@@ -86,7 +86,7 @@ TEST(FeatureVectors, HoldTheirComponentsByNameInAnyOrder) {
   }
 }
 
-TEST(FeatureVectors, OfThePapersSetAreThePapers) {
+TEST(FeatureVectors, PaperSetMatchesThePapersFeatures) {
   const tests::SwayingFigure figure;
   std::mt19937 random(6);
   for (int i = 0; i < 50; ++i) {
@@ -96,7 +96,7 @@ TEST(FeatureVectors, OfThePapersSetAreThePapers) {
   }
 }
 
-TEST(FeatureVectors, DoNotChangeWhenTheWholeWorldIsTurnedAndMoved) {
+TEST(FeatureVectors, AreInvariantToRigidMotionOfTheWorld) {
   const tests::SwayingFigure figure;
   std::mt19937 random(7);
   for (int i = 0; i < 200; ++i) {
@@ -120,7 +120,7 @@ TEST(FeatureVectors, DoNotChangeWhenTheWholeWorldIsTurnedAndMoved) {
 
 // A described threat is one to a character that stands still: a figure that does not sway has the
 // same features, wherever its targets are.
-TEST(FeatureVectors, OfADescribedThreatAreThoseOfAFigureThatStandsStill) {
+TEST(FeatureVectors, ForADescribedThreatMatchAStandingCharacter) {
   tests::SwayingFigure figure;
   motion::Pose pose = figure.idle.poses.front();
   pose.root_position.head<2>().setZero();
@@ -140,7 +140,7 @@ TEST(FeatureVectors, OfADescribedThreatAreThoseOfAFigureThatStandsStill) {
   }
 }
 
-TEST(FeatureVectors, OfAbsurdNumbersAreFinite) {
+TEST(FeatureVectors, AreFiniteForExtremeInput) {
   const tests::SwayingFigure figure;
   constexpr float kHuge = std::numeric_limits<float>::max();
   for (const float huge : {kHuge, -kHuge, 1e20F}) {

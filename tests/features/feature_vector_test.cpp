@@ -32,7 +32,7 @@ motion::Motion swaying_idle() {
 }
 
 // Facing +Y at (1, 2): a ball 3 m ahead, 1 m to the left (-X) and 1.5 m up, flying back to it.
-TEST(Features, OfAKnownScenario) {
+TEST(Features, MatchAHandComputedScenario) {
   Scenario scenario;
   scenario.state = {.idle_time_s = 0, .position = {1, 2}, .facing = std::acos(-1.0F) / 2};
   scenario.threat.position = {0, 5, 1.5F};
@@ -56,7 +56,7 @@ TEST(Features, OfAKnownScenario) {
   EXPECT_NEAR(features.ahead_facing_cos, std::cos(0.1F), 1e-5F);
 }
 
-TEST(Features, DoNotChangeWhenTheWholeWorldIsTurnedAndMoved) {
+TEST(Features, AreInvariantToRigidMotionOfTheWorld) {
   std::mt19937 random(1);
   const motion::Motion idle = swaying_idle();
   for (int i = 0; i < 200; ++i) {
@@ -84,7 +84,7 @@ TEST(Features, DoNotChangeWhenTheWholeWorldIsTurnedAndMoved) {
   }
 }
 
-TEST(Features, OfAThreatAtRestAreFinite) {
+TEST(Features, AreFiniteForAThreatAtRest) {
   const FeatureVector vector = to_vector(features_of(Scenario{}, swaying_idle()));
   for (float value : vector) EXPECT_TRUE(std::isfinite(value));
 }
@@ -107,7 +107,7 @@ TEST(FeatureVector, ComponentsStandInTheOrderOfTheirNames) {
   EXPECT_EQ(std::set(kFeatureNames.begin(), kFeatureNames.end()).size(), kFeatureNames.size());
 }
 
-TEST(Scaling, BringsTheExtremesToOneAndConstantsToZero) {
+TEST(Scaling, MapsTheRangeToMinusOneToOneAndConstantsToZero) {
   std::vector<FeatureVector> rows(3);
   for (FeatureVector& row : rows) row.fill(5);
   rows[0][2] = -4;

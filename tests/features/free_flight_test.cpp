@@ -8,7 +8,7 @@
 namespace flinch::features {
 namespace {
 
-TEST(TimeOfBounce, IsWhenAFallingBallReachesTheGround) {
+TEST(TimeOfBounce, MatchesTheTimeOfFall) {
   FreeFlight ball;
   ball.position = {0, 0, 1.1};
   ball.radius = 0.1;

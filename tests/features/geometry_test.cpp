@@ -42,7 +42,7 @@ Scenario passing(const Eigen::Vector3f& point, const Eigen::Vector3f& velocity) 
 
 // From the front, level at 10 m/s, 0.2 m to the character's left of its axis and at 1.3 m, where
 // the trunk's centre is at 1.2 m. The ball flies along -X, so its left is the character's right.
-TEST(Geometry, OfAKnownPass) {
+TEST(Geometry, MatchesAHandComputedPass) {
   const Geometry g = geometry_of(passing({0.5F, 0.2F, 1.3F}, {-10, 0, 0}), upright());
   EXPECT_NEAR(g.contact_x, 0, kTolerance);  // nearest to the axis, wherever the ball was then
   EXPECT_NEAR(g.contact_y, 0.2F, kTolerance);
@@ -59,7 +59,7 @@ TEST(Geometry, OfAKnownPass) {
   EXPECT_NEAR(g.miss_legs_up, 0.9F, kTolerance);
 }
 
-TEST(Geometry, MissesAreAcrossThePathAndAsLongAsTheDistanceToIt) {
+TEST(Geometry, MissesArePerpendicularToThePathWithTheRightLength) {
   std::mt19937 random(3);
   for (int i = 0; i < 50; ++i) {
     const Eigen::Vector3f point = tests::random_vector(random, 1) + Eigen::Vector3f(0, 0, 1);
@@ -77,7 +77,7 @@ TEST(Geometry, MissesAreAcrossThePathAndAsLongAsTheDistanceToIt) {
   }
 }
 
-TEST(Geometry, DoesNotDependOnWhereAlongThePathTheTimeToImpactIs) {
+TEST(Geometry, IsIndependentOfThePointAlongThePath) {
   const PredictedCharacter character = upright();
   Scenario early = passing({0.1F, -0.2F, 1.1F}, {-15, 8, 0});
   Scenario late = early;
@@ -88,7 +88,7 @@ TEST(Geometry, DoesNotDependOnWhereAlongThePathTheTimeToImpactIs) {
   for (std::size_t i = 0; i < a.size(); ++i) EXPECT_NEAR(a[i], b[i], 0.02F) << kGeometryNames[i];
 }
 
-TEST(Geometry, DoesNotChangeWhenTheWholeWorldIsTurnedAndMoved) {
+TEST(Geometry, IsInvariantToRigidMotionOfTheWorld) {
   std::mt19937 random(1);
   for (int i = 0; i < 200; ++i) {
     Scenario scenario = passing(tests::random_vector(random, 1), tests::random_vector(random, 20));
@@ -114,7 +114,7 @@ TEST(Geometry, DoesNotChangeWhenTheWholeWorldIsTurnedAndMoved) {
   }
 }
 
-TEST(Geometry, OfAThreatAtRestOrStraightFromAboveIsFinite) {
+TEST(Geometry, IsFiniteForAThreatAtRestOrFromStraightAbove) {
   Scenario at_rest;
   at_rest.threat.velocity = {0, 0, kGravity * at_rest.time_to_impact_s};
   const Scenario from_above = passing({0, 0, 2}, {0, 0, -20});

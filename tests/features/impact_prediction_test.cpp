@@ -138,7 +138,7 @@ Threat hard_threat(std::mt19937& random, const motion::Pose& pose) {
   }
 }
 
-TEST(PredictImpact, OfAnIdlingFigureIsWhatVeryManySamplesShow) {
+TEST(PredictImpact, MatchesDenseSamplingForAnIdlingFigure) {
   std::mt19937 random(1);
   const PredictionOptions options{.horizon_s = 1.5F};
   int impacts = 0;
@@ -156,7 +156,7 @@ TEST(PredictImpact, OfAnIdlingFigureIsWhatVeryManySamplesShow) {
   EXPECT_GT(misses, 80);
 }
 
-TEST(PredictImpact, OfAHeldPoseIsWhatVeryManySamplesShow) {
+TEST(PredictImpact, MatchesDenseSamplingForAHeldPose) {
   std::mt19937 random(2);
   int impacts = 0;
   int misses = 0;
@@ -175,7 +175,7 @@ TEST(PredictImpact, OfAHeldPoseIsWhatVeryManySamplesShow) {
 }
 
 // A level throw at the head's middle, without gravity: the head is an upright capsule.
-TEST(PredictImpact, GivesTheTimesOfAThrowAtTheHead) {
+TEST(PredictImpact, TimesMatchAThrowAtTheHead) {
   const motion::Pose& pose = figure().standing;
   const motion::JointFrames frames = forward_kinematics(figure().character.skeleton, pose);
   const Eigen::Vector3f middle = target_centre(figure().model, frames, Target::head);
@@ -202,7 +202,7 @@ TEST(PredictImpact, GivesTheTimesOfAThrowAtTheHead) {
 }
 
 // sqrt(2 h / g) of free fall onto the crown.
-TEST(PredictImpact, OfABallAtRestIsWhenItHasFallenOnTheHead) {
+TEST(PredictImpact, DroppedBallHitsTheHeadAfterItsFallTime) {
   const motion::CollisionShape head = figure().outlines(figure().standing)[Body::head];
   const float crown = static_cast<float>(head.centre.z() + head.half_length + head.radius);
   Threat threat;
@@ -241,7 +241,7 @@ TEST(PredictImpact, ABallThatBouncesFirstMisses) {
   EXPECT_EQ(outcome(), Outcome::impact);
 }
 
-TEST(PredictImpact, ABallThatRollsIsToldByNoGravity) {
+TEST(PredictImpact, RollingBallIsPredictedWithZeroGravity) {
   Threat threat;
   threat.position = {3,
                      figure().outlines(figure().standing)[Body::left_foot].centre.cast<float>().y(),
@@ -256,7 +256,7 @@ TEST(PredictImpact, ABallThatRollsIsToldByNoGravity) {
   EXPECT_EQ(impact.aimed_at, Target::legs);
 }
 
-TEST(PredictImpact, LaterThanTheHorizonIsAMiss) {
+TEST(PredictImpact, ImpactAfterTheHorizonIsAMiss) {
   Threat threat;
   threat.position = {20, 0, 1.2F};
   threat.velocity = {-20, 0, kGravity / 2};
@@ -268,7 +268,7 @@ TEST(PredictImpact, LaterThanTheHorizonIsAMiss) {
             Outcome::miss);
 }
 
-TEST(PredictImpact, ABallInsideABodyTouchesIt) {
+TEST(PredictImpact, BallInsideABodyIsTouching) {
   for (const motion::CollisionShape& outline : figure().outlines(figure().standing)) {
     Threat threat;
     threat.position = outline.centre.cast<float>();
@@ -281,7 +281,7 @@ TEST(PredictImpact, ABallInsideABodyTouchesIt) {
   }
 }
 
-TEST(PredictImpact, DoesNotChangeWhenTheWholeWorldIsTurnedAndMoved) {
+TEST(PredictImpact, IsInvariantToRigidMotionOfTheWorld) {
   std::mt19937 random(3);
   int impacts = 0;
   for (int i = 0; i < 300; ++i) {
@@ -307,7 +307,7 @@ TEST(PredictImpact, DoesNotChangeWhenTheWholeWorldIsTurnedAndMoved) {
   EXPECT_GT(impacts, 80);
 }
 
-TEST(PredictImpact, AHeldPoseIsAnIdleClipOfOnePose) {
+TEST(PredictImpact, HeldPoseEqualsASinglePoseIdleClip) {
   std::mt19937 random(4);
   motion::Motion still;
   still.poses.push_back(figure().standing);
@@ -347,7 +347,7 @@ TEST(PredictImpact, TakesPosesFromAnyFunctionOfTime) {
               kContactTolerance_m / 1.5 + 1e-6);
 }
 
-TEST(PredictImpact, RefusesWhatCannotBeUsed) {
+TEST(PredictImpact, InvalidInputIsUnusable) {
   Threat threat;
   threat.position = {5, 0, 1.2F};
   threat.velocity = {-15, 0, 1};
@@ -395,7 +395,7 @@ float any_float(std::mt19937& random) {
   return uniform(random, -size, size);
 }
 
-TEST(PredictImpact, EndsWithFiniteNumbersForAnyInput) {
+TEST(PredictImpact, TerminatesWithFiniteResultsForAnyInput) {
   std::mt19937 random(5);
   int usable = 0;
   int impacts = 0;

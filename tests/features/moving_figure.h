@@ -6,8 +6,8 @@
 #include <limits>
 
 #include "features/impact_prediction.h"
-#include "motion/default_character.h"
 #include "motion/collision_shape.h"
+#include "motion/default_character.h"
 
 namespace flinch::tests {
 

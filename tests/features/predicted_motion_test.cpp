@@ -16,7 +16,7 @@ const tests::SwayingFigure& figure() {
   return figure;
 }
 
-TEST(Sway, HoldsThePelvisAndTheSpeedOfAllSurfaces) {
+TEST(MotionBounds, ContainThePelvisAndBoundSurfaceSpeeds) {
   std::mt19937 random(1);
   const CharacterState state{.idle_time_s = 0.3F, .position = {2, -1}, .facing = 0.7F};
   const MotionBounds bounds = placed(figure().motion_bounds, state);
@@ -40,7 +40,7 @@ TEST(Sway, HoldsThePelvisAndTheSpeedOfAllSurfaces) {
 }
 
 // The fingertips move twice as fast as the middle of the hand.
-TEST(Sway, CountsThatABodyTurns) {
+TEST(MotionBounds, IncludeRotationOfABody) {
   motion::Motion motion;
   for (int i = 0; i <= 10; ++i) {
     motion::Pose pose = figure().standing;
@@ -54,7 +54,7 @@ TEST(Sway, CountsThatABodyTurns) {
   EXPECT_LE(bounds.max_speed_mps, 2 * 0.05F * 60 * fingers_m);
 }
 
-TEST(SweptFigure, NoPoseReachesBeyondItsReach) {
+TEST(CollisionFigure, NoPoseExceedsItsReach) {
   std::mt19937 random(2);
   const double reach = static_cast<double>(figure().collision_figure.reach_m);
   double farthest = 0;

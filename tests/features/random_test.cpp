@@ -13,7 +13,7 @@ namespace {
 using Words = std::array<std::uint32_t, 4>;
 
 // The known answers for philox4x32 with 10 rounds that Random123's authors publish (kat_vectors).
-TEST(Philox, GivesThePublishedAnswers) {
+TEST(Philox, MatchesThePublishedTestVectors) {
   EXPECT_EQ(philox4x32({0, 0, 0, 0}, {0, 0}),
             (Words{0x6627e8d5, 0xe169c58d, 0xbc57ac4c, 0x9b00dbd8}));
   EXPECT_EQ(philox4x32({0xffffffff, 0xffffffff, 0xffffffff, 0xffffffff}, {0xffffffff, 0xffffffff}),
@@ -22,14 +22,14 @@ TEST(Philox, GivesThePublishedAnswers) {
             (Words{0xd16cfe09, 0x94fdcceb, 0x5001e420, 0x24126ea1}));
 }
 
-TEST(Random, BeginsWithTheBlockOfItsSeedPurposeAndStream) {
+TEST(Random, StartsWithThePhiloxBlockOfItsSeedStreamAndSubstream) {
   const Words block = philox4x32({0, 0, 7, 1}, {3, 2});
   Random random((std::uint64_t{2} << 32) | 3, RandomStream::scenario, (std::uint64_t{1} << 32) | 7);
   EXPECT_EQ(random.bits(), block[0] | std::uint64_t{block[1]} << 32);
   EXPECT_EQ(random.bits(), block[2] | std::uint64_t{block[3]} << 32);
 }
 
-TEST(Random, StreamsSeedsAndPurposesDiffer) {
+TEST(Random, SeedsStreamsAndSubstreamsAreIndependent) {
   std::set<std::uint64_t> first;
   for (std::uint64_t substream = 0; substream < 100; ++substream) {
     first.insert(Random(1, RandomStream::scenario, substream).bits());
@@ -75,7 +75,7 @@ TEST(Random, NormalHasTheMomentsAndTailsOfANormalDistribution) {
   EXPECT_NEAR(beyond_two, 4550, 330);  // 4.55 %
 }
 
-TEST(Random, IndexGivesEveryValueItsShare) {
+TEST(Random, IndexIsUniform) {
   Random random(1, RandomStream::scenario, 0);
   constexpr int kDraws = 70'000;
   std::vector<int> count(7);

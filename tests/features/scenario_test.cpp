@@ -11,7 +11,7 @@ namespace {
 
 using motion::Target;
 
-TEST(IsAllowed, TheTargetAndItsNeighboursAndNothingUnannotated) {
+TEST(IsAllowed, AllowsAnnotatedClipsOfTheTargetAndItsNeighbours) {
   const auto allowed = [](Target threatened, Target protects) {
     return is_allowed(threatened, motion::Annotation{.target = protects});
   };
@@ -27,7 +27,7 @@ TEST(IsAllowed, TheTargetAndItsNeighboursAndNothingUnannotated) {
   }
 }
 
-TEST(IdlePose, IsTheIdleClipPlacedWhereTheCharacterStands) {
+TEST(IdlePose, IsTheIdleClipInTheCharactersFrame) {
   std::mt19937 random(1);
   const motion::Pose from = tests::random_pose(random, 0.3F);
   const motion::Pose to = tests::random_pose(random, 0.3F);

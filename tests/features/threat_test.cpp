@@ -14,7 +14,7 @@ namespace {
 constexpr float kPi = std::numbers::pi_v<float>;
 
 // Thrown straight up at 9.81 m/s a ball is 4.905 m up and at rest after 1 s, and back after 2 s.
-TEST(Threat, FallsAsThrownBallsDo) {
+TEST(Threat, FollowsAParabola) {
   Threat ball;
   ball.position = {1, 2, 3};
   ball.velocity = {4, 0, 9.81F};
@@ -24,7 +24,7 @@ TEST(Threat, FallsAsThrownBallsDo) {
   EXPECT_EQ(position_at(ball, 0), ball.position);
 }
 
-TEST(Threat, AdvancedFliesOnAlongTheSamePath) {
+TEST(Threat, AdvancedStaysOnTheSamePath) {
   Threat ball;
   ball.position = {1, 2, 3};
   ball.velocity = {4, -1, 5};
@@ -36,7 +36,7 @@ TEST(Threat, AdvancedFliesOnAlongTheSamePath) {
 }
 
 // The flight from perception is what Newton gives step by step.
-TEST(Threat, FollowsStepwiseIntegration) {
+TEST(Threat, MatchesNumericalIntegration) {
   Threat ball;
   ball.position = {3, -1, 1};
   ball.velocity = {-8, 2, 3};
@@ -51,7 +51,7 @@ TEST(Threat, FollowsStepwiseIntegration) {
   EXPECT_LT((velocity_at(ball, 1).cast<double>() - velocity).norm(), 1e-4);
 }
 
-TEST(ThreatFromApproach, ComesToTheImpactPointInTimeWithItsSpeed) {
+TEST(ThreatFromDescription, ReachesTheImpactPointOnTimeAtTheGivenSpeed) {
   std::mt19937 random(1);
   for (int i = 0; i < 500; ++i) {
     const ThreatDescription approach{.azimuth = tests::uniform(random, -kPi, kPi),
@@ -74,7 +74,7 @@ TEST(ThreatFromApproach, ComesToTheImpactPointInTimeWithItsSpeed) {
 
 // A character that faces +Y has its left at -X. A level ball from there flies towards +X; one from
 // 30 degrees above comes down with half its speed.
-TEST(ThreatFromApproach, AzimuthAndElevationSayWhereItComesFrom) {
+TEST(ThreatFromDescription, AzimuthAndElevationGiveItsOrigin) {
   ThreatDescription approach{
       .azimuth = kPi / 2, .elevation = 0, .speed_mps = 20, .time_to_impact_s = 0.5F};
   const auto at_impact = [&] {

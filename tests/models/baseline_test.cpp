@@ -41,7 +41,7 @@ TEST(NearestAnnotation, TakesTheNearestDirection) {
   EXPECT_EQ(nearest_at(Target::head, -70), 4);
 }
 
-TEST(NearestAnnotation, GoesRoundTheBack) {
+TEST(NearestAnnotation, WrapsAnglesAtTheBack) {
   EXPECT_EQ(nearest_at(Target::head, 179), 3);
   EXPECT_EQ(nearest_at(Target::head, -179), 3);
   EXPECT_EQ(nearest_at(Target::head, -160), 3);  // 20 from the back, 25 from -135
@@ -55,7 +55,7 @@ TEST(NearestAnnotation, PrefersTheTargetToTheDirection) {
   EXPECT_EQ(nearest_at(Target::head, 45.5F), 2);  // the trunk's clip would face it
 }
 
-TEST(NearestAnnotation, FallsBackOnTheNeighbourThenOnIdle) {
+TEST(NearestAnnotation, FallsBackToTheNeighbourThenToIdle) {
   EXPECT_EQ(nearest_at(Target::pelvis, -90), 6);
   EXPECT_EQ(nearest_at(Target::pelvis, 40), 5);
   const std::vector<ClipSummary> heads{clip_against(Target::head, 0), {"idle", {}}};
@@ -68,7 +68,7 @@ TEST(NearestAnnotation, TiesGoToTheLowerIndex) {
 }
 
 // Chi-square with 5 degrees of freedom is above 20.5 once in a thousand uniform draws.
-TEST(RandomAllowed, IsUniformOverTheMask) {
+TEST(RandomAllowed, IsUniformOverAllowedClips) {
   std::mt19937_64 random(1);
   std::vector<int> count(kClips.size());
   constexpr int kDraws = 60000;

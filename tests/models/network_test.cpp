@@ -36,7 +36,7 @@ NetworkModel random_network(std::uint64_t seed, int features, int hidden, int ou
   return model;
 }
 
-TEST(Network, ExpectsWhatItsEquationsSay) {
+TEST(Network, MatchesItsEquations) {
   std::mt19937_64 random(1);
   for (const int members : {1, 3}) {
     const NetworkModel model = random_network(2, 5, 32, 7, members);
@@ -65,7 +65,7 @@ TEST(Network, ExpectsWhatItsEquationsSay) {
   }
 }
 
-TEST(Network, RanksAllowedClipsAsWithoutTheOthers) {
+TEST(Network, ForbiddenClipsDoNotChangeTheRanking) {
   std::mt19937_64 random(3);
   const NetworkModel model = random_network(4, 6, 16, 9, 2);
   for (int i = 0; i < 50; ++i) {
@@ -88,7 +88,7 @@ TEST(Network, RanksAllowedClipsAsWithoutTheOthers) {
   }
 }
 
-TEST(Network, ChoosesTheLowerOfTwinsAndIdleWhereItKnowsNothing) {
+TEST(Network, TiesGoToTheLowerClipAndIdleIsTheFallback) {
   NetworkModel model = random_network(5, 3, 16, 4, 1);
   std::fill(model.weights.begin(), model.weights.end(), 0.0F);
   const std::vector<double> x(3);
@@ -105,7 +105,7 @@ TEST(Network, ChoosesTheLowerOfTwinsAndIdleWhereItKnowsNothing) {
   EXPECT_TRUE(std::isnan(last_resort[0].expected_cost_ns));
 }
 
-TEST(Network, StaysFiniteWhateverIsAsked) {
+TEST(Network, IsFiniteForAnyInput) {
   NetworkModel model = random_network(6, 40, 64, 5, 2);
   for (float& weight : model.weights) weight = std::copysign(kMaxNetworkWeight, weight);
   const double infinity = std::numeric_limits<double>::infinity();

@@ -79,7 +79,7 @@ std::vector<Candidate> reference_ranking(const PairwiseModel& model, const std::
   return ranked;
 }
 
-TEST(PairwiseLinear, RanksByTheVotesOfAllPairsHoweverManyAreAskedFor) {
+TEST(PairwiseLinear, RankingIsIndependentOfTheRequestedCount) {
   std::mt19937_64 random(1);
   for (int round = 0; round < 200; ++round) {
     const int features = 1 + static_cast<int>(random() % 6);
@@ -100,7 +100,7 @@ TEST(PairwiseLinear, RanksByTheVotesOfAllPairsHoweverManyAreAskedFor) {
   }
 }
 
-TEST(PairwiseLinear, TheFirstClassWinsWhereTheMachineCannotTell) {
+TEST(PairwiseLinear, TiesGoToTheFirstClass) {
   PairwiseModel model;
   model.feature_count = 1;
   model.clip = {3, 5};
@@ -122,7 +122,7 @@ TEST(PairwiseLinear, TermsAreTheProductsInOrder) {
   EXPECT_EQ(PairwiseModel::term_count(16), 153U);
 }
 
-TEST(PairwiseLinear, SumsHaveRoomWhateverIsAsked) {
+TEST(PairwiseLinear, SumsNeverOverflow) {
   PairwiseModel model = random_machines(2, features::kMaxFeatures, 2);
   model.machine = {0};
   const std::size_t terms = PairwiseModel::term_count(features::kMaxFeatures);
@@ -145,7 +145,7 @@ TEST(PairwiseLinear, SumsHaveRoomWhateverIsAsked) {
   EXPECT_EQ(first_wins(std::nan("")), first_wins(-infinity));
 }
 
-TEST(PairwiseLinear, StandsIdleWhereItKnowsNoAllowedClip) {
+TEST(PairwiseLinear, FallsBackToIdleWithoutAnAllowedClip) {
   const PairwiseModel model = random_machines(3, 2, 3);
   const std::vector<double> x{0, 0};
   ClipMask allowed(7);

@@ -63,7 +63,7 @@ TEST(SvmCandidates, RankByVotesThenByTheModelsOrder) {
   EXPECT_EQ(ranked[2].clip, 1);
 }
 
-TEST(SvmCandidates, ForbiddenClipsNeitherVoteNorStand) {
+TEST(SvmCandidates, ExcludeForbiddenClips) {
   ClipMask allowed(6, true);
   allowed[3] = false;
   const auto ranked = candidates(hand_made_svm(), std::vector<double>{1}, allowed, 0);
@@ -82,7 +82,7 @@ TEST(SvmCandidates, AnOnlyChoiceHasAllVotes) {
   EXPECT_FLOAT_EQ(ranked[0].vote, 1);
 }
 
-TEST(Candidates, IdleIsTheLastResort) {
+TEST(Candidates, FallBackToIdle) {
   ClipMask allowed(6, false);
   allowed[0] = allowed[4] = true;
   auto ranked = candidates(hand_made_svm(), std::vector<double>{1}, allowed, 4);
@@ -97,7 +97,7 @@ TEST(Candidates, IdleIsTheLastResort) {
   EXPECT_EQ(ranked[0].vote, 0);
 }
 
-TEST(KnnCandidates, AreTheNeighboursAllowedLabels) {
+TEST(KnnCandidates, AreAllowedLabelsOfTheNeighbours) {
   const KnnModel knn = make_knn(3, 1, {0, 1, 2, 3, 4}, {5, 3, 5, 1, 1});
   ClipMask allowed(6, true);
   auto ranked = candidates(knn, std::vector<double>{0.9}, allowed, 0);
@@ -112,7 +112,7 @@ TEST(KnnCandidates, AreTheNeighboursAllowedLabels) {
   EXPECT_EQ(ranked[1].clip, 3);
 }
 
-TEST(KnnCandidates, OfCostsCountWhateverTheNeighboursLabel) {
+TEST(KnnCandidates, ByCostUseNeighboursWithAnyLabel) {
   KnnModel knn = make_knn(2, 1, {0, 1, 2}, {0, 1, 2});
   knn.vote = KnnVote::cost;
   knn.clip_count = 3;
@@ -150,7 +150,7 @@ TEST(AllowedClips, AreThoseOfTheTargetAndItsNeighboursAndIdle) {
   EXPECT_THAT(allowed_clips(clips, 0, Target::legs), ElementsAre(1, 0, 0, 1, 1, 0));
 }
 
-TEST(Selector, ScalesAndMasksBeforeItAsksItsModel) {
+TEST(Selector, ScalesAndMasksBeforePrediction) {
   Selector selector;
   selector.clips = {
       {"idle", {}}, clip_for(Target::head), clip_for(Target::head), clip_for(Target::legs)};

@@ -32,7 +32,7 @@ std::vector<std::size_t> wins_of(const Outcomes& outcomes) {
   return wins;
 }
 
-TEST(Tournament, RanksAsIfAllGamesWerePlayedAndPlaysNoneTwice) {
+TEST(Tournament, MatchesAFullRoundRobinWithoutRepeatedGames) {
   std::mt19937_64 random(1);
   for (int round = 0; round < 300; ++round) {
     const std::size_t count = 1 + random() % 12;
@@ -60,7 +60,7 @@ TEST(Tournament, RanksAsIfAllGamesWerePlayedAndPlaysNoneTwice) {
   }
 }
 
-TEST(Tournament, PlaysNoMoreGamesThanTheChampionNeeds) {
+TEST(Tournament, FindsTheWinnerInAtMost2NMinus3Games) {
   constexpr std::size_t kPlayers = 42;
   for (std::size_t best = 0; best < kPlayers; ++best) {
     std::size_t games = 0;

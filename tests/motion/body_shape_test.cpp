@@ -67,7 +67,7 @@ float deepest_overlap(const Physique& character, Body a, Body b, std::mt19937& r
   return deepest;
 }
 
-TEST(BodyShapes, PartsThatAreNotJointedAreClearOfEachOtherAtRest) {
+TEST(BodyShapes, NonAdjacentBodiesDoNotOverlapInTheRestPose) {
   std::mt19937 random(1);
   int pairs = 0;
   for (Sex sex : {Sex::female, Sex::male}) {
@@ -85,7 +85,7 @@ TEST(BodyShapes, PartsThatAreNotJointedAreClearOfEachOtherAtRest) {
   EXPECT_EQ(pairs, 2 * (17 * 16 - 2 * 16));
 }
 
-TEST(BodyShapes, JointedPartsAboutTouchAtRest) {
+TEST(BodyShapes, AdjacentBodiesAlmostTouchInTheRestPose) {
   std::mt19937 random(2);
   const Physique character = default_character();
   for (Body body : kBodies) {
@@ -123,7 +123,7 @@ TEST(BodyShapes, HeadReachesFromChinToCrown) {
 }
 
 // A limb of muscle: volume pi r^2 (2 h + 4 r / 3) times 1060 kg/m^3.
-TEST(BodyShapes, LimbsHoldTheirMass) {
+TEST(BodyShapes, LimbVolumesMatchTheirMass) {
   const BodyModel model = make_body_model(default_character());
   for (Body body : {Body::left_upper_arm, Body::right_forearm, Body::left_shin}) {
     const Shape& shape = model[body].shape;
@@ -133,7 +133,7 @@ TEST(BodyShapes, LimbsHoldTheirMass) {
   }
 }
 
-TEST(BodyShapes, CentresOfMassLieInside) {
+TEST(BodyShapes, CentresOfMassLieInsideTheShapes) {
   for (Sex sex : {Sex::female, Sex::male}) {
     Physique character = default_character();
     character.sex = sex;
@@ -166,7 +166,7 @@ TEST(BodyShapes, ScaleWithTheCharacter) {
   }
 }
 
-TEST(BodyShapes, BonesWithoutLengthStillMakeParts) {
+TEST(BodyShapes, ZeroLengthBonesGetSmallShapes) {
   Physique character = default_character();
   for (Role role : {Role::abdomen, Role::head, Role::left_foot, Role::left_toes}) {
     character.skeleton.offset[role].setZero();

@@ -25,7 +25,7 @@ Physique with_sex(Sex sex) {
   return character;
 }
 
-TEST(Body, EveryBodyBelongsToOneRoleAndHangsFromABodyBeforeIt) {
+TEST(Body, EveryBodyHasOneRoleAndAnEarlierParent) {
   std::set<Role> roles;
   for (Body body : kBodies) {
     EXPECT_EQ(body_of(role_of(body)), body);
@@ -44,20 +44,20 @@ TEST(Body, EveryBodyBelongsToOneRoleAndHangsFromABodyBeforeIt) {
   EXPECT_EQ(body_of(Role::right_toes), Body::right_foot);
 }
 
-TEST(Body, HitsBelongToTheTargetOfTheirPart) {
+TEST(Body, EveryBodyMapsToItsTarget) {
   EXPECT_EQ(target_of(Body::neck), Target::head);
   EXPECT_EQ(target_of(Body::right_hand), Target::trunk);
   EXPECT_EQ(target_of(Body::pelvis), Target::pelvis);
   EXPECT_EQ(target_of(Body::left_foot), Target::legs);
 }
 
-TEST(Body, SexesAreNamed) {
+TEST(Body, SexNamesRoundTrip) {
   EXPECT_EQ(sex_named(name_of(Sex::female)), Sex::female);
   EXPECT_EQ(sex_named(name_of(Sex::male)), Sex::male);
   EXPECT_FALSE(sex_named("other"));
 }
 
-TEST(BodyModel, MassesAddUpToTheCharactersForBothSexes) {
+TEST(BodyModel, BodyMassesSumToTheCharactersMass) {
   for (Sex sex : {Sex::female, Sex::male}) {
     for (float mass_kg : {45.0F, 75.0F, 120.0F}) {
       Physique character = with_sex(sex);
@@ -68,7 +68,7 @@ TEST(BodyModel, MassesAddUpToTheCharactersForBothSexes) {
 }
 
 // De Leva (1996), table 4, of a man of 75 kg: thigh 14.16 %, trunk 43.46 %, arm 4.94 %.
-TEST(BodyModel, MaleMassesAreDeLevas) {
+TEST(BodyModel, MaleMassesMatchDeLeva) {
   const BodyModel model = make_body_model(with_sex(Sex::male));
   EXPECT_NEAR(model[Body::left_thigh].mass_kg, 10.62F, 1e-3F);
   EXPECT_NEAR(
@@ -82,7 +82,7 @@ TEST(BodyModel, MaleMassesAreDeLevas) {
 }
 
 // Women: thigh 14.78 %, trunk 42.57 %; the table sums to 99.99 %.
-TEST(BodyModel, FemaleMassesAreDeLevas) {
+TEST(BodyModel, FemaleMassesMatchDeLeva) {
   const BodyModel model = make_body_model(with_sex(Sex::female));
   EXPECT_NEAR(model[Body::left_thigh].mass_kg, 0.1478F * 75 / 0.9999F, 1e-3F);
   EXPECT_NEAR(
@@ -92,7 +92,7 @@ TEST(BodyModel, FemaleMassesAreDeLevas) {
 
 // The thigh's centre 40.95 % (36.12 %) from hip to knee; the hand's 36.24 % from wrist to fingertip
 // (de Leva's own second row for the hand, where it is 34.27 % for women).
-TEST(BodyModel, CentresLieAsFarAlongTheBonesAsDeLevaSays) {
+TEST(BodyModel, CentresOfMassMatchDeLevasFractions) {
   const Physique man = with_sex(Sex::male);
   const BodyModel male = make_body_model(man);
   const BodyModel female = make_body_model(with_sex(Sex::female));
@@ -106,7 +106,7 @@ TEST(BodyModel, CentresLieAsFarAlongTheBonesAsDeLevaSays) {
 }
 
 // Head and neck together: 50.02 % from the crown to the seventh cervical vertebra.
-TEST(BodyModel, HeadAndNeckTogetherHaveDeLevasCentre) {
+TEST(BodyModel, CombinedHeadAndNeckCentreMatchesDeLeva) {
   const Physique man = default_character();
   const BodyModel model = make_body_model(man);
   const JointFrames rest = forward_kinematics(man.skeleton, rest_pose(man.skeleton));
@@ -120,7 +120,7 @@ TEST(BodyModel, HeadAndNeckTogetherHaveDeLevasCentre) {
 
 // A standing man's centre of mass is at 0.55 to 0.58 of his height with the arms down; raising the
 // arms to the T-pose lifts it a little, by less than 0.02.
-TEST(CentreOfMass, OfAStandingManIsAtHisPelvis) {
+TEST(CentreOfMass, IsInThePelvisWhenStanding) {
   const Physique man = default_character();
   const BodyModel model = make_body_model(man);
   Pose pose = rest_pose(man.skeleton);
@@ -136,7 +136,7 @@ TEST(CentreOfMass, OfAStandingManIsAtHisPelvis) {
 }
 
 // Lifting one arm by an angle about the shoulder moves the whole centre by m_arm / m of the arm's.
-TEST(CentreOfMass, MovesByTheShareOfThePartThatMoves) {
+TEST(CentreOfMass, MovesInProportionToTheMovedMass) {
   const Physique man = default_character();
   const BodyModel model = make_body_model(man);
   Pose pose = rest_pose(man.skeleton);
@@ -148,7 +148,7 @@ TEST(CentreOfMass, MovesByTheShareOfThePartThatMoves) {
   EXPECT_LT((after - before - expected).norm(), 1e-5F);
 }
 
-TEST(CentreOfMass, OfAMirroredPoseIsTheMirroredCentre) {
+TEST(CentreOfMass, IsMirroredWithThePose) {
   std::mt19937 random(1);
   const Physique man = default_character();
   const BodyModel model = make_body_model(man);
@@ -161,7 +161,7 @@ TEST(CentreOfMass, OfAMirroredPoseIsTheMirroredCentre) {
   }
 }
 
-TEST(TargetCentre, OfTheRestPoseStackFromHeadToLegs) {
+TEST(TargetCentre, DescendsFromHeadToLegsInTheRestPose) {
   const Physique man = default_character();
   const BodyModel model = make_body_model(man);
   const JointFrames rest = forward_kinematics(man.skeleton, rest_pose(man.skeleton));

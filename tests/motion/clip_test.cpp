@@ -26,7 +26,7 @@ Motion smooth_motion(std::mt19937& random, int poses) {
   return motion;
 }
 
-TEST(Sample, GivesThePosesAtTheirTimesAndClampsBeyond) {
+TEST(Sample, ReturnsStoredPosesAndClampsAtTheEnds) {
   std::mt19937 random(1);
   const Motion motion = smooth_motion(random, 31);
   for (int i = 0; i < 31; ++i) {
@@ -37,7 +37,7 @@ TEST(Sample, GivesThePosesAtTheirTimesAndClampsBeyond) {
   EXPECT_EQ(tests::distance(sample(motion, 99), motion.poses.back()), 0);
 }
 
-TEST(Sample, OfSomeRolesHasTheBitsOfAll) {
+TEST(Sample, SubsetOfRolesMatchesTheWholePoseBitForBit) {
   constexpr std::array kSome{Role::pelvis, Role::right_thigh, Role::right_shin};
   std::mt19937 random(3);
   const Motion motion = smooth_motion(random, 31);
@@ -49,7 +49,7 @@ TEST(Sample, OfSomeRolesHasTheBitsOfAll) {
   }
 }
 
-TEST(SamplePingPong, GoesToAndFroWithoutAJump) {
+TEST(SamplePingPong, IsContinuousAtBothEnds) {
   std::mt19937 random(2);
   const Motion motion = smooth_motion(random, 31);
   const float step_s = 0.001F;
@@ -68,14 +68,14 @@ TEST(SamplePingPong, GoesToAndFroWithoutAJump) {
       1e-4F);
 }
 
-TEST(SamplePingPong, OfASinglePoseIsThatPose) {
+TEST(SamplePingPong, ReturnsTheOnlyPose) {
   std::mt19937 random(3);
   Motion motion;
   motion.poses = {random_pose(random)};
   EXPECT_EQ(tests::distance(sample_ping_pong(motion, 1.3F), motion.poses.front()), 0);
 }
 
-TEST(Mirror, TwiceGivesTheSameBits) {
+TEST(Mirror, IsItsOwnInverseBitForBit) {
   std::mt19937 random(4);
   for (int i = 0; i < 100; ++i) {
     const Pose pose = random_pose(random);
@@ -85,7 +85,7 @@ TEST(Mirror, TwiceGivesTheSameBits) {
   }
 }
 
-TEST(Mirror, OfThePoseMovesEveryJointToItsImage) {
+TEST(Mirror, MovesEveryJointToItsMirrorImage) {
   std::mt19937 random(5);
   const Skeleton skeleton = tests::with_crooked_bones(default_character().skeleton, random);
   for (int i = 0; i < 100; ++i) {
@@ -100,7 +100,7 @@ TEST(Mirror, OfThePoseMovesEveryJointToItsImage) {
   }
 }
 
-TEST(Mirror, OfAClipTurnsItsDirectionAndSaysWhereItIsFrom) {
+TEST(Mirror, NegatesTheClipsDirectionAndRecordsItsSource) {
   constexpr float kPi = std::numbers::pi_v<float>;
   std::mt19937 random(6);
   Clip clip;

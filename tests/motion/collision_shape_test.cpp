@@ -42,7 +42,7 @@ TEST(Clearance, GapIsTheRadiusAtWhichTheBallFirstReachesTheShape) {
   }
 }
 
-TEST(Clearance, FromInsideABoxGoesThroughTheNearestFace) {
+TEST(Clearance, InsideABoxUsesTheNearestFace) {
   CollisionShape box;
   box.kind = Shape::Kind::box;
   box.half_extents = {0.3, 0.2, 0.1};

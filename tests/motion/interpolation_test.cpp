@@ -27,7 +27,7 @@ TEST(EaseInEaseOut, StartsAndEndsAtRest) {
   EXPECT_NEAR((ease_in_ease_out(0.5F + h) - ease_in_ease_out(0.5F - h)) / (2 * h), 1.5F, 1e-3F);
 }
 
-TEST(Slerp, AgreesWithEigens) {
+TEST(Slerp, MatchesEigen) {
   std::mt19937 random(1);
   for (int i = 0; i < 1000; ++i) {
     const Eigen::Quaternionf a = random_rotation(random);
@@ -46,14 +46,14 @@ TEST(Slerp, TakesTheShorterArcWhateverTheSigns) {
   EXPECT_LT(slerp(a, b, 0.5F).angularDistance(middle), 1e-3F);
 }
 
-TEST(Slerp, OfNearlyEqualRotationsIsUnit) {
+TEST(Slerp, StaysUnitForNearlyEqualRotations) {
   const Eigen::Quaternionf a(Eigen::AngleAxisf(0.2F, Eigen::Vector3f::UnitZ()));
   const Eigen::Quaternionf b(Eigen::AngleAxisf(0.20001F, Eigen::Vector3f::UnitZ()));
   EXPECT_NEAR(slerp(a, b, 0.3F).norm(), 1, 1e-6F);
   EXPECT_LT(slerp(a, a, 0.3F).angularDistance(a), 1e-3F);
 }
 
-TEST(Blend, IsEachPoseAtItsEnd) {
+TEST(Blend, ReturnsTheEndPosesAtWeights0And1) {
   std::mt19937 random(2);
   const Pose a = random_pose(random);
   const Pose b = random_pose(random);
@@ -63,7 +63,7 @@ TEST(Blend, IsEachPoseAtItsEnd) {
 
 // A joint that turns on from 170 to 190 degrees against the other crosses the half turn, where the
 // shorter arc changes sides and a plain blend jumps by about 180 degrees.
-TEST(BlendOnFirstArc, DoesNotJumpWhereTheShorterArcChangesSides) {
+TEST(BlendAlongInitialArc, IsContinuousWhenTheShorterArcFlips) {
   const Pose still;
   const auto turned = [](float degrees) {
     Pose pose;
@@ -91,7 +91,7 @@ TEST(BlendOnFirstArc, DoesNotJumpWhereTheShorterArcChangesSides) {
   EXPECT_LT(tests::distance(last, turned(190)), 1e-3F);
 }
 
-TEST(BlendOnFirstArc, IsThePlainBlendAtItsStart) {
+TEST(BlendAlongInitialArc, EqualsBlendAtTheStart) {
   std::mt19937 random(3);
   for (int i = 0; i < 100; ++i) {
     const Pose a = random_pose(random);

@@ -89,7 +89,7 @@ TEST(LimbIk, KneesBendBackwardsAndElbowsForwards) {
 
 // Law of cosines: legs of bones a and b whose ends are d apart bend by pi - gamma with
 // d^2 = a^2 + b^2 - 2 a b cos gamma. Bones of 3 and 4 and a distance of 5 make a right angle.
-TEST(LimbIk, BonesOfThreeAndFourReachFiveAtARightAngle) {
+TEST(LimbIk, Solves345Triangle) {
   Skeleton skeleton = default_character().skeleton;
   skeleton.offset[Role::left_shin] = {0, 0, -0.3F};
   skeleton.offset[Role::left_foot] = {0, 0, -0.4F};
@@ -102,7 +102,7 @@ TEST(LimbIk, BonesOfThreeAndFourReachFiveAtARightAngle) {
   EXPECT_LT((solved.middle - Eigen::Vector3f(0.24F, 0, -0.18F)).norm(), 1e-5F);
 }
 
-TEST(LimbIk, SwivelTurnsTheMiddleJointFromThePoleAboutTheLine) {
+TEST(LimbIk, SwivelRotatesTheMiddleJointAboutTheLimbAxis) {
   std::mt19937 random(3);
   const Skeleton skeleton = default_character().skeleton;
   for (int i = 0; i < 300; ++i) {
@@ -120,7 +120,7 @@ TEST(LimbIk, SwivelTurnsTheMiddleJointFromThePoleAboutTheLine) {
   }
 }
 
-TEST(LimbIk, TargetsOutOfReachAreClampedOnTheLine) {
+TEST(LimbIk, UnreachableTargetsAreClampedToTheNearestPointOnTheLine) {
   const Skeleton skeleton = default_character().skeleton;
   const HingeLimits limits;
   for (Limb limb : kLimbs) {
@@ -142,7 +142,7 @@ TEST(LimbIk, TargetsOutOfReachAreClampedOnTheLine) {
   }
 }
 
-TEST(LimbIk, ReachesFiniteRotationsForDegenerateInput) {
+TEST(LimbIk, ReturnsFiniteRotationsForDegenerateInput) {
   const Skeleton skeleton = default_character().skeleton;
   const Eigen::Vector3f zero = Eigen::Vector3f::Zero();
   const Eigen::Vector3f down = -Eigen::Vector3f::UnitZ();
@@ -158,7 +158,7 @@ TEST(LimbIk, ReachesFiniteRotationsForDegenerateInput) {
   }
 }
 
-TEST(LimbIk, PoleVectorReproducesHingedFramesExactly) {
+TEST(LimbIk, PoleVectorReproducesAHingedLimb) {
   std::mt19937 random(4);
   for (int i = 0; i < 500; ++i) {
     const Skeleton skeleton = tests::with_crooked_bones(default_character().skeleton, random);
@@ -200,7 +200,7 @@ TEST(LimbIk, WithLimbEndPlacesTheEndAndMovesNothingElse) {
   }
 }
 
-TEST(LimbIk, StraighteningLegDoesNotSpin) {
+TEST(LimbIk, StraighteningLegDoesNotTwist) {
   std::mt19937 random(6);
   const Skeleton skeleton = tests::with_crooked_bones(default_character().skeleton, random);
   const Eigen::Vector3f hip(0, 0.1F, 0.93F);
@@ -231,7 +231,7 @@ Pose with_random_leg(std::mt19937& random) {
   return pose;
 }
 
-TEST(MoveLimbEnd, LeavesALimbAloneThatIsThereAlready) {
+TEST(MoveLimbEnd, ChangesNothingWhenTheEndIsAtTheGoal) {
   const Skeleton skeleton = default_character().skeleton;
   std::mt19937 random(21);
   for (int i = 0; i < 500; ++i) {
@@ -246,7 +246,7 @@ TEST(MoveLimbEnd, LeavesALimbAloneThatIsThereAlready) {
   }
 }
 
-TEST(MoveLimbEnd, LandsOnNearbyPlacesAndChangesLittle) {
+TEST(MoveLimbEnd, ReachesNearbyGoalsWithSmallRotations) {
   const Skeleton skeleton = default_character().skeleton;
   std::mt19937 random(22);
   std::uniform_real_distribution<float> part(-1, 1);

@@ -12,7 +12,7 @@
 namespace flinch::motion {
 namespace {
 
-TEST(RotationVector, TakesTheShorterWayAndComesBack) {
+TEST(RotationVector, IsAtMostPiLongAndInvertible) {
   std::mt19937 generator(4);
   for (int i = 0; i < 200; ++i) {
     const Eigen::Quaterniond rotation = tests::uniform_rotation(generator);
@@ -22,13 +22,13 @@ TEST(RotationVector, TakesTheShorterWayAndComesBack) {
   }
 }
 
-TEST(RotationVector, OfNoRotationIsZeroInFloatToo) {
+TEST(RotationVector, IsZeroForTheIdentity) {
   EXPECT_EQ(rotation_vector(Eigen::Quaternionf::Identity()).norm(), 0);
   const Eigen::Vector3f tiny(1e-20F, 0, 0);
   EXPECT_TRUE(rotation_from_vector<float>(tiny).coeffs().allFinite());
 }
 
-TEST(RotationBetween, TakesOneDirectionToTheOtherByTheShortestWay) {
+TEST(RotationBetween, IsTheShortestRotationBetweenTwoDirections) {
   std::mt19937 generator(6);
   const Eigen::Vector3d from(0.3, -2, 1);
   for (int i = 0; i < 200; ++i) {
@@ -40,14 +40,14 @@ TEST(RotationBetween, TakesOneDirectionToTheOtherByTheShortestWay) {
   }
 }
 
-TEST(RotationBetween, OfOppositeDirectionsIsAHalfTurnAcross) {
+TEST(RotationBetween, IsAHalfTurnForOppositeDirections) {
   const Eigen::Vector3f from(0.3F, -2, 1);
   const Eigen::Quaternionf rotation = rotation_between<float>(from, -from);
   EXPECT_LT((rotation * from + from).norm(), 1e-5F);
   EXPECT_NEAR(rotation.vec().dot(from), 0, 1e-5F);
 }
 
-TEST(SwingAndTwist, GiveTheRotationBackAboutAnyAxis) {
+TEST(SwingTwist, RecomposesTheRotationAboutAnyAxis) {
   std::mt19937 generator(5);
   std::normal_distribution<double> normal;
   for (int i = 0; i < 200; ++i) {

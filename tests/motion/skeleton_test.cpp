@@ -23,7 +23,7 @@ Eigen::Isometry3d by_matrices(const Skeleton& skeleton, const Pose& pose, Role r
   return parent ? by_matrices(skeleton, pose, *parent) * local : local;
 }
 
-TEST(ForwardKinematics, AgreesWithAProductOfMatrices) {
+TEST(ForwardKinematics, MatchesMatrixProducts) {
   std::mt19937 random(1);
   for (int i = 0; i < 100; ++i) {
     const Skeleton skeleton = tests::with_crooked_bones(default_character().skeleton, random);
@@ -40,7 +40,7 @@ TEST(ForwardKinematics, AgreesWithAProductOfMatrices) {
   }
 }
 
-TEST(ForwardKinematics, OfSomeRolesIsThatOfAllToTheBit) {
+TEST(ForwardKinematics, SubsetOfRolesMatchesAllRolesBitForBit) {
   std::mt19937 random(3);
   const Skeleton skeleton = tests::with_crooked_bones(default_character().skeleton, random);
   constexpr std::array kArm{Role::pelvis,        Role::abdomen,        Role::chest,
@@ -56,7 +56,7 @@ TEST(ForwardKinematics, OfSomeRolesIsThatOfAllToTheBit) {
   }
 }
 
-TEST(ForwardKinematics, IsUndoneByPoseFromFrames) {
+TEST(ForwardKinematics, IsInvertedByPoseFromFrames) {
   std::mt19937 random(2);
   const Skeleton skeleton = default_character().skeleton;
   for (int i = 0; i < 100; ++i) {
@@ -85,7 +85,7 @@ TEST(Placed, MovesEveryJointRigidly) {
   }
 }
 
-TEST(DefaultCharacter, IsAManOf175CentimetresOnTheGround) {
+TEST(DefaultCharacter, Is175CentimetresTallAndStandsOnTheGround) {
   const Physique man = default_character();
   const JointFrames rest = forward_kinematics(man.skeleton, rest_pose(man.skeleton));
   EXPECT_NEAR((rest.position[Role::head] + man.skeleton.tip[Role::head]).z(), 1.75F, 1e-5F);

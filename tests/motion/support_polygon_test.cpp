@@ -29,7 +29,7 @@ std::vector<Eigen::Vector2f> standing(const Skeleton& skeleton) {
 // Both feet of a man: 0.266 m long, 0.175 m between the ankles, so outer edges 0.175 + 0.19 * 2 *
 // 0.266 = 0.276 m apart at the balls. The hull is smaller than that rectangle and larger than the
 // part of it between the ankles' lines.
-TEST(SupportPolygon, OfTwoFeetSpansThem) {
+TEST(SupportPolygon, SpansBothFeet) {
   const std::vector<Eigen::Vector2f> polygon = standing(default_character().skeleton);
   const float length = 0.152F * 1.75F;
   EXPECT_GT(area(polygon), 0.175F * length);
@@ -56,7 +56,7 @@ TEST(SupportPolygon, IsConvexCounterClockwiseAndMirrorSymmetric) {
   }
 }
 
-TEST(SupportPolygon, HoldsTheStandingMansCentreOfMass) {
+TEST(SupportPolygon, ContainsTheStandingCentreOfMass) {
   const Physique man = default_character();
   const JointFrames rest = forward_kinematics(man.skeleton, rest_pose(man.skeleton));
   const Eigen::Vector3f centre = centre_of_mass(make_body_model(man), rest);
@@ -65,7 +65,7 @@ TEST(SupportPolygon, HoldsTheStandingMansCentreOfMass) {
   EXPECT_LT(signed_distance_inside(polygon, {0.5F, 0}), 0);
 }
 
-TEST(SupportPolygon, LosesALiftedFootAndBoth) {
+TEST(SupportPolygon, ExcludesLiftedFeet) {
   const Skeleton skeleton = default_character().skeleton;
   Pose pose = rest_pose(skeleton);
   pose.rotation[Role::left_thigh] = Eigen::AngleAxisf(-1, Eigen::Vector3f::UnitY());
@@ -78,7 +78,7 @@ TEST(SupportPolygon, LosesALiftedFootAndBoth) {
   EXPECT_TRUE(support_polygon(skeleton, forward_kinematics(skeleton, pose)).empty());
 }
 
-TEST(SupportPolygon, OnTiptoeIsUnderTheToes) {
+TEST(SupportPolygon, IsUnderTheToesOnTiptoe) {
   const Skeleton skeleton = default_character().skeleton;
   Pose pose = rest_pose(skeleton);
   for (auto [foot, toes] :
@@ -95,7 +95,7 @@ TEST(SupportPolygon, OnTiptoeIsUnderTheToes) {
   for (const Eigen::Vector2f& point : polygon) EXPECT_GT(point.x(), 0.02F);
 }
 
-TEST(SignedDistance, OfTheUnitSquareIsKnown) {
+TEST(SignedDistance, MatchesTheUnitSquare) {
   const std::vector<Eigen::Vector2f> square{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
   EXPECT_FLOAT_EQ(signed_distance_inside(square, {0.5F, 0.5F}), 0.5F);
   EXPECT_FLOAT_EQ(signed_distance_inside(square, {0.1F, 0.5F}), 0.1F);

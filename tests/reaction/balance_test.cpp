@@ -13,7 +13,7 @@ namespace {
 
 using motion::Body;
 
-TEST(DistanceOutside, IsThatOfTheNearestConvexCombination) {
+TEST(DistanceOutside, EqualsTheDistanceToTheNearestConvexCombination) {
   std::mt19937 generator(4);
   std::uniform_real_distribution<double> uniform(-1, 1);
   int inside = 0;
@@ -45,7 +45,7 @@ TEST(DistanceOutside, IsThatOfTheNearestConvexCombination) {
   EXPECT_LT(inside, 90);
 }
 
-TEST(DistanceOutside, OfALineAndOfAPoint) {
+TEST(DistanceOutside, WorksForALineAndAPoint) {
   const std::vector<Eigen::Vector2d> line{{0, 0}, {2, 0}, {1, 0}};
   EXPECT_DOUBLE_EQ(distance_outside(line, {1, 3}), 3);
   EXPECT_DOUBLE_EQ(distance_outside(line, {5, 4}), 5);
@@ -62,7 +62,7 @@ motion::PerBody<sim::BodyState> standing_that_moves(const sim::FigureModel& figu
   return bodies;
 }
 
-TEST(Balance, IsLostByTheExtrapolatedCentreBeyondTheToes) {
+TEST(Balance, IsLostWhenTheExtrapolatedCentreOfMassPassesTheToes) {
   const sim::FigureModel figure_model(motion::default_character());
   const auto still = standing_that_moves(figure_model, Eigen::Vector3d::Zero());
   EXPECT_EQ(out_of_balance_m(figure_model, still), 0);
@@ -81,7 +81,7 @@ TEST(Balance, IsLostByTheExtrapolatedCentreBeyondTheToes) {
   }
 }
 
-TEST(Balance, AStepSavesAPushOfOneMetreASecondAndNotOneOfThree) {
+TEST(Balance, AStepRecoversFromOneMetrePerSecondButNotFromThree) {
   const sim::FigureModel figure_model(motion::default_character());
   const auto out_m = [&](double speed) {
     return out_of_balance_m(figure_model, standing_that_moves(figure_model, {0, speed, 0}));

@@ -14,7 +14,7 @@ using motion::Body;
 
 constexpr double kStep_s = 1.0 / 120;
 
-TEST(LiveReference, NeverJumpsAndHasTheVelocityOfItsPathWhateverTheFrames) {
+TEST(LiveReference, IsContinuousAndItsVelocityMatchesItsPathAtAnyFrameRate) {
   const sim::FigureModel figure_model(motion::default_character());
   std::mt19937 generator(11);
   std::uniform_real_distribution<double> uneven(0.001, 0.03);

@@ -81,7 +81,7 @@ Played play(ReactingCharacter& character, const runtime::Library& library, float
   return played;
 }
 
-TEST(ReactingCharacter, UntilItIsHitAndAfterwardsMovesAsTheRunTimeHasIt) {
+TEST(ReactingCharacter, MatchesTheRunTimeBeforeAndAfterTheReaction) {
   ReactingCharacter hit(plain(), make_reaction_data(plain()));
   const Played played = play(hit, plain(), 5);
   runtime::Character twin(plain());
@@ -105,7 +105,7 @@ TEST(ReactingCharacter, UntilItIsHitAndAfterwardsMovesAsTheRunTimeHasIt) {
   EXPECT_EQ(hit.character().phase(), runtime::Phase::idle);
 }
 
-TEST(ReactingCharacter, GoesOnWithAClipThatMovesAlikeAndThenIdles) {
+TEST(ReactingCharacter, ContinuesWithASimilarClipAndThenIdles) {
   ReactingCharacter hit(with_push(), make_reaction_data(with_push()));
   const Played played = play(hit, with_push(), 7);
   const auto first = std::ranges::find(played.pose_sources, PoseSource::reaction_clip);
@@ -133,7 +133,7 @@ float velocity_step(const std::vector<motion::Pose>& poses, std::size_t k) {
   return most;
 }
 
-TEST(ReactingCharacter, NothingSnapsWhereTheBodyChangesHands) {
+TEST(ReactingCharacter, PoseIsContinuousWhenItsSourceChanges) {
   for (const runtime::Library* library : {&plain(), &with_push()}) {
     ReactingCharacter hit(*library, make_reaction_data(*library));
     const Played played = play(hit, *library, 7);
@@ -151,7 +151,7 @@ TEST(ReactingCharacter, NothingSnapsWhereTheBodyChangesHands) {
   }
 }
 
-TEST(ReactingCharacter, KnockedOverStaysWithPhysicsUntilTheGameHelpsItUp) {
+TEST(ReactingCharacter, StaysSimulatedAfterBeingKnockedOverUntilStopped) {
   ReactingCharacter hit(plain(), make_reaction_data(plain()));
   play(hit, plain(), 3, 40);
   ASSERT_EQ(hit.reaction().phase(), ReactionPhase::knocked_over);
@@ -163,7 +163,7 @@ TEST(ReactingCharacter, KnockedOverStaysWithPhysicsUntilTheGameHelpsItUp) {
   EXPECT_EQ(hit.update(kFrame_s), ReactionStatus::ok);
 }
 
-TEST(ReactingCharacter, RefusesBadInputAndGoesOn) {
+TEST(ReactingCharacter, RejectsBadInputAndStaysUsable) {
   constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
   ReactingCharacter hit(plain(), make_reaction_data(plain()));
   ReactingCharacter untroubled(plain(), make_reaction_data(plain()));

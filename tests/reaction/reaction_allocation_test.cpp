@@ -8,7 +8,7 @@
 namespace flinch::reaction {
 namespace {
 
-TEST(Reaction, AllocatesNothingOnceBegun) {
+TEST(Reaction, AllocatesNothingAfterBegin) {
   const motion::Physique character = motion::default_character();
   const auto motions = scenes::motions_by_rule(character.skeleton);
   const auto figure_model = make_figure_model(character);

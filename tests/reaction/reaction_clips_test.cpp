@@ -31,7 +31,7 @@ std::vector<motion::Clip> clips() {
   return result;
 }
 
-TEST(ReactionClips, FindTheFrameWhereverTheCharacterStandsAndFaces) {
+TEST(ReactionClips, MatchDoesNotDependOnPositionAndFacing) {
   const auto all = clips();
   const ReactionClips index(character(), all);
   ASSERT_GT(index.size(), 100U);
@@ -60,7 +60,7 @@ TEST(ReactionClips, FindTheFrameWhereverTheCharacterStandsAndFaces) {
   }
 }
 
-TEST(ReactionClips, DistanceIsThatOfItsFormula) {
+TEST(ReactionClips, DistanceMatchesItsFormula) {
   // One clip that stands still; the character stands as it does, moved upwards at a speed.
   auto all = clips();
   all.resize(1);
@@ -78,7 +78,7 @@ TEST(ReactionClips, DistanceIsThatOfItsFormula) {
   EXPECT_TRUE(index.find(below, above, kFrame_s, 0.051F));
 }
 
-TEST(ReactionClips, FindNothingWhereNothingIsNear) {
+TEST(ReactionClips, FindNothingBeyondTheMaximumDistance) {
   const auto all = clips();
   const ReactionClips index(character(), all);
   motion::Pose lying = scenes::standing(character().skeleton);
@@ -90,7 +90,7 @@ TEST(ReactionClips, FindNothingWhereNothingIsNear) {
   EXPECT_EQ(none.size(), 0U);
 }
 
-TEST(ReactionClips, RefuseWhatIsNotFinite) {
+TEST(ReactionClips, RejectNonFiniteInput) {
   const auto all = clips();
   const ReactionClips index(character(), all);
   const float nan = std::numeric_limits<float>::quiet_NaN();
@@ -103,7 +103,7 @@ TEST(ReactionClips, RefuseWhatIsNotFinite) {
   for (float dt_s : {0.0F, -1.0F, nan}) EXPECT_FALSE(index.find(good, good, dt_s));
 }
 
-TEST(ReactionClips, LeaveSomethingToPlay) {
+TEST(ReactionClips, MatchLeavesTimeToPlay) {
   const auto all = clips();
   const ReactionClips index(character(), all);
   for (const motion::Clip& clip : all) {

@@ -24,7 +24,7 @@ using scenes::pose_at;
 using scenes::ReactionCase;
 using scenes::same_bits;
 
-TEST(Reaction, RepeatsBitForBitAlsoOnThreadsAtOnce) {
+TEST(Reaction, IsDeterministicOnConcurrentThreads) {
   const auto run = [&](std::vector<std::vector<motion::Pose>>& results) {
     Reaction reaction(figure_model());  // one for all: what it did before does not count
     for (std::size_t i = 0; i < 12; ++i) results.push_back(play(reaction, cases()[i], 0.5));
@@ -44,7 +44,7 @@ TEST(Reaction, RepeatsBitForBitAlsoOnThreadsAtOnce) {
   }
 }
 
-TEST(Reaction, GoesOnOnAnotherThread) {
+TEST(Reaction, CanMoveToAnotherThread) {
   const ReactionCase& reaction_case = cases().front();
   Reaction here(figure_model());
   const auto poses = play(here, reaction_case, 0.4);
@@ -58,7 +58,7 @@ TEST(Reaction, GoesOnOnAnotherThread) {
   }
 }
 
-TEST(Reaction, UnevenFramesGiveTheSameMotion) {
+TEST(Reaction, MotionDoesNotDependOnFrameTimes) {
   std::mt19937 generator(7);
   std::vector<double> worst_m;
   for (const ReactionCase& reaction_case : cases()) {
@@ -85,7 +85,7 @@ TEST(Reaction, UnevenFramesGiveTheSameMotion) {
   EXPECT_LT(worst_m.back(), 0.02);
 }
 
-TEST(Reaction, RefusesBadInputAndStaysUsable) {
+TEST(Reaction, RejectsBadInputAndStaysUsable) {
   const float nan = std::numeric_limits<float>::quiet_NaN();
   const ReactionCase& reaction_case = cases().front();
   const motion::Pose good = pose_at(*reaction_case.motion, reaction_case.begin_s);

@@ -24,7 +24,7 @@ using scenes::play;
 using scenes::pose_at;
 using scenes::ReactionCase;
 
-TEST(Reaction, ReturnsToTheMotionWhenTheScheduleIsOver) {
+TEST(Reaction, ReturnsToTheMotionAtTheEndOfTheSchedule) {
   const double over_s = scenes::kLead_s + duration_s(RecoverySchedule{});
   int returned = 0;
   for (const ReactionCase& reaction_case : cases()) {
@@ -76,7 +76,7 @@ std::vector<double> velocity_changes(const std::vector<motion::Pose>& poses,
   return changes;
 }
 
-TEST(Reaction, NothingSnapsWhereItIsTakenOverOrHandedBack) {
+TEST(Reaction, PoseIsContinuousAtBeginAndEnd) {
   const RecoverySchedule schedule;
   for (const ReactionCase& reaction_case : cases()) {
     Reaction reaction(figure_model());
@@ -100,7 +100,7 @@ bool is_hit_on_the_leg(const Reaction& reaction, Role foot) {
   return false;
 }
 
-TEST(Reaction, StandingFeetHardlySlide) {
+TEST(Reaction, StandingFeetSlideLessThanTheBound) {
   int feet = 0;
   for (const ReactionCase& reaction_case : cases()) {
     Reaction reaction(figure_model());
@@ -119,7 +119,7 @@ TEST(Reaction, StandingFeetHardlySlide) {
   EXPECT_GT(feet, 30);
 }
 
-TEST(Reaction, StretchesNoBone) {
+TEST(Reaction, KeepsBoneLengths) {
   Reaction reaction(figure_model());
   for (const motion::Pose& pose : play(reaction, aimed_at(Body::left_hand, {-30, 0, 0}), 0.4)) {
     const auto frames = frames_of(pose);

@@ -30,7 +30,7 @@ using scenes::pose_at;
 using scenes::ReactionCase;
 using scenes::standing;
 
-TEST(Reaction, WithoutABallFollowsTheMotion) {
+TEST(Reaction, FollowsTheMotionWithoutABall) {
   for (const auto& [name, motion] : motions()) {
     Reaction reaction(figure_model());
     const double begin_s = 0.1;
@@ -49,7 +49,7 @@ TEST(Reaction, WithoutABallFollowsTheMotion) {
   }
 }
 
-TEST(Reaction, TouchesWhenAndAsTheTrainersFigureDoes) {
+TEST(Reaction, FirstContactMatchesTheTrainersSimulation) {
   const sim::Simulator simulator(character(), {});
   int hits = 0;
   int alike = 0;
@@ -79,7 +79,7 @@ TEST(Reaction, TouchesWhenAndAsTheTrainersFigureDoes) {
 }
 
 // The momentum of the figure by the poses shown half a millisecond apart, against the ball's loss.
-TEST(Reaction, FigureTakesTheMomentumThatTheBallLoses) {
+TEST(Reaction, ConservesMomentum) {
   constexpr double kShort_s = 0.0005;
   for (const auto& [body, velocity] : {std::pair{Body::head, Eigen::Vector3d(-20, 0, 0)},
                                        {Body::chest, {-15, 0, 0}},
@@ -115,7 +115,7 @@ TEST(Reaction, FigureTakesTheMomentumThatTheBallLoses) {
 }
 
 // A character that runs into a ball that hangs in the air before its face.
-TEST(Reaction, FigureMovesFromTheVeryBeginning) {
+TEST(Reaction, FigureStartsWithTheVelocityOfItsMotion) {
   constexpr double kSpeed_mps = 3;
   const motion::Pose now = standing().poses.front();
   const auto at = [&](double time_s) {
@@ -137,7 +137,7 @@ TEST(Reaction, FigureMovesFromTheVeryBeginning) {
   EXPECT_LT(reaction.ball().velocity.x(), 1.7 * kSpeed_mps);
 }
 
-TEST(Reaction, StruckPartGivesWayAlongTheBallsFlight) {
+TEST(Reaction, StruckBodyMovesInTheBallsDirection) {
   for (const auto& [body, velocity, least_m, most_m] :
        {std::tuple{Body::head, Eigen::Vector3d(-20, 0, 0), 0.02, 0.2},
         {Body::head, {0, 20, 0}, 0.02, 0.2},
@@ -160,7 +160,7 @@ TEST(Reaction, StruckPartGivesWayAlongTheBallsFlight) {
   }
 }
 
-TEST(Reaction, AHeavyFastBallKnocksOverAndNothingBreaks) {
+TEST(Reaction, AHeavyFastBallKnocksOverAndStateStaysFinite) {
   for (Body body : {Body::chest, Body::abdomen, Body::pelvis}) {
     const ReactionCase reaction_case = aimed_at(body, {-10, 0, 0}, 20);
     Reaction reaction(figure_model());
@@ -180,7 +180,7 @@ TEST(Reaction, AHeavyFastBallKnocksOverAndNothingBreaks) {
   }
 }
 
-TEST(Reaction, VolleyballsKnockNobodyOver) {
+TEST(Reaction, VolleyballsDoNotKnockOver) {
   for (const ReactionCase& reaction_case : cases()) {
     Reaction reaction(figure_model());
     play(reaction, reaction_case, 0.5);
@@ -188,7 +188,7 @@ TEST(Reaction, VolleyballsKnockNobodyOver) {
   }
 }
 
-TEST(Reaction, BallFliesOnAndBouncesUntilItIsOver) {
+TEST(Reaction, BallKeepsFlyingAndBouncingUntilTheEnd) {
   const ReactionCase reaction_case = aimed_at(Body::chest, {-12, 0, 0});
   Reaction reaction(figure_model());
   ASSERT_EQ(scenes::begin(reaction, reaction_case), ReactionStatus::ok);

@@ -8,7 +8,7 @@
 namespace flinch::reaction {
 namespace {
 
-TEST(RecoverySchedule, LeavesTheSimulationAloneThenBlendsInTheTimesOfThePaper) {
+TEST(RecoverySchedule, MatchesTheTimesOfThePaper) {
   for (double simulation_only_s : {0.05, 0.075, 0.1}) {
     const RecoverySchedule schedule{.simulation_only_s = simulation_only_s};
     const double part_one_end_s = simulation_only_s + 0.260;
@@ -28,7 +28,7 @@ TEST(RecoverySchedule, LeavesTheSimulationAloneThenBlendsInTheTimesOfThePaper) {
   }
 }
 
-TEST(RecoverySchedule, WeightsGoOneWayAndHaveNoCorner) {
+TEST(RecoverySchedule, WeightsAreMonotonicAndSmooth) {
   constexpr double kStep_s = 1e-4;
   const RecoverySchedule schedule;
   RecoveryWeights last = weights_at(schedule, 0);

@@ -67,7 +67,7 @@ int clip_named(std::string_view name) {
   return 0;
 }
 
-TEST(Character, PredictsWhatItIsNotTold) {
+TEST(Character, PredictsTargetAndTimeToImpact) {
   Workspace workspace = make_workspace();
   for (Target target : {Target::head, Target::trunk, Target::pelvis}) {
     for (float azimuth : {0.0F, 80.0F, -130.0F}) {
@@ -84,7 +84,7 @@ TEST(Character, PredictsWhatItIsNotTold) {
   }
 }
 
-TEST(Character, AnswersNothingThatMisses) {
+TEST(Character, DoesNotAnswerAMiss) {
   Workspace workspace = make_workspace();
   Character character(library());
   features::Threat threat = threat_to(Target::head, 0, 0.6F);
@@ -96,7 +96,7 @@ TEST(Character, AnswersNothingThatMisses) {
   EXPECT_EQ(character.clip(), library().clip_library().idle);
 }
 
-TEST(Character, PlaysTheTrainersMotionBitForBit) {
+TEST(Character, MotionMatchesTheTrainersBitForBit) {
   for (std::string_view name : {"duck_head_front_exaggerated", "sidestep_trunk_left_exaggerated"}) {
     Character character(library());
     ASSERT_EQ(character.place({1, 2}, 0.7F, 0.4F), Status::ok);
@@ -112,7 +112,7 @@ TEST(Character, PlaysTheTrainersMotionBitForBit) {
 }
 
 // At 24, 60, 144 and uneven frames a second.
-TEST(Character, MovesTheSameWayAtAnyFrameRate) {
+TEST(Character, MotionDoesNotDependOnTheFrameRate) {
   std::mt19937 random(4);
   const auto pose_after_a_second = [&](auto next_dt) {
     Workspace workspace = make_workspace();
@@ -137,7 +137,7 @@ TEST(Character, MovesTheSameWayAtAnyFrameRate) {
   expect_same(pose_after_a_second([&] { return tests::uniform(random, 0.001F, 0.07F); }));
 }
 
-TEST(Character, GoesThroughItsPhasesAndIdlesWhereItCameTo) {
+TEST(Character, PassesThroughAllPhasesAndIdlesWhereItEndedUp) {
   Character character(library());
   ASSERT_EQ(character.respond(clip_named("sidestep_trunk_front_exaggerated"), 1.2F), Status::ok);
   EXPECT_EQ(character.phase(), Phase::waiting);
@@ -154,7 +154,7 @@ TEST(Character, GoesThroughItsPhasesAndIdlesWhereItCameTo) {
   EXPECT_LT(distance(character.pose(), before), 5e-3F);
 }
 
-TEST(Character, ANewThreatRestartsFromPoseAndVelocityOfTheMoment) {
+TEST(Character, ANewThreatContinuesFromTheCurrentPoseAndVelocity) {
   constexpr float kStep_s = 1e-3F;
   Workspace workspace = make_workspace();
   for (float at_s : {0.3F, 0.45F, 0.6F, 0.9F}) {
@@ -182,7 +182,7 @@ TEST(Character, ANewThreatRestartsFromPoseAndVelocityOfTheMoment) {
 }
 
 // A boxer's guard, stepping forward at 1 m/s: not an idle pose, and not at rest.
-TEST(Character, RespondsFromMotionOfTheGames) {
+TEST(Character, RespondsFromAPoseSetByTheGame) {
   constexpr float kFrame_s = 1.0F / 60;
   Workspace workspace = make_workspace();
   Pose now = library().prepared().idle().poses.front();
@@ -224,7 +224,7 @@ TEST(Character, SettlesBackToIdle) {
   EXPECT_EQ(character.time_to_impact_s(), kInfinity);
 }
 
-TEST(Character, AMaskKeepsTheGamesJoints) {
+TEST(Character, MaskKeepsTheGamesJoints) {
   Character character(library());
   ASSERT_EQ(character.respond(clip_named("block_head_front_mild"), 0.5F), Status::ok);
   character.update(0.5F);
@@ -249,7 +249,7 @@ TEST(Character, AMaskKeepsTheGamesJoints) {
   EXPECT_LT(distance(character.pose_over(game, mask), game), 1e-3F);
 }
 
-TEST(Character, WaitsForItsReactionAndMissesWhatIsTooFast) {
+TEST(Character, RespondsAfterItsReactionDelayAndNotToFasterThreats) {
   Workspace workspace = make_workspace();
   PerceptionLimits limits;
   limits.reaction_delay_s = 0.2F;
@@ -273,7 +273,7 @@ TEST(Character, WaitsForItsReactionAndMissesWhatIsTooFast) {
   EXPECT_EQ(late.phase(), Phase::idle);
 }
 
-TEST(Character, FailsToNoticeByItsSeed) {
+TEST(Character, FailuresToNoticeFollowFromTheSeed) {
   Workspace workspace = make_workspace();
   PerceptionLimits limits;
   limits.chance_to_fail = 0.5F;
@@ -295,7 +295,7 @@ TEST(Character, FailsToNoticeByItsSeed) {
   EXPECT_LT(failed, 32);
 }
 
-TEST(Character, RefusesWhatIsNoInputAndStaysUsable) {
+TEST(Character, RejectsBadInputAndStaysUsable) {
   Workspace workspace = make_workspace();
   const features::Threat good = threat_to(Target::head, 0, 0.5F);
   Character character(library());

@@ -47,7 +47,7 @@ void expect_whole(const Library& library) {
   EXPECT_EQ(library.selection_bytes(), selection_bytes(made_up().selector));
 }
 
-TEST(Library, IsAllThatTheFileHolds) {
+TEST(Library, LoadsEverythingInTheFile) {
   Library library;
   EXPECT_FALSE(library.is_loaded());
   ASSERT_EQ(library.load(bytes_of(whole_file())), LoadStatus::ok);
@@ -59,7 +59,7 @@ TEST(Library, IsAllThatTheFileHolds) {
   expect_whole(from_file);
 }
 
-TEST(Library, BytesMayStandAnywhereInMemory) {
+TEST(Library, LoadsFromUnalignedBytes) {
   for (std::size_t shift = 0; shift < 16; ++shift) {
     const std::string moved = std::string(shift, 'x') + whole_file();
     Library library;
@@ -68,7 +68,7 @@ TEST(Library, BytesMayStandAnywhereInMemory) {
   }
 }
 
-TEST(Library, StaysInPlaceWhenItIsMoved) {
+TEST(Library, ContentsKeepTheirAddressAfterAMove) {
   Library library;
   ASSERT_EQ(library.load(bytes_of(whole_file())), LoadStatus::ok);
   const database::ClipLibrary* clips = &library.clip_library();
@@ -77,7 +77,7 @@ TEST(Library, StaysInPlaceWhenItIsMoved) {
   expect_whole(moved);
 }
 
-TEST(Library, FailingToLoadLeavesItAsItWas) {
+TEST(Library, FailedLoadLeavesItUnchanged) {
   Library library;
   ASSERT_EQ(library.load(bytes_of(whole_file())), LoadStatus::ok);
   EXPECT_EQ(library.load("no such file"), LoadStatus::cannot_open);
@@ -90,7 +90,7 @@ TEST(Library, FailingToLoadLeavesItAsItWas) {
   expect_whole(library);
 }
 
-TEST(SelectorFile, WithoutClipsStillSelects) {
+TEST(SelectorFile, SelectsWithoutClips) {
   SelectorFile file;
   ASSERT_EQ(read_selector_file(bytes_of(train::selector_bytes(made_up().selector)), file),
             LoadStatus::ok);
@@ -101,7 +101,7 @@ TEST(SelectorFile, WithoutClipsStillSelects) {
   }
 }
 
-TEST(Library, AFileCutShortAnywhereIsRefused) {
+TEST(Library, RejectsATruncatedFile) {
   std::size_t cuts = 0;
   for (std::size_t size = 0; size < whole_file().size(); size += 1000, ++cuts) {
     Library library;
@@ -111,7 +111,7 @@ TEST(Library, AFileCutShortAnywhereIsRefused) {
   EXPECT_GT(cuts, 200U);
 }
 
-TEST(Library, AFlippedByteAnywhereIsNoticed) {
+TEST(Library, RejectsAChangedByte) {
   std::mt19937_64 random(1);
   std::string changed = whole_file();
   Library library;
@@ -135,7 +135,7 @@ void reseal(std::string& bytes) {
 
 // Damage that the seal cannot see, because who sealed it meant it. The clips' own seal is not
 // looked at for accidents, so what is inside must be kept out by the checks alone.
-TEST(Library, SealedNonsenseIsRefusedOrHarmless) {
+TEST(Library, CorruptContentWithAValidSealIsRejectedOrSafe) {
   const std::string& whole = whole_file();
   const std::size_t clips = whole.find("FLINCHL");
   ASSERT_NE(clips, std::string::npos);
@@ -167,7 +167,7 @@ TEST(Library, SealedNonsenseIsRefusedOrHarmless) {
   EXPECT_GT(loaded, 100);
 }
 
-TEST(SelectorFile, ClipsThatAreNotTheSelectorsAreNotWritten) {
+TEST(SelectorFile, RefusesToWriteClipsOfAnotherLibrary) {
   const auto other_library = [](const std::function<void(database::ClipLibrary&)>& change) {
     database::ClipLibrary library = tests::made_up_library(12, 61);
     change(library);

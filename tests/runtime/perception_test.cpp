@@ -83,7 +83,7 @@ struct Errors {
   }
 };
 
-TEST(Perception, NoiseHasTheMeanAndDeviationThatTheLimitsSay) {
+TEST(Perception, NoiseMatchesTheMeanAndDeviationOfTheLimits) {
   const PerceptionLimits limits{
       .bearing_noise = 0.02F, .distance_noise = 0.1F, .heading_noise = 0.05F, .speed_noise = 0.2F};
   Errors position;
@@ -106,7 +106,7 @@ TEST(Perception, NoiseHasTheMeanAndDeviationThatTheLimitsSay) {
   expect_normal(log_time, 0.2);  // an error of the distance does not change it
 }
 
-TEST(Perception, FailsAsOftenAsTheLimitsSay) {
+TEST(Perception, FailureRateMatchesTheLimits) {
   for (float chance : {0.0F, 0.03F, 0.4F, 1.0F}) {
     const PerceptionLimits limits{.chance_to_fail = chance};
     int failed = 0;
@@ -118,7 +118,7 @@ TEST(Perception, FailsAsOftenAsTheLimitsSay) {
   }
 }
 
-TEST(Perception, WithoutLimitsKeepsEveryBit) {
+TEST(Perception, WithoutLimitsChangesNothing) {
   for (std::uint64_t number = 0; number < 1000; ++number) {
     Threat threat = thrown();
     threat.position.x() += 0.37F * static_cast<float>(number);
@@ -129,7 +129,7 @@ TEST(Perception, WithoutLimitsKeepsEveryBit) {
   }
 }
 
-TEST(Perception, SameSeedAndNumberGiveTheSameBitsAndOthersOthers) {
+TEST(Perception, IsDeterministicPerSeedAndNumber) {
   const PerceptionLimits limits = human_limits();
   const Perceived once = perceive(thrown(), kEye, limits, 11, 4);
   EXPECT_TRUE(same_bits(once.threat, perceive(thrown(), kEye, limits, 11, 4).threat));
@@ -139,7 +139,7 @@ TEST(Perception, SameSeedAndNumberGiveTheSameBitsAndOthersOthers) {
   EXPECT_EQ(once.threat.mass_kg, thrown().mass_kg);
 }
 
-TEST(Perception, ALimitDoesNotChangeWhatAnotherDraws) {
+TEST(Perception, LimitsDrawIndependently) {
   PerceptionLimits heading{.heading_noise = 0.1F};
   const Threat one = perceive(thrown(), kEye, heading, 1, 2).threat;
   EXPECT_TRUE(same_bits(one.position, thrown().position));
@@ -166,7 +166,7 @@ TEST(Perception, HumansTakeLongerOverMoreChoices) {
             human_limits(2).reaction_delay_s);
 }
 
-TEST(Perception, LimitsThatCannotBeMeantCountAsOff) {
+TEST(Perception, IgnoresInvalidLimits) {
   constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
   constexpr float kInfinity = std::numeric_limits<float>::infinity();
   for (float PerceptionLimits::*member :
@@ -189,7 +189,7 @@ TEST(Perception, LimitsThatCannotBeMeantCountAsOff) {
   EXPECT_TRUE(is_valid(PerceptionLimits{}));
 }
 
-TEST(Perception, HandsOnThreatsThatAreNotFinite) {
+TEST(Perception, PassesNonFiniteThreatsThrough) {
   constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
   for (int i = 0; i < 3; ++i) {
     Threat threat = thrown();
@@ -204,7 +204,7 @@ TEST(Perception, HandsOnThreatsThatAreNotFinite) {
   }
 }
 
-TEST(Perception, OfAThreatAtRestOrAtTheEyeIsFinite) {
+TEST(Perception, IsFiniteForAThreatAtRestOrAtTheEye) {
   Threat threat;
   threat.position = kEye;
   for (std::uint64_t number = 0; number < 100; ++number) {
@@ -213,7 +213,7 @@ TEST(Perception, OfAThreatAtRestOrAtTheEyeIsFinite) {
   }
 }
 
-TEST(Perception, NeitherItNorThePredictionAllocates) {
+TEST(Perception, AllocatesNothingWithThePrediction) {
   const motion::Physique character = motion::default_character();
   const motion::BodyModel model = make_body_model(character);
   motion::Motion idle;

@@ -44,7 +44,7 @@ models::PairwiseModel& pairwise(Selector& s) {
   return std::get<models::PairwiseModel>(s.model);
 }
 
-TEST(SelectorFault, WhateverTheModelIsNotWritten) {
+TEST(SelectorFault, OfAnyModelIsNotWritten) {
   expect_refused(
       tests::svm_selector(),
       {[](Selector& s) { s.idle = 8; }, [](Selector& s) { s.idle = -1; },
@@ -87,7 +87,7 @@ TEST(SelectorFault, OfAnSvmIsNotWritten) {
                   [](Selector& s) { svm(s).degree = -1; }});
 }
 
-TEST(SelectorFault, BeyondTheFeaturesOfAnSvmIsNotWritten) {
+TEST(SelectorFault, InThePaddingOfAnSvmIsNotWritten) {
   const Selector selector = tests::rbf_selector();
   const auto fill = static_cast<std::size_t>(selector.layout.size());
   expect_refused(selector, {[fill](Selector& s) { svm(s).support_vectors[fill] = 1; }});

@@ -34,7 +34,7 @@ void expect_every_byte_counts(const Selector& small) {
   EXPECT_EQ(train::selector_bytes(untouched), train::selector_bytes(tests::knn_selector()));
 }
 
-TEST(SelectorFileDamage, IsNoticedInAnyByteAndTouchesNothing) {
+TEST(SelectorFileDamage, InAnyByteIsDetectedAndChangesNothing) {
   const models::TrainingSet set = models::random_clouds(1, 6, 2, features::kFeatureCount);
   Selector small = tests::selector_without_model();
   small.model = models::fit_svm(set, {3, 1.0 / 3, 0, 1});
@@ -43,7 +43,7 @@ TEST(SelectorFileDamage, IsNoticedInAnyByteAndTouchesNothing) {
   expect_every_byte_counts(small);
 }
 
-TEST(SelectorFileDamage, OtherFilesAreToldApart) {
+TEST(SelectorFileDamage, OtherFileKindsHaveTheirOwnStatus) {
   std::string bytes = train::selector_bytes(tests::knn_selector());
   Selector selector;
   EXPECT_EQ(tests::read("", selector), LoadStatus::not_a_library);
@@ -67,7 +67,7 @@ std::string resealed_with(std::string bytes, const std::string& from, const std:
   return bytes.replace(0, seal.size(), reinterpret_cast<const char*>(seal.data()), seal.size());
 }
 
-TEST(SelectorFileDamage, AnotherFeatureLayoutIsRefusedAsSuch) {
+TEST(SelectorFileDamage, AnotherFeatureLayoutHasItsOwnStatus) {
   const std::string bytes = train::selector_bytes(tests::svm_selector());
   Selector selector;
   EXPECT_EQ(tests::read(resealed_with(bytes, "speed_mps", "speed_mph"), selector),
@@ -76,7 +76,7 @@ TEST(SelectorFileDamage, AnotherFeatureLayoutIsRefusedAsSuch) {
 
 // Damage that the seal cannot see, because who sealed it meant it: the verifier and the checks that
 // follow must still keep anything out that would be read beyond its bounds.
-TEST(SelectorFileDamage, SealedNonsenseNeverGetsThroughUnsound) {
+TEST(SelectorFileDamage, CorruptContentWithAValidSealNeverLoadsUnsound) {
   for (const Selector& original : tests::one_of_each()) {
     const std::string bytes = train::selector_bytes(original);
     std::mt19937_64 random(4);

@@ -123,7 +123,7 @@ void expect_same(const Selector& a, const Selector& b) {
       a.model);
 }
 
-TEST(SelectorFile, ComesBackToTheBit) {
+TEST(SelectorFile, RoundTripsBitForBit) {
   for (const Selector& selector : one_of_each()) {
     const std::string bytes = train::selector_bytes(selector);
     EXPECT_EQ(bytes, train::selector_bytes(selector));
@@ -133,7 +133,7 @@ TEST(SelectorFile, ComesBackToTheBit) {
   }
 }
 
-TEST(SelectorFile, ChoosesTheSameAfterwards) {
+TEST(SelectorFile, SelectsTheSameAfterARoundTrip) {
   for (const Selector& selector : one_of_each()) {
     Selector back;
     ASSERT_EQ(read(train::selector_bytes(selector), back), LoadStatus::ok);
@@ -147,7 +147,7 @@ TEST(SelectorFile, ChoosesTheSameAfterwards) {
   }
 }
 
-TEST(SelectorFile, IsWrittenUnderItsNameAndReadFromIt) {
+TEST(SelectorFile, RoundTripsThroughADiskFile) {
   const auto path =
       (std::filesystem::path(testing::TempDir()) / "selector_file_test.flinch").string();
   const Selector selector = knn_selector();

@@ -46,7 +46,7 @@ INSTANTIATE_TEST_SUITE_P(Models, WorkspaceOfModel,
                          testing::Values(ModelKind::svm, ModelKind::knn, ModelKind::knn_cost,
                                          ModelKind::network, ModelKind::pairwise));
 
-TEST_P(WorkspaceOfModel, SelectsWhatTheModelDoesWithoutAllocation) {
+TEST_P(WorkspaceOfModel, SelectsAsTheModelDoesWithoutAllocating) {
   const models::Selector selector = selector_with(GetParam());
   Workspace workspace;
   ASSERT_EQ(workspace.reserve_memory(selection_bytes(selector)), database::LoadStatus::ok);
@@ -71,7 +71,7 @@ TEST_P(WorkspaceOfModel, SelectsWhatTheModelDoesWithoutAllocation) {
   }
 }
 
-TEST_P(WorkspaceOfModel, WritesAsManyCandidatesAsAreAskedFor) {
+TEST_P(WorkspaceOfModel, WritesAtMostTheRequestedCandidates) {
   const models::Selector selector = selector_with(GetParam());
   Workspace workspace;
   ASSERT_EQ(workspace.reserve_memory(selection_bytes(selector)), database::LoadStatus::ok);
@@ -89,7 +89,7 @@ TEST_P(WorkspaceOfModel, WritesAsManyCandidatesAsAreAskedFor) {
   EXPECT_EQ(none.count, 0U);
 }
 
-TEST_P(WorkspaceOfModel, TooSmallIsAStatus) {
+TEST_P(WorkspaceOfModel, ReportsTooLittleMemory) {
   const models::Selector selector = selector_with(GetParam());
   const std::size_t need = selection_bytes(selector);
   std::array<Candidate, kClips> best;
@@ -105,7 +105,7 @@ TEST_P(WorkspaceOfModel, TooSmallIsAStatus) {
   EXPECT_EQ(workspace.select(selector, {}, Target::trunk, best).status, SelectStatus::ok);
 }
 
-TEST(Workspace, KeepsItsRoomWhereThereIsNoMore) {
+TEST(Workspace, KeepsItsMemoryWhenReservingMoreFails) {
   const models::Selector selector = selector_with(ModelKind::knn);
   Workspace workspace;
   ASSERT_EQ(workspace.reserve_memory(selection_bytes(selector)), database::LoadStatus::ok);

@@ -35,7 +35,7 @@ double total(const motion::PerBody<double>& work) {
 
 // x = A sin(2 pi f t) along a line: W = m int |a v| dt = m A^2 w^2 per half period, 2 m A^2 w^2 per
 // period. At 1 Hz the low-pass takes nothing that shows.
-TEST(MechanicalWork, OfASinusoidIsItsClosedForm) {
+TEST(MechanicalWork, OfASinusoidMatchesTheClosedForm) {
   const motion::Physique character = motion::default_character();
   const auto motion = moved_rest_pose(character, 240, 240 * 3 + 1,
                                       [](double t) { return 0.2 * std::sin(2 * kPi * t); });
@@ -49,19 +49,19 @@ TEST(MechanicalWork, OfASinusoidIsItsClosedForm) {
   }
 }
 
-TEST(MechanicalWork, OfConstantVelocityIsNothing) {
+TEST(MechanicalWork, OfConstantVelocityIsZero) {
   const motion::Physique character = motion::default_character();
   const auto moving = moved_rest_pose(character, 60, 120, [](double t) { return 2 * t; });
   EXPECT_LT(total(mechanical_work(character, moving)), 0.05);  // J; float positions' noise
 }
 
-TEST(MechanicalWork, OfStandingStillIsNothing) {
+TEST(MechanicalWork, OfStandingStillIsZero) {
   const motion::Physique character = motion::default_character();
   const auto still = moved_rest_pose(character, 60, 120, [](double) { return 0.0; });
   EXPECT_LT(total(mechanical_work(character, still)), 1e-12);
 }
 
-TEST(MechanicalWork, OfTooFewPosesIsNothing) {
+TEST(MechanicalWork, OfTooFewPosesIsZero) {
   const motion::Physique character = motion::default_character();
   const auto motion = moved_rest_pose(character, 60, 3, [](double t) { return t * t; });
   EXPECT_EQ(total(mechanical_work(character, motion)), 0);
@@ -89,13 +89,13 @@ double amplitude_after(double frequency_hz, double rate_hz) {
   return std::sqrt(2 * squares / 2400);
 }
 
-TEST(LowPass, HalvesAmplitudeAtTheCutOff) {
+TEST(LowPass, HalvesTheAmplitudeAtTheCutoff) {
   EXPECT_NEAR(20 * std::log10(amplitude_after(12, 120)), -6.02, 0.05);
   EXPECT_NEAR(20 * std::log10(amplitude_after(12, 60)), -6.02, 0.05);
 }
 
 // |H|^2 of two passes is 1 / (1 + (tan(pi f/fs) / tan(pi fc/fs))^4).
-TEST(LowPass, HasButterworthsGain) {
+TEST(LowPass, GainMatchesButterworth) {
   for (double frequency_hz : {2.0, 6.0, 20.0, 40.0}) {
     const double ratio = std::tan(kPi * frequency_hz / 120) / std::tan(kPi * 12 / 120);
     EXPECT_NEAR(amplitude_after(frequency_hz, 120), 1 / (1 + std::pow(ratio, 4)), 1e-3)
@@ -113,7 +113,7 @@ TEST(LowPass, KeepsConstantsAndStraightLines) {
   }
 }
 
-TEST(LowPass, ShiftsNothingInTime) {
+TEST(LowPass, HasNoPhaseShift) {
   std::vector<Eigen::Vector3d> path(201, Eigen::Vector3d::Zero());
   path[100].x() = 1;
   const auto smooth = low_pass_filtered(path, 60);

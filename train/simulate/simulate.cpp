@@ -12,8 +12,8 @@
 #include "database/library/content_hash.h"
 #include "database/library/file_header.h"
 #include "motion/error.h"
-#include "train/simulate/worker_pool.h"
 #include "train/simulate/scenario_scheduler.h"
+#include "train/simulate/worker_pool.h"
 #include "train/store/store_trials.h"
 
 namespace flinch::train {

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "train/simulate/worker_messages.h"
 #include "train/simulate/messenger.h"
+#include "train/simulate/worker_messages.h"
 
 namespace flinch::train {
 

@@ -26,7 +26,7 @@ const ClipLibrary& default_library() {
   return library;
 }
 
-TEST(AuthoredLibrary, AnswersEveryTargetFromEveryDirectionMildlyAndStrongly) {
+TEST(AuthoredLibrary, CoversEveryTargetDirectionAndDegree) {
   const ClipLibrary& library = default_library();
   EXPECT_GE(library.clips.size(), 110U);
   std::set<std::pair<int, int>> answered;
@@ -41,7 +41,7 @@ TEST(AuthoredLibrary, AnswersEveryTargetFromEveryDirectionMildlyAndStrongly) {
   EXPECT_EQ(degrees_of_targets.size(), 8U);
 }
 
-TEST(AuthoredLibrary, CanBeWrittenAndHasTheSameBitsTwice) {
+TEST(AuthoredLibrary, IsReproducibleBitForBit) {
   const std::string once = library_bytes(default_library());
   EXPECT_EQ(once, library_bytes(authored_library(motion::default_character())));
 }
@@ -61,7 +61,7 @@ TEST(AuthoredLibrary, StartsEveryClipFromTheIdlePose) {
   }
 }
 
-TEST(AuthoredLibrary, EveryClipKeepsAllBoundsOfQuality) {
+TEST(AuthoredLibrary, EveryClipMeetsTheQualityBounds) {
   const std::vector<ClipQuality> table = measure_quality(default_library());
   ASSERT_EQ(table.size(), default_library().clips.size());
   for (const ClipQuality& quality : table) {
@@ -99,7 +99,7 @@ TEST(AuthoredLibrary, AThirdOfTheClipsAvoidAWellAimedBall) {
   EXPECT_GE(3 * avoiding, clips) << avoiding << " of " << clips;
 }
 
-TEST(AuthoredLibrary, StartlesOnlyWhereAskedTo) {
+TEST(AuthoredLibrary, StartlesOnlyOnRequest) {
   const ClipLibrary startled = authored_library(motion::default_character(), true);
   ASSERT_EQ(startled.clips.size(), default_library().clips.size());
   for (std::size_t i = 0; i < startled.clips.size(); ++i) {

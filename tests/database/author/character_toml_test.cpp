@@ -44,7 +44,7 @@ TEST(CharacterToml, AnEmptyFileIsTheDefaultCharacter) {
   EXPECT_FLOAT_EQ(read.mass_kg, mean.mass_kg);
 }
 
-TEST(CharacterToml, HeightMassSexAndProportionsAreAsAsked) {
+TEST(CharacterToml, AppliesHeightMassSexAndProportions) {
   const motion::Physique read = read_character(
       written("height_m = 1.62\nmass_kg = 58\nsex = \"female\"\n[proportions]\nlegs = 1.2\n"));
   EXPECT_NEAR(stature(read.skeleton), 1.62F, 1e-4F);
@@ -61,7 +61,7 @@ TEST(CharacterToml, HeightMassSexAndProportionsAreAsAsked) {
   EXPECT_GT(rest.position[Role::left_toes].z(), 0);
 }
 
-TEST(CharacterToml, RefusesWhatNoPersonIsWithFileAndLine) {
+TEST(CharacterToml, RefusesImplausibleValuesWithFileAndLine) {
   EXPECT_THAT(error_of("height_m = 5\n"), HasSubstr(".toml:1: height_m 5 is not a person's"));
   EXPECT_THAT(error_of("height_m = 1.8\nmass_kg = -3\n"), HasSubstr(".toml:2: mass_kg"));
   EXPECT_THAT(error_of("[proportions]\n\narms = 3.0\n"), HasSubstr(".toml:3: arms 3"));

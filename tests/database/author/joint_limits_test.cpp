@@ -37,7 +37,7 @@ motion::JointFrames frames_with_arm(const motion::ArmAngles& angles) {
   return motion::forward_kinematics(scene.figure.skeleton(), pose);
 }
 
-TEST(JointLimits, MeasureBothSidesAlike) {
+TEST(JointLimits, AreSymmetric) {
   const motion::JointFrames frames =
       frames_with_arm({radians(40), radians(25), radians(10), radians(70)});
   for (const char* joint : {"shoulder", "elbow", "wrist"}) {
@@ -49,7 +49,7 @@ TEST(JointLimits, MeasureBothSidesAlike) {
   }
 }
 
-TEST(JointLimits, AllowWhatPeopleDoAndNotWhatTheyCannot) {
+TEST(JointLimits, AllowHumanPosesOnly) {
   const auto shoulder_excess = [](const motion::ArmAngles& angles) {
     const motion::JointFrames frames = frames_with_arm(angles);
     const JointLimits& limits = joint_limits_named("left_shoulder");
@@ -73,7 +73,7 @@ TEST(JointLimits, AnElbowBendsOneWay) {
   EXPECT_NEAR(degrees(limit_excess(elbow, bent(-45))), 40, 0.01);
 }
 
-TEST(JointLimits, AnglesGiveTheRotationBack) {
+TEST(JointLimits, AnglesRoundTripThroughTheRotation) {
   std::mt19937 random(7);
   std::uniform_real_distribution<float> part(0, 1);
   for (const JointLimits& limits : human_joint_limits()) {
@@ -89,7 +89,7 @@ TEST(JointLimits, AnglesGiveTheRotationBack) {
   }
 }
 
-TEST(JointLimits, ClampingEndsWithin) {
+TEST(JointLimits, ClampedRotationsAreWithinTheLimits) {
   std::mt19937 random(8);
   std::normal_distribution<float> normal;
   for (const JointLimits& limits : human_joint_limits()) {

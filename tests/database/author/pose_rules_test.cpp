@@ -53,7 +53,7 @@ void expect_angles(const SpineAngles& found, const SpineAngles& expected) {
   EXPECT_NEAR(found.neck_and_head, expected.neck_and_head, kTolerance);
 }
 
-TEST(RuleControls, AreSpeedAndSizeInTheirRangesAsTable31Says) {
+TEST(RuleControls, FollowTable31) {
   AimedThreat threat;
   threat.speed_mps = 22.8F + 0.25F * (29.7F - 22.8F);
   threat.radius_m = 0.033F + 0.75F * (0.2F - 0.033F);
@@ -73,7 +73,7 @@ TEST(RuleControls, AreClampedBeyondTheirRanges) {
   EXPECT_EQ(rule_controls(threat).turn, 0);
 }
 
-TEST(LeanAway, TakesTable32sMaximaFromTheFront) {
+TEST(LeanAway, ReachesTable32sMaximaForAFrontalThreat) {
   expect_angles(spine_angles(lean_away(Pose(), -kX, 1, {1, 0}), kY), {-15, -10, -25, -50});
 }
 
@@ -81,31 +81,31 @@ TEST(LeanAway, LeansRightFromTheLeft) {
   expect_angles(spine_angles(lean_away(Pose(), -kY, 1, {1, 0}), kX), {15, 10, 25, 50});
 }
 
-TEST(LeanAway, GoesWithTheControl) {
+TEST(LeanAway, ScalesWithTheControl) {
   expect_angles(spine_angles(lean_away(Pose(), -kX, 0.4F, {1, 0}), kY), {-6, -4, -10, -20});
 }
 
-TEST(LeanAway, BringsThePelvisBackForAThreatToIt) {
+TEST(LeanAway, ReversesThePelvisForAPelvisThreat) {
   expect_angles(spine_angles(lean_away(Pose(), -kX, 1, {0, 1}), kY), {15, 0, 0, 0});
 }
 
-TEST(LeanAway, MixesHeadAndPelvisInBetween) {
+TEST(LeanAway, InterpolatesBetweenHeadAndPelvis) {
   expect_angles(spine_angles(lean_away(Pose(), -kX, 1, {0.75F, 0.25F}), kY),
                 {-7.5F, -7.5F, -18.75F, -37.5F});
 }
 
 // From the left a quarter turn brings the back to the threat: 65 degrees of the neck leave 25,
 // of which the back takes 12.5 but may 8, the waist 7.5, the pelvis 5.
-TEST(TurnAway, SharesOutTheRemainderFiftyThirtyTwentyUpToTheMaxima) {
+TEST(TurnAway, SplitsTheRemainderOverBackWaistAndPelvis) {
   expect_angles(spine_angles(turn_away(Pose(), radians(90), 1), kZ), {-5, -7.5F, -8, -65});
   expect_angles(spine_angles(turn_away(Pose(), radians(-90), 1), kZ), {5, 7.5F, 8, 65});
 }
 
-TEST(TurnAway, TakesAllMaximaFromTheFront) {
+TEST(TurnAway, ReachesAllMaximaForAFrontalThreat) {
   expect_angles(spine_angles(turn_away(Pose(), 0, 1), kZ), {-20, -12, -8, -65});
 }
 
-TEST(TurnAway, OnlyTurnsTheNeckFromBehind) {
+TEST(TurnAway, TurnsOnlyTheNeckForAThreatFromBehind) {
   expect_angles(spine_angles(turn_away(Pose(), radians(140), 1), kZ), {0, 0, 0, -40});
   expect_angles(spine_angles(turn_away(Pose(), radians(180), 1), kZ), {0, 0, 0, 0});
 }
@@ -123,7 +123,7 @@ TEST(Recoil, RaisesBothClaviclesAlikeByTheMaxima) {
   EXPECT_LT(pose.rotation[Role::right_clavicle].angularDistance(motion::mirrored(expected)), 1e-3);
 }
 
-TEST(TargetWeights, AreEquation34) {
+TEST(TargetWeights, FollowEquation34) {
   const TargetWeights weights = target_weights(0.3F, 0.5F);
   EXPECT_NEAR(weights.head, 0.625F, 1e-6);
   EXPECT_NEAR(weights.pelvis, 0.375F, 1e-6);
@@ -220,7 +220,7 @@ TEST(ApplyRules, KeepsFeetInPlaceAndNeckAndArmsWithinHumanLimits) {
 }
 
 // A fifth of the way: elbows from 18 degrees toward 150, head 0.4 of 50 degrees.
-TEST(Startle, FlinchesAFifthAndTurnsTheHeadTowardTheThreat) {
+TEST(Startle, BlendsTwentyPercentAndTurnsTheHeadTowardTheThreat) {
   const AuthorScene scene;
   const Pose pose = startle(scene.figure, scene.start, scene.threat(Target::head, 50));
   EXPECT_NEAR(angle_about(pose.rotation[Role::left_forearm], -kZ), 18 + 0.2F * (150 - 18), 0.1);
@@ -229,7 +229,7 @@ TEST(Startle, FlinchesAFifthAndTurnsTheHeadTowardTheThreat) {
   EXPECT_NEAR(degrees(std::atan2(forward.y(), forward.x())), 20, 0.5);
 }
 
-TEST(CheckDanger, RefusesWhatCannotBeAnswered) {
+TEST(CheckThreat, RefusesInvalidThreats) {
   const AuthorScene scene;
   const AimedThreat good = scene.threat(Target::head, 30);
   EXPECT_NO_THROW(check_threat(scene.figure, scene.start, good));

@@ -18,7 +18,7 @@ using motion::Side;
 using motion::Target;
 using test::AuthorScene;
 
-TEST(TimeToContact, IsEquation41) {
+TEST(TimeToContact, FollowsEquation41) {
   EXPECT_NEAR(time_to_contact_s(0, 1), 1.0F, 1e-6);
   EXPECT_NEAR(time_to_contact_s(1, 1), 0.25F, 1e-6);
   EXPECT_NEAR(time_to_contact_s(1, -1), 0.35F, 1e-6);
@@ -38,7 +38,7 @@ float distance_to_line(const Eigen::Vector3f& from, const Eigen::Vector3f& to,
   return (offset - offset.dot(along) * along).norm();
 }
 
-TEST(Transition, KeepsFeetHandsNeckAndCentreOfMassOnTheirWays) {
+TEST(Transition, FeetHandsNeckAndCentreOfMassFollowTheirPaths) {
   const AuthorScene scene;
   const Transition transition = make_transition(scene.figure, scene.start, blocking_pose(scene));
   ASSERT_TRUE(transition.support);
@@ -68,7 +68,7 @@ TEST(Transition, KeepsFeetHandsNeckAndCentreOfMassOnTheirWays) {
   }
 }
 
-TEST(Transition, BeginsAndEndsInItsPoses) {
+TEST(Transition, StartsAndEndsAtItsPoses) {
   const AuthorScene scene;
   const Pose to = blocking_pose(scene);
   const Transition transition = make_transition(scene.figure, scene.start, to);
@@ -99,7 +99,7 @@ TEST(Transition, StepsWithOneFootAlwaysDown) {
   }
 }
 
-TEST(ProtectiveMotion, ReachesThePoseInTimeHoldsItAndComesBack) {
+TEST(ProtectiveMotion, ReachesHoldsAndReturnsOnTime) {
   const AuthorScene scene;
   const Pose sustained = blocking_pose(scene);
   ProtectiveTiming timing;
@@ -131,7 +131,7 @@ TEST(ProtectiveMotion, PassesThroughTheStartleAfterAnEighthOfASecond) {
   EXPECT_LT((found.position[Role::left_hand] - expected.position[Role::left_hand]).norm(), 5e-3F);
 }
 
-TEST(ProtectivePoses, AreBuiltUponTheMotionAhead) {
+TEST(ProtectivePoses, StartFromTheMotionsLookAhead) {
   const AuthorScene scene;
   motion::Motion walk;  // forward at 1 m/s
   walk.rate_hz = 120;

@@ -52,7 +52,7 @@ TEST(StaticBalance, MovesTheCentreOfMassTenCentimetresTowardTheThreatWithFeetPla
   }
 }
 
-TEST(StaticBalance, EndsWithLessErrorThanItBeganWith) {
+TEST(StaticBalance, ReducesTheError) {
   const AuthorScene scene;
   for (Target target : {Target::head, Target::trunk, Target::pelvis}) {
     for (float azimuth : {0.0F, 70.0F, -110.0F}) {
@@ -69,7 +69,7 @@ TEST(StaticBalance, EndsWithLessErrorThanItBeganWith) {
 }
 
 // Against the five-point stencil, whose error is of fourth order.
-TEST(StaticBalance, GradientIsThatOfTheError) {
+TEST(StaticBalance, GradientMatchesFiniteDifferences) {
   const AuthorScene scene;
   const BalanceProblem problem(scene.figure, scene.start, scene.threat(Target::head, 35, 0.5F),
                                kControls, kBraceDistance);
@@ -92,7 +92,7 @@ TEST(StaticBalance, GradientIsThatOfTheError) {
   }
 }
 
-TEST(StaticBalance, TellsTheThreeCasesOfFigure310) {
+TEST(StaticBalance, DistinguishesTheThreeCasesOfFigure310) {
   const AuthorScene scene;
   const AimedThreat threat = scene.threat(Target::head, 0);
   EXPECT_EQ(balanced_pose(scene.figure, scene.start, threat, kControls, 0.02F).balance,
@@ -126,7 +126,7 @@ TEST(StaticBalance, PutsARaisedFootDownAndLeavesOneThatCannotReach) {
   EXPECT_TRUE(test::is_finite(in_the_air.pose));
 }
 
-TEST(StaticBalance, IsTheSameBitsTwice) {
+TEST(StaticBalance, IsReproducibleBitForBit) {
   const AuthorScene scene;
   const AimedThreat threat = scene.threat(Target::head, 25, 1);
   const BalancedPose once = balanced_pose(scene.figure, scene.start, threat, kControls);
@@ -134,7 +134,7 @@ TEST(StaticBalance, IsTheSameBitsTwice) {
   EXPECT_EQ(to_array(once.variables), to_array(twice.variables));
 }
 
-TEST(StaticBalance, RefusesAStillThreat) {
+TEST(StaticBalance, RefusesAThreatWithoutSpeed) {
   const AuthorScene scene;
   AimedThreat still = scene.threat(Target::head, 0);
   still.speed_mps = 0;

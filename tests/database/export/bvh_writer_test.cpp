@@ -83,7 +83,7 @@ void expect_read_back(const motion::Physique& character, const motion::Motion& m
               max_angle / kDegree);
 }
 
-TEST(BvhWriter, ReaderGivesBackRandomMotion) {
+TEST(BvhWriter, RandomMotionRoundTrips) {
   std::mt19937 random(1);
   for (int round = 0; round < 20; ++round) {
     motion::Physique character = motion::default_character();
@@ -95,7 +95,7 @@ TEST(BvhWriter, ReaderGivesBackRandomMotion) {
   }
 }
 
-TEST(BvhWriter, ReaderGivesBackAuthoredMotion) {
+TEST(BvhWriter, AuthoredMotionRoundTrips) {
   const ClipLibrary library = scenes::synthetic_library();
   for (const motion::Clip& clip : library.clips) {
     expect_read_back(library.character, clip.motion, clip.name);
@@ -103,7 +103,7 @@ TEST(BvhWriter, ReaderGivesBackAuthoredMotion) {
 }
 
 // Rotations whose middle angle, about the character's left, is a quarter turn or nearly so.
-TEST(BvhWriter, ReaderGivesBackMotionAtGimbalLock) {
+TEST(BvhWriter, GimbalLockRoundTrips) {
   std::mt19937 random(2);
   const motion::Physique character = motion::default_character();
   for (const double off : {0.0, 1e-9, 1e-7, 1e-6, 2e-6, 1e-5, 1e-4, 1e-3}) {
@@ -124,7 +124,7 @@ TEST(BvhWriter, ReaderGivesBackMotionAtGimbalLock) {
 }
 
 // The rate of the angles, where a somersault passes two locks and a spin goes round twice.
-TEST(BvhWriter, AnglesRunOnFromFrameToFrame) {
+TEST(BvhWriter, AnglesAreContinuousAcrossFrames) {
   const motion::Physique character = motion::default_character();
   for (const Vector3f& axis : {Vector3f(0, 0, 1), Vector3f(0, 1, 0), Vector3f(1, 0, 0)}) {
     motion::Motion motion;
@@ -218,7 +218,7 @@ TEST(BvhWriter, SameInputGivesTheSameTextInMemoryAndInTheFile) {
   EXPECT_EQ(read_file(folder / "motion.bvh"), text);
 }
 
-TEST(BvhWriter, NoZeroHasASign) {
+TEST(BvhWriter, WritesNoNegativeZero) {
   const motion::Physique character = motion::default_character();
   motion::Motion motion;
   motion.poses.push_back(motion::rest_pose(character.skeleton));
@@ -248,7 +248,7 @@ TEST(BvhWriter, RefusesWhatItCannotWriteAndLeavesNoFile) {
   EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
 
-TEST(EulerAngles, GiveTheRotationAndLieNearTheAnglesThatItWasMadeOf) {
+TEST(EulerAngles, ReproduceTheRotationNearTheGivenAngles) {
   std::mt19937 random(3);
   for (int i = 0; i < 20000; ++i) {
     Vector3d made = tests::random_vector(random, 9).cast<double>();
@@ -268,7 +268,7 @@ TEST(EulerAngles, GiveTheRotationAndLieNearTheAnglesThatItWasMadeOf) {
 }
 
 // Noise of a float's size must not turn the two axes that are one against each other.
-TEST(EulerAngles, StayWhereTheyAreAtGimbalLock) {
+TEST(EulerAngles, KeepTheFirstAngleAtGimbalLock) {
   std::mt19937 random(4);
   for (int i = 0; i < 1000; ++i) {
     const Vector3d near(double{tests::uniform(random, -9, 9)}, i % 2 == 0 ? kPi / 2 : -kPi / 2,

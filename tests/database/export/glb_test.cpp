@@ -14,7 +14,7 @@ std::vector<double> as_doubles(const auto& numbers) {
   return {numbers.begin(), numbers.end()};
 }
 
-TEST(Glb, NumbersOfAnyWidthAndCountComeBackAligned) {
+TEST(Glb, AccessorsRoundTripAligned) {
   const std::vector<std::uint8_t> bytes{1, 2, 255};
   const std::vector<std::uint32_t> few{0, 1, 65534};
   const std::vector<std::uint32_t> many{0, 65535, 7};
@@ -40,7 +40,7 @@ TEST(Glb, NumbersOfAnyWidthAndCountComeBackAligned) {
   EXPECT_EQ(accessors[3]["max"], (std::vector<float>{0, 1, 3e38F}));
 }
 
-TEST(Glb, DocumentIsKeptWhateverItsLength) {
+TEST(Glb, DocumentOfAnyLengthRoundTrips) {
   for (int length = 0; length < 8; ++length) {
     GltfBuffer buffer;
     buffer.add(std::vector<float>{1}, GltfElement::scalar);

@@ -88,7 +88,7 @@ TEST(GltfWriter, JointsAreWhereTheMotionIsSampledBetweenItsPoses) {
   }
 }
 
-TEST(GltfWriter, QuaternionsAreUnitAndStayOnOneSide) {
+TEST(GltfWriter, QuaternionsAreUnitAndSignContinuous) {
   std::mt19937 random(2);
   motion::Motion motion = random_motion(random, 40);
   for (std::size_t k = 0; k < motion.poses.size(); k += 2) {
@@ -115,7 +115,7 @@ TEST(GltfWriter, QuaternionsAreUnitAndStayOnOneSide) {
   EXPECT_EQ(seen, motion::kRoleCount);
 }
 
-TEST(GltfWriter, SkinAtTheBindPoseIsTheMesh) {
+TEST(GltfWriter, SkinInTheBindPoseEqualsTheMesh) {
   std::mt19937 random(3);
   const motion::Physique character = crooked_character(random);
   const Glb glb = tests::read_glb(make_glb(character, random_motion(random, 2)));
@@ -206,7 +206,7 @@ TEST(GltfWriter, FigureStandsUprightOnTheGroundAndShowsItsFaceInFront) {
             0.5);
 }
 
-TEST(GltfWriter, BallFollowsItsTrackAndHasNoSizeWhileItIsNotThere) {
+TEST(GltfWriter, BallFollowsItsTrackAndHasZeroScaleWhileAbsent) {
   std::mt19937 random(5);
   const motion::Motion motion = random_motion(random, 10);
   BallTrack ball{0.2F, {}};
@@ -238,7 +238,7 @@ TEST(GltfWriter, BallFollowsItsTrackAndHasNoSizeWhileItIsNotThere) {
   }
 }
 
-TEST(GltfWriter, BallThatIsNeverThereHasNoSize) {
+TEST(GltfWriter, AbsentBallHasZeroScale) {
   std::mt19937 random(6);
   const BallTrack ball{0.1F, std::vector<std::optional<Vector3f>>(3)};
   const Glb glb =
@@ -249,7 +249,7 @@ TEST(GltfWriter, BallThatIsNeverThereHasNoSize) {
   }
 }
 
-TEST(GltfWriter, WithoutABallThereIsNone) {
+TEST(GltfWriter, NoBallNodeWithoutABall) {
   std::mt19937 random(7);
   const Glb glb = tests::read_glb(make_glb(motion::default_character(), random_motion(random, 3)));
   EXPECT_THROW(tests::node_named(glb, "ball"), std::runtime_error);
@@ -257,7 +257,7 @@ TEST(GltfWriter, WithoutABallThereIsNone) {
   EXPECT_EQ(glb.document["animations"][0]["channels"].size(), 22U);
 }
 
-TEST(GltfWriter, BoundsAreThoseOfTheNumbersAndViewsFillTheBuffer) {
+TEST(GltfWriter, AccessorBoundsMatchAndViewsFillTheBuffer) {
   std::mt19937 random(8);
   const Glb glb = tests::read_glb(make_glb(motion::default_character(), random_motion(random, 5)));
   std::size_t end = 0;

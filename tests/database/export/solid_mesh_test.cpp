@@ -36,7 +36,7 @@ double volume_within(const Vector3f& core, float r) {
          4.0 / 3 * kPi * r * r * r;
 }
 
-TEST(SolidMesh, IsClosedAndEveryTriangleHasAnArea) {
+TEST(SolidMesh, IsClosedWithoutDegenerateTriangles) {
   for (const Vector3f& core : kCores) {
     const Mesh mesh = rounded_solid(core, 0.1F, 5);
     std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
@@ -55,7 +55,7 @@ TEST(SolidMesh, IsClosedAndEveryTriangleHasAnArea) {
   }
 }
 
-TEST(SolidMesh, HoldsTheVolumeOfTheSolid) {
+TEST(SolidMesh, VolumeMatchesTheSolid) {
   for (const Vector3f& core : kCores) {
     const double expected = volume_within(core, 0.1F);
     const double found = volume(rounded_solid(core, 0.1F, 24));

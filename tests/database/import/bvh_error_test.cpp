@@ -53,7 +53,7 @@ TEST(BvhErrors, BracesMustMatch) {
   expect_refused("4.5 0\n    }", "4.5 0\n", 21, "joint `Hips`, found `MOTION`");
 }
 
-TEST(BvhErrors, JointsMustBeWhole) {
+TEST(BvhErrors, JointsMustBeComplete) {
   expect_refused("JOINT Chest", "JOINT", 6, "without a name");
   expect_refused("    OFFSET 3.91 0 0\n", "", 15, "`LeftUpLeg` has no OFFSET");
   expect_refused("OFFSET 3.91 0 0", "OFFSET 3.91 0 0 OFFSET 1 1 1", 17, "second OFFSET");
@@ -81,14 +81,14 @@ TEST(BvhErrors, ChannelsMustBeKnownAndCounted) {
   EXPECT_THAT(refusal_of(moved), HasSubstr("bad.bvh:19: CHANNELS of joint `Hips` come after"));
 }
 
-TEST(BvhErrors, NothingToMoveIsRefused) {
+TEST(BvhErrors, FilesWithoutChannelsAreRefused) {
   const std::string still =
       "HIERARCHY\nROOT a\n{\nOFFSET 0 0 0\n}\nMOTION\nFrames: 1\n"
       "Frame Time: 1\n";
   EXPECT_THAT(refusal_of(still), HasSubstr("no joint has CHANNELS"));
 }
 
-TEST(BvhErrors, TheHeaderOfTheMotionMustMakeSense) {
+TEST(BvhErrors, MotionHeaderMustBeValid) {
   expect_refused("Frames: 2\n", "", 22, "expected `Frames:`");
   expect_refused("Frames: 2", "Frames: 0", 22, "at least one");
   expect_refused("Frames: 2", "Frames: -2", 22, "at least one");
@@ -129,7 +129,7 @@ TEST(BvhErrors, AFrameWithAValueTooFewOrTooManyIsFound) {
               AllOf(StartsWith("bad.bvh:27: "), HasSubstr("3 frames and 11 values")));
 }
 
-TEST(BvhErrors, CountsThatLieAreRefused) {
+TEST(BvhErrors, WrongCountsAreRefused) {
   expect_refused("Frames: 2", "Frames: 3", 25, "ends after 2 frames of 12 values");
   expect_refused("Frames: 2", "Frames: 1", 25, "go on after the 1 frame of 12");
   expect_refused("-12.5\n", "-12.5\n\n\n7\n", 28, "go on after");
@@ -141,7 +141,7 @@ TEST(BvhErrors, AnAbsurdFrameCountTakesNoMemory) {
   expect_refused("Frames: 2", "Frames: 2147483647", 25, "declares 2147483647 frames");
 }
 
-TEST(BvhErrors, AbsurdTreesAreRefused) {
+TEST(BvhErrors, TooManyOrTooDeepJointsAreRefused) {
   std::string deep = "HIERARCHY\nROOT a\n{ OFFSET 0 0 0\n";
   for (int i = 0; i < 100000; ++i) deep += "JOINT b\n{ OFFSET 0 0 0\n";
   EXPECT_THAT(refusal_of(deep), HasSubstr("256 deep"));
@@ -150,7 +150,7 @@ TEST(BvhErrors, AbsurdTreesAreRefused) {
   EXPECT_THAT(refusal_of(wide), HasSubstr("more than 4096 joints"));
 }
 
-TEST(BvhErrors, FilesThatCannotBeReadAreNamed) {
+TEST(BvhErrors, NamesUnreadableFiles) {
   EXPECT_THAT(tests::error_of([] { read_bvh("no/such/file.bvh"); }),
               AllOf(StartsWith("no/such/file.bvh: "), HasSubstr("No such file")));
   EXPECT_THAT(tests::error_of([] { read_bvh(FLINCH_SOURCE_DIR); }), HasSubstr("is a folder"));

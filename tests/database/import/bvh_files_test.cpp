@@ -41,7 +41,7 @@ Counted counted(const fs::path& path) {
   return counted;
 }
 
-TEST(BvhFiles, EveryRecordingIsReadAsCountedInThePlainestWay) {
+TEST(BvhFiles, EveryRecordingMatchesASimpleCount) {
   if (!fs::exists(FLINCH_MOCAP_DIR)) GTEST_SKIP() << kNoMocap;
   int files = 0;
   for (const auto& entry : fs::recursive_directory_iterator(FLINCH_MOCAP_DIR)) {
@@ -84,7 +84,7 @@ constexpr OddFile kOddFiles[] = {
     {"single_joint.bvh", 1, 360},
 };
 
-TEST(BvhFiles, OddFilesLoadOrAreRefusedAsTheirTableSays) {
+TEST(BvhFiles, UnusualFilesLoadOrFailAsExpected) {
   const fs::path folder = fs::path(FLINCH_MOCAP_DIR) / "odd";
   if (!fs::exists(folder)) GTEST_SKIP() << kNoMocap;
   for (const OddFile& odd : kOddFiles) {

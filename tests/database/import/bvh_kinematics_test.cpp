@@ -79,7 +79,7 @@ TEST(BvhKinematics, EveryOrderOfRotationsIsTheProductOfMatricesInThatOrder) {
 }
 
 // By hand: a quarter turn about Z takes X to Y, then one about the turned X.
-TEST(BvhKinematics, AQuarterTurnTakesTheChildRound) {
+TEST(BvhKinematics, QuarterTurnMovesTheChild) {
   const BvhFrame frame =
       forward_kinematics(two_joints("ZXY", "XYZ", {0, 0, 0, 90, 0, 0, 90, 0, 0}), 0);
   expect_near(frame.position[1], {-2, 1, 3});

@@ -41,7 +41,7 @@ void expect_same_as_plain(const std::string& text) {
   EXPECT_EQ(other.values, plain.values);
 }
 
-TEST(Bvh, HoldsWhatTheTextSays) {
+TEST(Bvh, MatchesTheText) {
   const Bvh bvh = parse(kPlainBvh);
   EXPECT_EQ(bvh.path, "test.bvh");
   ASSERT_EQ(bvh.joints.size(), 3U);
@@ -174,7 +174,7 @@ class CommaForPoint : public std::numpunct<char> {
   char do_thousands_sep() const override { return '.'; }
 };
 
-TEST(Bvh, TheLocaleHasNoSay) {
+TEST(Bvh, ParsesIndependentlyOfTheLocale) {
   const std::locale before = std::locale::global(std::locale(std::locale(), new CommaForPoint));
   std::setlocale(LC_ALL, "de_DE.UTF-8");  // for the C library's part, where it is installed
   double parsed = 0;

@@ -45,7 +45,7 @@ std::vector<std::string> files_in(const tests::TemporaryFolder& folder) {
   return names;
 }
 
-TEST(FileIo, BytesComeBackAsTheyWereWritten) {
+TEST(FileIo, BytesRoundTrip) {
   const tests::TemporaryFolder folder;
   std::string bytes;
   for (int i = 0; i < 200000; ++i) bytes += static_cast<char>(i * 7);
@@ -71,7 +71,7 @@ TEST(FileIo, ADiskThatFillsUpLeavesTheOldFileAndNothingElse) {
   EXPECT_THAT(files_in(folder), testing::ElementsAre("file"));
 }
 
-TEST(FileIo, PlacesThatCannotBeWrittenAreNamed) {
+TEST(FileIo, NamesUnwritablePaths) {
   const tests::TemporaryFolder folder;
   EXPECT_THAT(tests::error_of([&] { write_file_atomically(folder / "no/file", "x"); }),
               AllOf(StartsWith(folder / "no/file: cannot be written: No such file"),
@@ -81,7 +81,7 @@ TEST(FileIo, PlacesThatCannotBeWrittenAreNamed) {
   EXPECT_THAT(files_in(folder), testing::IsEmpty());
 }
 
-TEST(FileIo, FilesThatCannotBeReadAreNamed) {
+TEST(FileIo, NamesUnreadableFiles) {
   const tests::TemporaryFolder folder;
   EXPECT_THAT(tests::error_of([&] { read_file(folder / "none"); }),
               AllOf(StartsWith(folder / "none: cannot be read: No such file")));

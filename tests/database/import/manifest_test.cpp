@@ -38,7 +38,7 @@ constexpr const char* kAnnotated =
     "start = 0.5\nend = 1.5\nonset = 0.6\npeak = 1.0\ntarget = \"trunk\"\ndirection = 90\n"
     "degree = \"mild\"\n";
 
-TEST(Manifest, HoldsWhatIsWritten) {
+TEST(Manifest, MatchesTheFile) {
   const TemporaryFolder folder;
   const Manifest manifest = manifest_of(
       folder,
@@ -91,7 +91,7 @@ struct BadManifest {
   std::string message;  // that the error has in it
 };
 
-TEST(Manifest, RefusesWhatIsWrongAndSaysWhere) {
+TEST(Manifest, RefusesErrorsWithFileAndLine) {
   const std::string annotated = kAnnotated;
   const auto changed = [&](const std::string& from, const std::string& to) {
     std::string text = annotated;

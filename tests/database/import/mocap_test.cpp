@@ -235,7 +235,7 @@ TEST_F(Mocap, EveryFoldersSkeletonIsMappedAsItsDescriptionSays) {
   }
 }
 
-TEST_F(Mocap, PlantedFeetGetAtMostACentimetreOfDriftFromRetargeting) {
+TEST_F(Mocap, RetargetingAddsAtMostOneCentimetreOfFootDrift) {
   float planted_s = 0;
   std::printf("%-26s %9s %11s %10s %10s\n", "clip", "planted_s", "source_mm", "added_mm",
               "lowest_mm");
@@ -332,7 +332,7 @@ TEST_F(Mocap, BlocksOfTheHeadBringAHandToIt) {
   EXPECT_GE(count, 15);
 }
 
-TEST_F(Mocap, LiftsRaiseAFoot) {
+TEST_F(Mocap, LegLiftClipsRaiseAFoot) {
   for (const Clip* clip : clips_where("lift")) {
     float highest = 0;
     for (const JointFrames& frames : all_frames(*clip)) {
@@ -344,7 +344,7 @@ TEST_F(Mocap, LiftsRaiseAFoot) {
 }
 
 // One take that reached us through two converters, on two skeletons, at two rates.
-TEST_F(Mocap, ConversionsOfOneTakeAgree) {
+TEST_F(Mocap, DifferentConversionsOfOneTakeAgree) {
   const motion::Skeleton& skeleton = imported().library.character.skeleton;
   const auto retargeted = [&](const std::string& file) {
     const SourceMotion source = source_motion(analyse_source(read_bvh(kMocap + "/" + file)));

@@ -116,7 +116,7 @@ Pose arms_lowered(float angle) {
   return rest;
 }
 
-TEST(Retarget, GivesBackTheMotionOfItsOwnSkeletonWhateverTheRestFigure) {
+TEST(Retarget, ReproducesItsOwnMotionForAnyRestFigure) {
   const std::vector<Pose> poses = standing_poses(40, 1);
   for (float degrees : {0.0F, 45.0F, 90.0F}) {
     SyntheticRig rig;
@@ -149,7 +149,7 @@ TEST(Retarget, FindsUnitsAndUpAxis) {
   }
 }
 
-TEST(Retarget, TakesTheReferencePoseFromTheMotionWhereTheOffsetsDoNotStand) {
+TEST(Retarget, UsesTheMotionsReferencePoseIfTheOffsetsDoNotStand) {
   std::vector<Pose> poses = standing_poses(30, 3);
   poses[7] = motion::rest_pose(skeleton());
   SyntheticRig rig;
@@ -192,7 +192,7 @@ TEST(Retarget, ResamplesByTime) {
               between.orientation[Role::head].angularDistance(other), 1e-3);
 }
 
-TEST(Retarget, KeepsNeighbouringQuaternionsOnOneSide) {
+TEST(Retarget, QuaternionsAreSignContinuous) {
   const std::vector<Pose> poses = standing_poses(60, 6);
   const SourceMotion source = understood(SyntheticRig(), poses);
   const motion::Motion motion = retarget(source, skeleton(), whole(source), 60);
@@ -203,7 +203,7 @@ TEST(Retarget, KeepsNeighbouringQuaternionsOnOneSide) {
   }
 }
 
-TEST(Retarget, ScalesByTheLegs) {
+TEST(Retarget, ScalesByLegLength) {
   motion::Skeleton small = skeleton();
   for (Role role : kRoles) {
     small.offset[role] *= 0.5F;
@@ -219,7 +219,7 @@ TEST(Retarget, ScalesByTheLegs) {
   }
 }
 
-TEST(FootDrift, IsNoneOnTheOwnSkeletonAndWhatIsAddedByHandOtherwise) {
+TEST(FootDrift, IsZeroOnTheOwnSkeletonAndMeasuresAddedDrift) {
   std::vector<Pose> poses = standing_poses(1, 8);
   poses.resize(61, poses.front());
   const SourceMotion source = understood(SyntheticRig(), poses);
@@ -238,7 +238,7 @@ TEST(FootDrift, IsNoneOnTheOwnSkeletonAndWhatIsAddedByHandOtherwise) {
   EXPECT_NEAR(slid.added_m, 0.02F, 1e-4F);
 }
 
-TEST(SourceCharacter, HasTheBonesOfItsSourceAndIsSymmetric) {
+TEST(SourceCharacter, HasSymmetricBonesOfTheSourcesLengths) {
   const Source source =
       analyse_source(synthetic_bvh(skeleton(), SyntheticRig(), standing_poses(3, 9), kFrameTime));
   const motion::Physique character = character_of(source);
@@ -253,7 +253,7 @@ TEST(SourceCharacter, HasTheBonesOfItsSourceAndIsSymmetric) {
   EXPECT_NEAR(character.mass_kg, 23 * 1.75F * 1.75F, 0.2F);
 }
 
-TEST(SourceCharacter, MakesUpWhatTheSourceLacksInProportion) {
+TEST(SourceCharacter, FillsMissingBonesInProportion) {
   SyntheticRig rig;
   for (Role role : {Role::abdomen, Role::neck, Role::left_clavicle, Role::right_clavicle,
                     Role::left_hand, Role::right_hand, Role::left_toes, Role::right_toes}) {

@@ -155,7 +155,7 @@ TEST(RoleMap, FindsALimbJointBetweenItsNeighbours) {
   EXPECT_EQ(bvh.joints[static_cast<std::size_t>(map.joint[Role::right_foot])].name, "tobillo");
 }
 
-TEST(RoleMap, NamesTheMissingRoleTheFreeJointsAndTheLineThatMapsOne) {
+TEST(RoleMap, ErrorNamesTheMissingRoleUnusedJointsAndTomlLine) {
   SyntheticRig rig;
   rig.names[Role::left_thigh] = "muslo";
   rig.names[Role::left_shin] = "pantorrilla";
@@ -171,7 +171,7 @@ TEST(RoleMap, NamesTheMissingRoleTheFreeJointsAndTheLineThatMapsOne) {
   EXPECT_EQ(bvh.joints[static_cast<std::size_t>(map.joint[Role::left_shin])].name, "pantorrilla");
 }
 
-TEST(RoleMap, RefusesWhatIsNotHuman) {
+TEST(RoleMap, RefusesNonHumanSkeletons) {
   Bvh chain;
   chain.path = "chain.bvh";
   for (int i = 0; i < 4; ++i) {
@@ -180,7 +180,7 @@ TEST(RoleMap, RefusesWhatIsNotHuman) {
   EXPECT_THAT(error_of([&] { map_roles(chain); }), HasSubstr("chain.bvh: not a human figure"));
 }
 
-TEST(RoleMap, RefusesLimbsThatDoNotHangTogether) {
+TEST(RoleMap, RefusesDisconnectedLimbs) {
   const Bvh bvh =
       synthetic_bvh(motion::default_character().skeleton, SyntheticRig(), {motion::Pose()}, 0.01);
   const RoleOverrides crossed{{Role::left_shin, "right_shin"}, {Role::right_shin, "left_shin"}};
@@ -197,7 +197,7 @@ TEST(RoleMap, RefusesOverridesOfJointsThatAreNotThere) {
               HasSubstr("no joint is named \"kopf\", which the roles give for head"));
 }
 
-TEST(RoleOverrides, AreReadFromTomlWithTheirErrorsLines) {
+TEST(RoleOverrides, ReportTomlErrorsWithTheirLines) {
   const tests::TemporaryFolder folder;
   const std::string path = folder / "roles.toml";
   std::ofstream(path) << "[roles]\nhead = \"Kopf\"\n";

@@ -22,7 +22,7 @@ std::string counting(std::size_t count) {
 
 // Numbers of libxxhash 0.8.1, for each way through the algorithm: nothing, single bytes, a half
 // word, a word, all of these, stripes alone and stripes with a tail.
-TEST(ContentHash, IsXxh64) {
+TEST(ContentHash, MatchesXxh64) {
   EXPECT_EQ(hash_of(""), 0xEF46DB3751D8E999U);
   EXPECT_EQ(hash_of("a"), 0xD24EC4F1A98C6E5BU);
   EXPECT_EQ(hash_of("abc"), 0x44BC2CF5AD770999U);
@@ -48,7 +48,7 @@ TEST(ContentHash, ChangesWithEveryBitAndEveryLength) {
 }
 
 // What a hash by words alone would miss: the signs of two numbers, each the top bit of a word.
-TEST(ContentHash, ChangesWithTwoSigns) {
+TEST(ContentHash, ChangesWhenTwoSignBitsFlip) {
   std::string bytes = counting(640);
   std::set<std::uint64_t> hashes{hash_of(bytes)};
   for (std::size_t i = 7; i < bytes.size(); i += 8) {

@@ -74,7 +74,7 @@ void expect_same(const ClipLibrary& one, const ClipLibrary& other) {
   for (std::size_t i = 0; i < one.clips.size(); ++i) expect_same(one.clips[i], other.clips[i]);
 }
 
-TEST(LibraryFile, ALibraryComesBackBitForBit) {
+TEST(LibraryFile, RoundTripsBitForBit) {
   const tests::TemporaryFolder folder;
   for (unsigned seed = 0; seed < 5; ++seed) {
     const ClipLibrary library = random_library(seed, 40);
@@ -87,7 +87,7 @@ TEST(LibraryFile, ALibraryComesBackBitForBit) {
   }
 }
 
-TEST(LibraryFile, TheHashIsOfTheContentAndOnlyOfIt) {
+TEST(LibraryFile, HashDependsOnTheContentOnly) {
   ClipLibrary library = random_library(1, 3);
   const std::string bytes = library_bytes(library);
   library.hash = 17;
@@ -102,7 +102,7 @@ TEST(LibraryFile, TheHashIsOfTheContentAndOnlyOfIt) {
   EXPECT_NE(read.hash, hash);
 }
 
-TEST(LibraryFile, BytesMayStandAnywhereInMemory) {
+TEST(LibraryFile, ReadsUnalignedBytes) {
   const std::string bytes = library_bytes(random_library(2, 3));
   for (std::size_t shift = 0; shift < 16; ++shift) {
     const std::string moved = std::string(shift, 'x') + bytes;
@@ -111,7 +111,7 @@ TEST(LibraryFile, BytesMayStandAnywhereInMemory) {
   }
 }
 
-TEST(LibraryFile, OneWrongBitAnywhereIsNoticed) {
+TEST(LibraryFile, DetectsAnyFlippedBit) {
   std::string bytes = library_bytes(random_library(3, 2));
   ClipLibrary library;
   for (char& byte : bytes) {
@@ -125,7 +125,7 @@ TEST(LibraryFile, OneWrongBitAnywhereIsNoticed) {
   EXPECT_EQ(read(bytes, library), LoadStatus::ok);
 }
 
-TEST(LibraryFile, AMissingEndOrOneTooManyIsNoticed) {
+TEST(LibraryFile, DetectsTruncationAndTrailingBytes) {
   const std::string bytes = library_bytes(random_library(3, 2));
   ClipLibrary library;
   for (std::size_t size = 0; size < bytes.size(); ++size) {
@@ -134,7 +134,7 @@ TEST(LibraryFile, AMissingEndOrOneTooManyIsNoticed) {
   EXPECT_EQ(read(bytes + '\0', library), LoadStatus::damaged);
 }
 
-TEST(LibraryFile, TheStatusSaysWhatIsWrong) {
+TEST(LibraryFile, StatusNamesTheProblem) {
   const std::string bytes = library_bytes(random_library(3, 2));
   ClipLibrary library;
   EXPECT_EQ(read_library("no/such/file", library), LoadStatus::cannot_open);
@@ -153,7 +153,7 @@ std::string sealed(const std::string& content) {
   return std::string(reinterpret_cast<const char*>(seal.data()), seal.size()) + content;
 }
 
-TEST(LibraryFile, ContentThatIsWrongUnderASoundSealIsReadOnlyIfItKeepsTheInvariants) {
+TEST(LibraryFile, CorruptContentWithAValidHeaderLoadsOnlyIfItKeepsTheInvariants) {
   const std::string content = library_bytes(random_library(4, 2)).substr(kFileHeaderSize);
   std::mt19937 random(4);
   int refused = 0;
@@ -186,7 +186,7 @@ std::string with_float(const std::string& content, float what, float with) {
   return bytes;
 }
 
-TEST(LibraryFile, NumbersThatBreakAnInvariantAreRefusedUnderASoundSeal) {
+TEST(LibraryFile, RefusesBrokenInvariantsDespiteAValidHeader) {
   ClipLibrary library = random_library(5, 3);
   library.clips[3].motion.poses[2].root_position.z() = 123.456F;
   const std::string content = library_bytes(library).substr(kFileHeaderSize);
@@ -211,7 +211,7 @@ struct Breakage {
   std::function<void(ClipLibrary&)> apply;
 };
 
-TEST(LibraryFile, ALibraryThatCouldNotBeReadIsNotWritten) {
+TEST(LibraryFile, RefusesToWriteAnInvalidLibrary) {
   const float nan = std::numeric_limits<float>::quiet_NaN();
   const Breakage breakages[] = {
       {"no name", [](ClipLibrary& l) { l.name.clear(); }},
@@ -252,7 +252,7 @@ TEST(LibraryFile, ALibraryThatCouldNotBeReadIsNotWritten) {
   EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
 
-TEST(LoadLibrary, SaysWhatTheFileIsInstead) {
+TEST(LoadLibrary, NamesTheActualFileKind) {
   const tests::TemporaryFolder folder;
   const auto message_for = [&](const std::string& bytes) {
     write_file_atomically(folder / "file", bytes);

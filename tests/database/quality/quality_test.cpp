@@ -25,7 +25,7 @@ Clip still_clip(const motion::Pose& pose, int count = 30) {
   return clip;
 }
 
-TEST(Quality, StandingStillBreaksNothing) {
+TEST(Quality, StandingStillMeetsAllBounds) {
   const AuthorScene scene;
   const ClipQuality quality = measure_quality(scene.figure, still_clip(scene.start));
   EXPECT_THAT(broken_bounds(quality), IsEmpty());
@@ -34,7 +34,7 @@ TEST(Quality, StandingStillBreaksNothing) {
   EXPECT_GT(quality.balance_margin_m, 0.05F);
 }
 
-TEST(Quality, SeesAKneeBentTheWrongWay) {
+TEST(Quality, DetectsAHyperextendedKnee) {
   const AuthorScene scene;
   motion::Pose pose = scene.start;
   pose.rotation[Role::left_shin] = rotation_about(Eigen::Vector3f::UnitY(), radians(-25));
@@ -44,7 +44,7 @@ TEST(Quality, SeesAKneeBentTheWrongWay) {
   EXPECT_THAT(broken_bounds(quality), Contains("limit_excess_deg"));
 }
 
-TEST(Quality, SeesAHandInTheBelly) {
+TEST(Quality, DetectsAHandInsideTheTrunk) {
   const AuthorScene scene;
   motion::Pose pose = scene.start;
   const Eigen::Vector3f inside = scene.frames.position[Role::abdomen] + Eigen::Vector3f(0, 0, 0.1F);
@@ -53,7 +53,7 @@ TEST(Quality, SeesAHandInTheBelly) {
   EXPECT_LT(measure_quality(scene.figure, still_clip(pose)).hand_clearance_m, 0);
 }
 
-TEST(Quality, SeesSlippingAndSinkingFeet) {
+TEST(Quality, DetectsSlidingAndPenetratingFeet) {
   const AuthorScene scene;
   Clip slipping = still_clip(scene.start);
   for (std::size_t k = 0; k < slipping.motion.poses.size(); ++k) {
@@ -65,7 +65,7 @@ TEST(Quality, SeesSlippingAndSinkingFeet) {
   EXPECT_NEAR(measure_quality(scene.figure, still_clip(sunk)).foot_below_ground_m, 0.01F, 2e-4F);
 }
 
-TEST(Quality, SeesAFigureThatWouldFall) {
+TEST(Quality, DetectsALossOfBalance) {
   const AuthorScene scene;
   const motion::Pose leaning = motion::placed(scene.start, 0, Eigen::Vector3f::Zero());
   motion::Pose pose = leaning;
@@ -77,7 +77,7 @@ TEST(Quality, SeesAFigureThatWouldFall) {
 }
 
 // A head that turns 10 degrees a pose at 60 Hz does 600 degrees a second, of the neck's 700.
-TEST(Quality, MeasuresSpeedAsAShareOfTheHumanOne) {
+TEST(Quality, MeasuresSpeedRelativeToHumanPeakSpeed) {
   const AuthorScene scene;
   Clip clip = still_clip(scene.start, 8);
   for (std::size_t k = 0; k < clip.motion.poses.size(); ++k) {

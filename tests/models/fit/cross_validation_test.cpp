@@ -69,7 +69,7 @@ TEST(Folds, RefuseImpossibleCounts) {
   EXPECT_THROW(assign_folds({}, 2, 1), Error);
 }
 
-TEST(Folds, AreFewerWhereFewHoldOutEnough) {
+TEST(Folds, AreLimitedToEnoughHeldOutObservations) {
   const std::vector<int> label = uneven_labels(4000);
   const std::vector<int> fold = assign_folds(label, 5, 3);  // of 800 each
   const std::vector<int> few = limit_folds(fold);
@@ -80,7 +80,7 @@ TEST(Folds, AreFewerWhereFewHoldOutEnough) {
   EXPECT_EQ(limit_folds(small), small);
 }
 
-TEST(BestOf, IsTheFirstOfTheLeast) {
+TEST(Argmin, IsTheFirstMinimum) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(argmin(std::vector<double>{3, 1, 2, 1}), 1U);
   EXPECT_EQ(argmin(std::vector<double>{nan, 2, nan, 1}), 3U);
@@ -119,7 +119,7 @@ TEST(ChooseParameters, FindsTheKernelThatFits) {
   EXPECT_EQ(whole_grid.parameters.degree, 2);
 }
 
-TEST(ChooseParameters, TakesTheFirstOfEquals) {
+TEST(ChooseParameters, TiesGoToTheFirst) {
   const TrainingSet set = signs_of_product(100);
   const std::vector<int> fold = assign_folds(set.label, 4, 1);
   const LossFunction same = [](int, int) { return 1.0; };
@@ -127,7 +127,7 @@ TEST(ChooseParameters, TakesTheFirstOfEquals) {
   EXPECT_EQ(choose_parameters(set, knn_grid(), fold, same).parameters, knn_grid().front());
 }
 
-TEST(ChooseParameters, AsksManyNeighboursWhereLabelsAreNoisy) {
+TEST(ChooseParameters, PrefersLargeKForNoisyLabels) {
   std::mt19937_64 random(6);
   std::vector<double> points;
   std::vector<int> label;
@@ -143,7 +143,7 @@ TEST(ChooseParameters, AsksManyNeighboursWhereLabelsAreNoisy) {
   EXPECT_NEAR(chosen.mean_score, 0.3, 0.06);
 }
 
-TEST(ChooseParameters, MinimisesTheScoreItIsGiven) {
+TEST(ChooseParameters, MinimisesTheGivenLoss) {
   const TrainingSet set = signs_of_product(200);
   const std::vector<int> fold = assign_folds(set.label, 4, 1);
   const std::vector<SvmParameters> grid{{2, 1, 0, 10}, {3, 1, 0, 10}};
@@ -189,24 +189,24 @@ void expect_choices_of_others(const TrainingSet& set, int fold_count,
   }
 }
 
-TEST(HeldOutChoices, AreThoseOfSvmsThatNeverSawTheObservation) {
+TEST(HeldOutChoices, MatchSvmsFittedWithoutTheObservation) {
   expect_choices_of_others(masked_clouds(240), 4,
                            std::vector<SvmParameters>{{3, 0.2, 0, 1}, {2, 0.5, 1, 10}}, fit_svm);
 }
 
-TEST(HeldOutChoices, AreThoseOfNeighboursThatAreNotTheObservation) {
+TEST(HeldOutChoices, MatchKnnsWithoutTheObservation) {
   std::vector<KnnParameters> grid = knn_grid();
   for (const KnnParameters& parameters : knn_cost_grid()) grid.push_back(parameters);
   expect_choices_of_others(with_costs(masked_clouds(240), 9), 4, grid, fit_knn);
 }
 
-TEST(HeldOutChoices, AreThoseOfPairwiseMachinesThatNeverSawTheObservation) {
+TEST(HeldOutChoices, MatchPairwiseModelsFittedWithoutTheObservation) {
   expect_choices_of_others(with_costs(masked_clouds(90), 10), 3,
                            std::vector<PairwiseParameters>{{}, {.c = 0.01, .nearness = 1}},
                            fit_pairwise);
 }
 
-TEST(HeldOutChoices, AreNotAskedForWhatIsNeverHeldOut) {
+TEST(HeldOutChoices, SkipObservationsThatAreNeverHeldOut) {
   const TrainingSet set = masked_clouds(90);
   std::vector<int> fold = assign_folds(set.label, 3, 1);
   std::replace(fold.begin(), fold.end(), 2, kNeverHeldOut);
@@ -236,7 +236,7 @@ TEST(HeldOutChoices, DoNotDependOnTheNumberOfThreads) {
   omp_set_num_threads(threads);
 }
 
-TEST(HeldOutChoices, TellOfErrorsInTheirThreads) {
+TEST(HeldOutChoices, RethrowErrorsFromWorkerThreads) {
   const TrainingSet set = masked_clouds(60);
   const std::vector<int> fold = assign_folds(set.label, 3, 1);
   EXPECT_THROW(held_out_choices(set, SvmParameters{3, 1, 0, -1}, fold), Error);

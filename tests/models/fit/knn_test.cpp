@@ -78,7 +78,7 @@ TEST(Knn, FindsTheNearestAllowedObservations) {
   }
 }
 
-TEST(Knn, FindsFewerWhereThereAreFewer) {
+TEST(Knn, ReturnsFewerThanKIfThereAreFewer) {
   const KnnModel model = random_model(4, 20, 3);
   const std::vector<double> query{0, 0, 0};
   EXPECT_EQ(nearest(model, query, 50, {}).size(), 20U);
@@ -90,7 +90,7 @@ std::vector<double> doubles(const std::vector<float>& floats) {
   return {floats.begin(), floats.end()};
 }
 
-TEST(Knn, FindsTheSameInAnyNumberOfLeaves) {
+TEST(Knn, MatchesBruteForceForAnyNumberOfLeaves) {
   std::mt19937_64 random(15);
   for (const int count : {2, 15, 16, 17, 32, 255, 256, 257, 1000}) {
     for (const KnnModel& model : {random_model(16, count, 20), model_of_ties(17, count, 3)}) {
@@ -103,7 +103,7 @@ TEST(Knn, FindsTheSameInAnyNumberOfLeaves) {
   }
 }
 
-TEST(Knn, AnswersWhateverIsAsked) {
+TEST(Knn, HandlesAnyQuery) {
   const KnnModel model = random_model(18, 100, 3);
   const double infinity = std::numeric_limits<double>::infinity();
   for (const double value : {1e300, -1e300, infinity, std::nan("")}) {
@@ -111,7 +111,7 @@ TEST(Knn, AnswersWhateverIsAsked) {
   }
 }
 
-TEST(NeighbourIndex, FindsWhatBruteForceFinds) {
+TEST(NeighbourIndex, MatchesBruteForce) {
   std::mt19937_64 random(5);
   KnnModel same = random_model(6, 200, 4);
   std::fill(same.points.begin(), same.points.end(), 0.25F);
@@ -152,12 +152,12 @@ TEST(NeighbourIndex, OrdersDistancesThatDifferByRoundingAlone) {
   }
 }
 
-TEST(NeighbourIndex, FindsNothingInNothing) {
+TEST(NeighbourIndex, IsEmptyForNoPoints) {
   EXPECT_TRUE(NeighbourIndex({}, 3).nearest(std::vector<double>{0, 0, 0}, 5).empty());
 }
 
 // FLANN used as its manual has it, with none of our code: the distances are those that we find.
-TEST(Knn, DistancesAreFlanns) {
+TEST(Knn, DistancesMatchFlannBitForBit) {
   const KnnModel model = random_model(10, 1000, 16);
   std::vector<double> values = doubles(model.points);
   const flann::Matrix<double> points(values.data(), 1000, 16);
@@ -186,7 +186,7 @@ std::vector<int> clips_of(std::span<const Candidate> candidates) {
   return clips;
 }
 
-TEST(KnnVotes, MajorityCountsHeads) {
+TEST(KnnVotes, MajorityCountsEachNeighbourOnce) {
   const std::vector<int> label{4, 9, 9, 2};
   const std::vector<Neighbour> neighbours{{0, 0.01F}, {1, 4}, {2, 9}, {3, 16}};
   const auto ranked = count_votes(neighbours, label, KnnVote::majority);
@@ -195,7 +195,7 @@ TEST(KnnVotes, MajorityCountsHeads) {
   EXPECT_FLOAT_EQ(ranked[1].vote, 0.25F);
 }
 
-TEST(KnnVotes, InverseDistanceWeighsTheNear) {
+TEST(KnnVotes, InverseDistanceWeightsNearNeighboursMore) {
   const std::vector<int> label{4, 9, 9, 2};
   const std::vector<Neighbour> neighbours{{0, 0.25}, {1, 4}, {2, 16}, {3, 16}};
   const auto ranked = count_votes(neighbours, label, KnnVote::inverse_distance);
@@ -237,7 +237,7 @@ TEST(KnnCosts, AreAveragedOverTheNeighboursThatTriedTheClip) {
   EXPECT_TRUE(average_costs({}, model, allowed).empty());
 }
 
-TEST(KnnCosts, AreKeptToHalfAStep) {
+TEST(KnnCosts, AreQuantisedToHalfAStep) {
   const TrainingSet set = with_costs(random_clouds(19, 200, 8, 5), 20);
   const KnnModel model = fit_knn(set, {1, KnnVote::cost});
   const float max_cost = *std::max_element(set.cost.begin(), set.cost.end());
@@ -255,7 +255,7 @@ TEST(KnnCosts, AreKeptToHalfAStep) {
             0);
 }
 
-TEST(KnnFit, RefusesWhatCannotBeUsed) {
+TEST(KnnFit, RefusesInvalidInput) {
   const TrainingSet set = random_clouds(12, 10, 2, 3);
   EXPECT_THROW(fit_knn(set, {1, KnnVote::cost}), Error);  // knows no costs
   EXPECT_THROW(fit_knn(set, {65536, KnnVote::majority}), Error);

@@ -46,7 +46,7 @@ TrainingSet of_64ths(TrainingSet set) {
   return set;
 }
 
-TEST(LibsvmTools, TrainAndPredictAsTheModelDoes) {
+TEST(LibsvmTools, AgreeWithTheModel) {
   if (!run("command -v svm-train") || !run("command -v svm-predict")) {
     GTEST_SKIP() << "svm-train and svm-predict are not installed (Debian: libsvm-tools)";
   }

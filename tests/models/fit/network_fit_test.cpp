@@ -53,7 +53,7 @@ double reference_loss(const NetworkBatch& batch, const std::vector<double>& weig
   return loss / static_cast<double>(batch.inputs.cols());
 }
 
-TEST(NetworkGradient, IsThatOfFiniteDifferences) {
+TEST(NetworkGradient, MatchesFiniteDifferences) {
   std::mt19937_64 random(1);
   const NetworkBatch batch = random_batch(random);
   std::vector<double> weights;
@@ -94,7 +94,7 @@ double regret_of(const TrainingSet& set, int observation, int chosen) {
   return double{costs[static_cast<std::size_t>(chosen)]} - double{costs[label]};
 }
 
-TEST(NetworkFit, ExpectsTheCostsOfObservationsThatItHasNotSeen) {
+TEST(NetworkFit, PredictsCostsOfHeldOutObservations) {
   const TrainingSet set = set_with_costs(500);
   std::vector<int> first(400);
   std::vector<int> rest(100);
@@ -138,7 +138,7 @@ TEST(NetworkFit, HasTheSameBitsForAnyNumberOfThreads) {
   EXPECT_NE(fit_network(set, other).weights, alone.weights);
 }
 
-TEST(NetworkFit, IsJudgedByWhatItHasNotSeen) {
+TEST(NetworkFit, IsValidatedOnHeldOutObservations) {
   const TrainingSet set = set_with_costs(90);
   std::vector<int> fold = assign_folds(set.label, 3, 1);
   std::replace(fold.begin(), fold.end(), 2, kNeverHeldOut);
@@ -170,7 +170,7 @@ TEST(NetworkFit, IsJudgedByWhatItHasNotSeen) {
   EXPECT_NEAR(validation.variance_ns, std::max(excess / (held_out * 4), 0.0), 1e-4);
 }
 
-TEST(NetworkFit, RefusesWhatCannotBeUsed) {
+TEST(NetworkFit, RefusesInvalidInput) {
   TrainingSet set = set_with_costs(20);
   EXPECT_THROW(fit_network(set, {.hidden_count = 20}), Error);
   EXPECT_THROW(fit_network(set, {.member_count = 0}), Error);
@@ -180,7 +180,7 @@ TEST(NetworkFit, RefusesWhatCannotBeUsed) {
   EXPECT_THROW(fit_network(set, {}), Error);
 }
 
-TEST(NetworkFit, TakesCostsThatAreAllTheSame) {
+TEST(NetworkFit, AcceptsConstantCosts) {
   TrainingSet set = set_with_costs(20);
   for (float& cost : set.cost) {
     if (std::isfinite(cost)) cost = 4;

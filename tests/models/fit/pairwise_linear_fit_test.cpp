@@ -29,7 +29,7 @@ double mean_regret(const TrainingSet& set, const std::function<int(int)>& choose
   return sum / set.size();
 }
 
-TEST(PairwiseFit, ChoosesCheapClipsForWhatItHasNotSeen) {
+TEST(PairwiseFit, ChoosesCheapClipsForHeldOutObservations) {
   const TrainingSet all = with_costs(random_clouds(1, 1200, 6, 4), 2);
   std::vector<int> first(900);
   std::iota(first.begin(), first.end(), 0);
@@ -45,7 +45,7 @@ TEST(PairwiseFit, ChoosesCheapClipsForWhatItHasNotSeen) {
 
 /// Two clips at one place: the first costs a little less on 60 observations, the second much less
 /// on 40. Fewest mistakes are made with the first, the least cost is that of the second.
-TEST(PairwiseFit, WeighsMistakesByWhatTheyCost) {
+TEST(PairwiseFit, WeightsMistakesByTheirCost) {
   TrainingSet set = make_set(1, std::vector<double>(100, 0.5), std::vector<int>(100, 0), 2);
   for (int i = 0; i < 100; ++i) {
     const bool is_first_cheaper = i < 60;
@@ -58,7 +58,7 @@ TEST(PairwiseFit, WeighsMistakesByWhatTheyCost) {
 
 /// On 15 of 20 observations the second clip costs much less than the first, but the third costs
 /// nothing there; on the other 5, where the first is the best, it costs a little more.
-TEST(PairwiseFit, PairsThatCannotDecideTheChoiceCountForNothing) {
+TEST(PairwiseFit, IrrelevantPairsHaveNoWeight) {
   TrainingSet set = make_set(1, std::vector<double>(20, 0.5), std::vector<int>(20, 0), 3);
   for (int i = 0; i < 20; ++i) {
     const bool decides = i < 5;
@@ -72,7 +72,7 @@ TEST(PairwiseFit, PairsThatCannotDecideTheChoiceCountForNothing) {
   EXPECT_TRUE(beats(model, terms, 0, 1));
 }
 
-TEST(PairwiseFit, HasNoMachineWhereNothingIsKnown) {
+TEST(PairwiseFit, HasNoMachineForPairsWithoutExamples) {
   TrainingSet set = with_costs(random_clouds(3, 60, 2, 2), 4);
   const float untried = std::numeric_limits<float>::infinity();
   for (int i = 0; i < set.size(); ++i) {
@@ -88,7 +88,7 @@ TEST(PairwiseFit, HasNoMachineWhereNothingIsKnown) {
   EXPECT_EQ(model.weights.size(), 4 * model.row_size());
 }
 
-TEST(PairwiseFit, SumsOfItsWeightsHaveRoomAndUseIt) {
+TEST(PairwiseFit, WeightSumsFillButDoNotOverflow32Bits) {
   const TrainingSet set = with_costs(random_clouds(5, 200, 3, 6), 6);
   const PairwiseModel model = fit_pairwise(set, {});
   for (std::size_t at = 0; at < model.weights.size(); at += model.row_size()) {
@@ -116,7 +116,7 @@ TEST(PairwiseFit, HasTheSameBitsForAnyNumberOfThreads) {
   EXPECT_NE(fit_pairwise(set, {.c = 0.01}).weights, alone.weights);
 }
 
-TEST(PairwiseFit, RefusesWhatCannotBeUsed) {
+TEST(PairwiseFit, RefusesInvalidInput) {
   TrainingSet set = with_costs(random_clouds(11, 20, 2, 2), 12);
   EXPECT_NO_THROW(fit_pairwise(set, {}));
   for (const double bad : {0.0, -1.0, std::nan(""), std::numeric_limits<double>::infinity()}) {

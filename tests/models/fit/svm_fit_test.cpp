@@ -19,7 +19,7 @@
 namespace flinch::models {
 namespace {
 
-TEST(SvmGrid, BeginsWithLibsvmsDefaultsAndHoldsEachOnce) {
+TEST(SvmGrid, StartsWithLibsvmsDefaultsWithoutDuplicates) {
   const std::vector<SvmParameters> grid = svm_grid(16);
   EXPECT_EQ(grid.front(), (SvmParameters{3, 1.0 / 16, 0, 1}));
   std::set<std::tuple<int, double, double, double, double>> different;
@@ -64,7 +64,7 @@ std::map<int, double> coefficients_of(const SvmModel& model, const SvmMachine& m
   return found;
 }
 
-TEST(SvmFit, PairByPairIsLibsvmsOwnFitToTheBit) {
+TEST(SvmFit, PairwiseFitMatchesLibsvmBitForBit) {
   std::uint64_t seed = 40;
   for (const SvmKernel kernel : {SvmKernel::polynomial, SvmKernel::rbf}) {
     for (const auto& [count, classes] : {std::pair{40, 2}, {500, 20}, {300, 2}}) {
@@ -121,7 +121,7 @@ TEST(SvmFit, DoesNotDependOnTheNumberOfThreads) {
   EXPECT_EQ(alone.coefficients, together.coefficients);
 }
 
-TEST(SvmFit, RefusesWhatCannotBeUsed) {
+TEST(SvmFit, RefusesInvalidInput) {
   const SvmParameters parameters = default_svm_parameters(2);
   EXPECT_THROW(fit_svm(make_set(2, {}, {}, 2), parameters), Error);
   EXPECT_THROW(fit_svm(make_set(2, {1, 2}, {0}, 2), parameters), Error);

@@ -134,7 +134,7 @@ TEST(Svm, RanksAllowedClassesAsLibsvmsVotesDo) {
   }
 }
 
-TEST(Svm, DecidesToLibsvmsBit) {
+TEST(Svm, DecisionValuesMatchLibsvmBitForBit) {
   std::mt19937_64 random(10);
   for (const SvmParameters& parameters : kKernels) {
     const TrainingSet set = random_clouds(4, 300, 8, 5);
@@ -153,7 +153,7 @@ TEST(Svm, DecidesToLibsvmsBit) {
 }
 
 /// The threat of a tie: a machine whose decision is nothing but what double rounds, over and over.
-TEST(Svm, FollowsLibsvmAlongItsBoundaries) {
+TEST(Svm, MatchesLibsvmNearDecisionBoundaries) {
   const SvmParameters parameters{.degree = 3, .gamma = 0.5, .coef0 = 1, .cost = 10};
   const TrainingSet set = random_clouds(5, 200, 6, 4);
   const LibsvmOracle oracle(set, parameters);

@@ -72,7 +72,7 @@ Eigen::VectorXd reference_weights(const Problem& problem) {
   return x.transpose() * a;
 }
 
-TEST(WeightedSvm, MinimisesWhatItSays) {
+TEST(WeightedSvm, MinimisesItsObjective) {
   for (const std::uint64_t seed : {1U, 2U, 3U}) {
     const Problem problem = random_problem(seed, 40, 5, true);
     const LinearMachine machine =
@@ -107,7 +107,7 @@ double largest_projected_gradient(const Problem& problem, const LinearMachine& m
   return largest;
 }
 
-TEST(WeightedSvm, LooksAgainAtWhatItHadLeftOut) {
+TEST(WeightedSvm, ReactivatesShrunkExamples) {
   for (std::uint64_t seed = 10; seed < 30; ++seed) {
     const Problem problem = random_problem(seed, 300, 30, true);
     const LinearMachine machine =
@@ -117,7 +117,7 @@ TEST(WeightedSvm, LooksAgainAtWhatItHadLeftOut) {
   }
 }
 
-TEST(WeightedSvm, SettlesWithinAFewPassesWhereItMatters) {
+TEST(WeightedSvm, ConvergesWithinAFewPasses) {
   const Problem problem = random_problem(4, 400, 20, true);
   const auto value_after = [&](const DescentOptions& limits) {
     const LinearMachine machine =
@@ -132,7 +132,7 @@ TEST(WeightedSvm, SettlesWithinAFewPassesWhereItMatters) {
 
 // libsvm's machines have an offset and ours none; with every example mirrored through the origin
 // the best offset is 0, and every loss counts twice.
-TEST(WeightedSvm, IsLibsvmsWhereAllWeighTheSame) {
+TEST(WeightedSvm, MatchesLibsvmForEqualWeights) {
   const Problem problem = random_problem(5, 60, 4, false);
   std::vector<double> points;
   std::vector<int> label;

@@ -23,7 +23,7 @@ using tests::kNan;
 using tests::selector_file;
 using tests::sized;
 
-TEST_F(CApi, NullIsAStatusEverywhere) {
+TEST_F(CApi, EveryFunctionReportsNullPointers) {
   flinch_pose some_pose = pose();
   flinch_mask mask = half_of_everything();
   auto limits = sized<flinch_perception_limits>();
@@ -98,7 +98,7 @@ TEST_F(CApi, NullIsAStatusEverywhere) {
   EXPECT_EQ(flinch_character_candidates(character, nullptr, 0, &count), FLINCH_OK);
 }
 
-TEST_F(CApi, NumbersThatAreNoneAreRefusedAndHarmNothing) {
+TEST_F(CApi, RejectsNonFiniteNumbersAndChangesNothing) {
   ASSERT_EQ(flinch_character_respond(character, 9, 0.4F), FLINCH_OK);
   ASSERT_EQ(flinch_character_update(character, 0.1F), FLINCH_OK);
   for (const float bad : {kNan, kInfinity, -kInfinity}) {
@@ -184,7 +184,7 @@ bool is_sound(const flinch_pose& pose) {
 }
 
 // Whatever is asked, in whatever order: a status, and a pose that can be drawn.
-TEST_F(CApi, AnyCallsLeaveAPoseThatCanBeDrawn) {
+TEST_F(CApi, PoseStaysValidAfterRandomCalls) {
   std::mt19937 random(1);
   std::map<flinch_status, int> statuses;
   const auto number = [&random] { return any_number(random); };
@@ -224,7 +224,7 @@ TEST_F(CApi, AnyCallsLeaveAPoseThatCanBeDrawn) {
   }
 }
 
-TEST_F(CApi, ARotationThatIsNotUnitIsRefused) {
+TEST_F(CApi, RejectsARotationThatIsNotUnit) {
   flinch_pose stretched = pose();
   stretched.rotation[3][0] *= 1.5F;
   const flinch_pose good = pose();
@@ -232,7 +232,7 @@ TEST_F(CApi, ARotationThatIsNotUnitIsRefused) {
           [&] { return flinch_character_set_pose(character, &stretched, &good, 0.1F); });
 }
 
-TEST_F(CApi, ThereIsNothingBeyondTheLastIndex) {
+TEST_F(CApi, RejectsIndicesOutOfRange) {
   auto info = sized<flinch_library_info>();
   ASSERT_EQ(flinch_library_describe(library, &info), FLINCH_OK);
   const flinch_threat threat = ball();

@@ -16,7 +16,7 @@ using tests::load;
 using tests::selector_file;
 using tests::sized;
 
-TEST_F(CApi, HandlesOfAnotherKindAreNoticed) {
+TEST_F(CApi, RejectsHandlesOfAnotherKind) {
   auto* as_character = reinterpret_cast<flinch_character*>(library);
   auto* as_library = reinterpret_cast<flinch_library*>(character);
   auto info = sized<flinch_library_info>();
@@ -32,7 +32,7 @@ TEST_F(CApi, HandlesOfAnotherKindAreNoticed) {
   });
 }
 
-TEST_F(CApi, AWorkspaceServesItsOwnLibrary) {
+TEST_F(CApi, RejectsAWorkspaceOfAnotherLibrary) {
   flinch_library* other = load(selector_file());
   flinch_workspace* its = nullptr;
   ASSERT_EQ(flinch_workspace_create(other, &its), FLINCH_OK);
@@ -60,7 +60,7 @@ TEST(CApiHandles, ALibraryMayBeFreedBeforeItsCharacters) {
   EXPECT_EQ(flinch_character_free(character), FLINCH_OK);
 }
 
-TEST(CApiThreads, EachWithAWorkspaceAndCharactersOfItsOwnShareALibrary) {
+TEST(CApiThreads, ShareALibraryWithAWorkspaceAndCharactersPerThread) {
   flinch_library* library = load(selector_file());
   std::array<flinch_pose, 4> end{};
   std::array<std::thread, 4> threads;
@@ -88,7 +88,7 @@ TEST(CApiThreads, EachWithAWorkspaceAndCharactersOfItsOwnShareALibrary) {
 }
 
 #ifdef FLINCH_CHECK_HANDLES
-TEST(CApiHandles, AreKnownAfterTheyWereFreed) {
+TEST(CApiHandles, UseAfterFreeIsReported) {
   flinch_library* library = load(selector_file());
   flinch_workspace* workspace = nullptr;
   flinch_character* character = nullptr;

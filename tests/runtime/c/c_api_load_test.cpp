@@ -11,7 +11,7 @@ namespace {
 using tests::load;
 using tests::selector_file;
 
-TEST(CApiLoad, TellsWhatIsWrongWithAFile) {
+TEST(CApiLoad, ReportsWhatIsWrongWithAFile) {
   flinch_library* library = nullptr;
   EXPECT_EQ(flinch_library_load("no such file", &library), FLINCH_CANNOT_OPEN);
   EXPECT_EQ(flinch_library_load("/", &library), FLINCH_CANNOT_OPEN);
@@ -27,7 +27,7 @@ TEST(CApiLoad, TellsWhatIsWrongWithAFile) {
   EXPECT_EQ(library, nullptr);
 }
 
-TEST(CApiLoad, RefusesAFileThatIsCutShortOrChangedAnywhere) {
+TEST(CApiLoad, RejectsAFileTruncatedOrChangedAnywhere) {
   std::string file = selector_file();
   flinch_library* library = nullptr;
   const std::size_t step = file.size() / 40;

@@ -15,7 +15,7 @@ using tests::half_of_everything;
 using tests::kNan;
 using tests::sized;
 
-TEST_F(CApi, StructsOfOlderProgramsAreServedAndOfNewerOnesRefused) {
+TEST_F(CApi, AcceptsStructsOfOlderProgramsAndRejectsThoseOfNewerOnes) {
   flinch_threat threat = ball();
   ASSERT_EQ(perceive(threat), FLINCH_OK);
   const flinch_character_state whole = state();
@@ -58,7 +58,7 @@ TEST_F(CApi, StructsOfOlderProgramsAreServedAndOfNewerOnesRefused) {
                 [&](auto* p) { return flinch_character_describe(character, p); });
 }
 
-TEST_F(CApi, WritesNoMoreThanAnOlderProgramHasRoomFor) {
+TEST_F(CApi, WritesNoMoreThanTheCallersStructSize) {
   flinch_threat old = ball();
   old.size = offsetof(flinch_threat, radius);
   old.radius = -7;
@@ -71,7 +71,7 @@ TEST_F(CApi, WritesNoMoreThanAnOlderProgramHasRoomFor) {
 }
 
 // What other languages write down by hand.
-TEST(CApiLayout, IsThatOfThePublishedVersion) {
+TEST(CApiLayout, MatchesThePublishedVersion) {
   EXPECT_EQ(sizeof(flinch_threat), 36U);
   EXPECT_EQ(sizeof(flinch_pose), 16U + 16 * FLINCH_JOINT_COUNT);
   EXPECT_EQ(sizeof(flinch_joint_frames), 4U + 28 * FLINCH_JOINT_COUNT);

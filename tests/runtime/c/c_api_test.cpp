@@ -31,7 +31,7 @@ bool is_same(const flinch_pose& c, const motion::Pose& ours) {
   return same;
 }
 
-TEST_F(CApi, PlaysTheMotionOfTheCxxApiBitForBit) {
+TEST_F(CApi, MotionMatchesTheCxxApiBitForBit) {
   Library ours;
   ASSERT_EQ(ours.load(std::as_bytes(std::span(selector_file()))), database::LoadStatus::ok);
   Workspace our_workspace;
@@ -77,7 +77,7 @@ TEST_F(CApi, PlaysTheMotionOfTheCxxApiBitForBit) {
   EXPECT_EQ(count, 1);
 }
 
-TEST_F(CApi, AnswersAKnownThreatWithAClipOfItsChoice) {
+TEST_F(CApi, AnswersAKnownThreatWithTheSelectedClip) {
   const flinch_threat threat = ball();
   ASSERT_EQ(flinch_character_perceive_known(character, &threat, FLINCH_HEAD, 0.5F, workspace),
             FLINCH_OK);
@@ -91,7 +91,7 @@ TEST_F(CApi, AnswersAKnownThreatWithAClipOfItsChoice) {
   EXPECT_EQ(state().phase, FLINCH_IDLE);
 }
 
-TEST_F(CApi, TellsOfTheLibraryWhatTheFileHolds) {
+TEST_F(CApi, LibraryDescriptionMatchesTheFile) {
   const database::ClipLibrary authored = database::authored_library(motion::default_character());
   auto info = sized<flinch_library_info>();
   ASSERT_EQ(flinch_library_describe(library, &info), FLINCH_OK);
@@ -118,7 +118,7 @@ TEST_F(CApi, TellsOfTheLibraryWhatTheFileHolds) {
 }
 
 // Forward kinematics once more, from the skeleton as the C interface tells it.
-TEST_F(CApi, JointFramesFollowFromTheSkeletonAndThePose) {
+TEST_F(CApi, JointFramesMatchForwardKinematics) {
   auto skeleton = sized<flinch_skeleton>();
   auto frames = sized<flinch_joint_frames>();
   ASSERT_EQ(flinch_library_skeleton(library, &skeleton), FLINCH_OK);
@@ -142,7 +142,7 @@ TEST_F(CApi, JointFramesFollowFromTheSkeletonAndThePose) {
   }
 }
 
-TEST_F(CApi, LaysItsPoseOverTheGamesWhereTheMaskSaysSo) {
+TEST_F(CApi, PoseOverBlendsByTheMask) {
   ASSERT_EQ(flinch_character_respond(character, 9, 0.4F), FLINCH_OK);
   ASSERT_EQ(flinch_character_update(character, 0.4F), FLINCH_OK);
   auto game = sized<flinch_pose>();
@@ -163,7 +163,7 @@ TEST_F(CApi, LaysItsPoseOverTheGamesWhereTheMaskSaysSo) {
   EXPECT_EQ(std::memcmp(&game, &over, sizeof game), 0);
 }
 
-TEST_F(CApi, APersonsLimitsDelayTheAnswer) {
+TEST_F(CApi, HumanLimitsDelayTheResponse) {
   auto limits = sized<flinch_perception_limits>();
   ASSERT_EQ(flinch_human_limits(1, &limits), FLINCH_OK);
   EXPECT_GT(limits.reaction_delay_s, 0.1F);
@@ -178,7 +178,7 @@ TEST_F(CApi, APersonsLimitsDelayTheAnswer) {
   EXPECT_EQ(perceive(threat), FLINCH_UNNOTICED);
 }
 
-TEST_F(CApi, NamesAreThoseOfTheCxxApi) {
+TEST_F(CApi, NamesMatchTheCxxApi) {
   for (const motion::Role role : motion::kRoles) {
     const auto joint = static_cast<std::int32_t>(role);
     EXPECT_EQ(flinch_joint_name(joint), motion::name_of(role));

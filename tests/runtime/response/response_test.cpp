@@ -144,7 +144,7 @@ TEST(Response, IdlesUntilItStarts) {
   }
 }
 
-TEST(Response, StartsFromTheIdlePoseEvenWithoutTime) {
+TEST(Response, StartsFromTheIdlePoseHoweverShortTheTime) {
   for (int clip : {kDuck, kBlock, kSidestep, kLift}) {
     const Response response = make_response(prepared(), kState, clip, 0.05F);
     EXPECT_LT(distance(pose_at(response, 0), idle_at(kState, 0)), 1e-6F);
@@ -152,7 +152,7 @@ TEST(Response, StartsFromTheIdlePoseEvenWithoutTime) {
   }
 }
 
-TEST(Response, LaysTheClipsFacingOnTheCharactersAndItsSupportFootOnWhereItStands) {
+TEST(Response, AlignsTheClipsFacingAndSupportFootWithTheCharacters) {
   const database::ClipLibrary library = other_stance();
   const PreparedLibrary other = prepare(library);
   const Response response = make_response(other, kState, 1, 1.0F);
@@ -167,7 +167,7 @@ TEST(Response, LaysTheClipsFacingOnTheCharactersAndItsSupportFootOnWhereItStands
   }
 }
 
-TEST(Response, StepsWithTheOtherFootToWhereTheClipHasIt) {
+TEST(Response, StepsWithTheOtherFootToTheClipsPlace) {
   const database::ClipLibrary library = other_stance();
   const PreparedLibrary other = prepare(library);
   const Response response = make_response(other, kState, 1, 1.0F);
@@ -185,7 +185,7 @@ TEST(Response, StepsWithTheOtherFootToWhereTheClipHasIt) {
 
 // At most the largest speed of clip and idle, quickened, and of crossing over from one to the other
 // (a whole turn of a joint at most, weights changing by 15/8 / blend).
-TEST(Response, NeverJumps) {
+TEST(Response, IsContinuous) {
   constexpr float kStep_s = 1e-3F;
   int cases = 0;
   for (int clip : {kDuck, kSidestep, kLift}) {
@@ -204,7 +204,7 @@ TEST(Response, NeverJumps) {
   EXPECT_GT(cases, 10000);
 }
 
-TEST(Response, ComesBackToIdleAndKeepsIdling) {
+TEST(Response, ReturnsToIdle) {
   const Response response = make_response(prepared(), kState, kDuck, 0.8F);
   for (float later_s : {0.0F, 0.5F, 10.0F}) {
     const float t = duration_s(response) + later_s;
@@ -216,7 +216,7 @@ TEST(Response, ComesBackToIdleAndKeepsIdling) {
 }
 
 // Left of a character that faces 0.9 rad is (-sin, cos); the default library steps to the right.
-TEST(Response, StaysWhereAStepLedAndTheNextStateGoesOnThere) {
+TEST(Response, IdlesWhereItsStepEnded) {
   const database::ClipLibrary library = one_way_step();
   const PreparedLibrary stepping = prepare(library);
   const Response response = make_response(stepping, kState, 1, 1.0F);
@@ -232,7 +232,7 @@ TEST(Response, StaysWhereAStepLedAndTheNextStateGoesOnThere) {
   EXPECT_LT(distance(pose_at(response, seam - 1e-4F), pose_at(response, seam + 1e-4F)), 5e-3F);
 }
 
-TEST(Response, TurnsAndMovesWithTheWorld) {
+TEST(Response, IsInvariantToPositionAndFacing) {
   std::mt19937 random(1);
   for (int i = 0; i < 50; ++i) {
     const float yaw = tests::uniform(random, -3, 3);
@@ -253,7 +253,7 @@ TEST(Response, TurnsAndMovesWithTheWorld) {
 }
 
 // Asking at 24, 60 or 1000 Hz, or backwards, gives the same poses to the bit.
-TEST(Response, DoesNotDependOnWhenItIsAsked) {
+TEST(Response, PoseDependsOnTimeAlone) {
   const Response asked_often = make_response(prepared(), kState, kSidestep, 0.7F);
   const Response asked_once = asked_often;
   for (int i = 2000; i >= 0; --i) pose_at(asked_often, static_cast<float>(i) * 1e-3F);
@@ -262,7 +262,7 @@ TEST(Response, DoesNotDependOnWhenItIsAsked) {
   }
 }
 
-TEST(Response, OfTheIdleClipIsIdling) {
+TEST(Response, OfTheIdleClipIsTheIdlePose) {
   const Response response = make_response(prepared(), kState, kIdle, 0.5F);
   EXPECT_TRUE(is_valid(response));
   EXPECT_EQ(duration_s(response), 0);
@@ -271,7 +271,7 @@ TEST(Response, OfTheIdleClipIsIdling) {
   }
 }
 
-TEST(Response, OfUnusableInputIsInvalidAndHarmless) {
+TEST(Response, OfBadInputIsInvalidAndSafe) {
   constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
   constexpr float kInfinity = std::numeric_limits<float>::infinity();
   const database::ClipLibrary library = authored();
@@ -303,7 +303,7 @@ TEST(Response, OfUnusableInputIsInvalidAndHarmless) {
   }
 }
 
-TEST(Response, TakesTimesThatAreNoTimesAsPerception) {
+TEST(Response, TreatsInvalidTimesAsZero) {
   const Response response = make_response(prepared(), kState, kDuck, 0.5F);
   for (float t :
        {-1.0F, std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
@@ -327,7 +327,7 @@ TEST(Response, AllocatesNothing) {
 }
 
 // The measures of docs/response.md over all clips, each with a few threats of the study's.
-TEST(ResponseQuality, FeetStandWeightIsShiftedNothingSnapsAndPeaksAreInTimeOverAllClips) {
+TEST(ResponseQuality, AllClipsMeetTheBounds) {
   std::mt19937 random(3);
   int lifts = 0;
   for (int clip = 1; clip < static_cast<int>(authored().clips.size()); ++clip) {
@@ -368,7 +368,7 @@ Interruption interrupted(int clip, float at_s) {
   return at;
 }
 
-TEST(Inertialization, GoesOnWithPoseAndVelocity) {
+TEST(Inertialization, ContinuesPoseAndVelocity) {
   constexpr float kStep_s = 1e-3F;
   for (int clip : {kDuck, kBlock, kSidestep}) {
     for (float at_s : {0.35F, 0.5F, 0.7F}) {
@@ -392,7 +392,7 @@ TEST(Inertialization, GoesOnWithPoseAndVelocity) {
   }
 }
 
-TEST(Inertialization, KeepsFeetWhereTheyStandAndEndsAtIdle) {
+TEST(Inertialization, KeepsStandingFeetInPlaceAndEndsAtIdle) {
   for (float at_s : {0.45F, 0.6F, 0.75F}) {
     const Interruption from = interrupted(kDuck, at_s);
     const Response response =

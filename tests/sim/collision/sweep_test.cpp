@@ -27,7 +27,7 @@ class RandomScene : public tests::RandomShapes {
 
 // Against the path sampled so finely that a gap changes by less than a tenth of the touch between
 // samples.
-TEST(TimeOfTouch, AgreesWithFineSampling) {
+TEST(TimeOfContact, MatchesFineSampling) {
   RandomScene random(5);
   int touched = 0;
   int missed = 0;
@@ -61,7 +61,7 @@ TEST(TimeOfTouch, AgreesWithFineSampling) {
 }
 
 // Whatever accelerations up to the slack a shape has, it is not touched before the time found.
-TEST(TimeOfTouch, WithSlackIsSafeForAcceleratingShapes) {
+TEST(TimeOfContact, IsNeverLateForAcceleratingShapes) {
   RandomScene random(6);
   constexpr double kSlack_mps2 = 100;
   int touched = 0;

@@ -27,13 +27,13 @@ class BodyContactsTest : public testing::Test {
   }
 };
 
-TEST_F(BodyContactsTest, BodyPassesOnAtMostWhatTheBallGaveIt) {
+TEST_F(BodyContactsTest, ABodyPassesOnAtMostTheImpulseItReceived) {
   step(0, {{Body::left_hand, {}, 5}, {Body::head, Body::left_hand, 8}});
   EXPECT_DOUBLE_EQ(impulse_[Body::left_hand], 5 + 5);
   EXPECT_DOUBLE_EQ(impulse_[Body::head], 5);
 }
 
-TEST_F(BodyContactsTest, WhatIsPassedOnInPartsAddsUpToNoMore) {
+TEST_F(BodyContactsTest, ImpulsePassedOnInSeveralStepsAddsUpToNoMore) {
   step(0, {{Body::left_hand, {}, 5}});
   step(0.001, {{Body::head, Body::left_hand, 2}});
   step(0.002, {{Body::chest, Body::left_hand, 2}});
@@ -43,7 +43,7 @@ TEST_F(BodyContactsTest, WhatIsPassedOnInPartsAddsUpToNoMore) {
   EXPECT_DOUBLE_EQ(impulse_[Body::abdomen], 1);
 }
 
-TEST_F(BodyContactsTest, BodyThatWasGivenAPushPassesItOn) {
+TEST_F(BodyContactsTest, ABodyStruckByAnotherBodyPassesItsImpulseOn) {
   step(0, {{Body::left_hand, {}, 5},
            {Body::left_forearm, Body::left_hand, 3},
            {Body::chest, Body::left_forearm, 9}});
@@ -51,7 +51,7 @@ TEST_F(BodyContactsTest, BodyThatWasGivenAPushPassesItOn) {
   EXPECT_DOUBLE_EQ(impulse_[Body::chest], 3);
 }
 
-TEST_F(BodyContactsTest, WhatABodyWasGivenIsForgottenWithItsBlow) {
+TEST_F(BodyContactsTest, ReceivedImpulseExpiresWithTheHit) {
   step(0, {{Body::left_hand, {}, 5}});
   step(0.2, {{Body::head, Body::left_hand, 4}});
   EXPECT_DOUBLE_EQ(impulse_[Body::head], 0);

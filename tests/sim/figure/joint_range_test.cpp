@@ -21,7 +21,7 @@ Eigen::Quaterniond about(const Eigen::Vector3d& axis, double degrees) {
   return Eigen::Quaterniond(Eigen::AngleAxisd(degrees * kDegree, axis));
 }
 
-TEST(JointAngles, GiveTheRotationBack) {
+TEST(JointAngles, RoundTripToTheRotation) {
   std::mt19937 generator(3);
   for (Body body : motion::kBodies) {
     const JointRange limits = limits_of(body);
@@ -33,7 +33,7 @@ TEST(JointAngles, GiveTheRotationBack) {
   }
 }
 
-TEST(JointAngles, OfTwistAndSwingAreTheirComponents) {
+TEST(JointAngles, AreTheComponentsOfSwingAndTwist) {
   JointRange limits;
   limits.bone = -Eigen::Vector3d::UnitZ();
   const Eigen::Quaterniond rotation =
@@ -43,7 +43,7 @@ TEST(JointAngles, OfTwistAndSwingAreTheirComponents) {
 }
 
 // What the signs of the table mean, by where the bone goes.
-TEST(JointLimits, LetTheBodyDoWhatBodiesDo) {
+TEST(JointRange, AllowsEverydayPoses) {
   const auto within = [](Body body, const Eigen::Quaterniond& rotation) {
     return limit_violation(limits_of(body), rotation, Eigen::Quaterniond::Identity()).norm() <
            1e-12;
@@ -80,14 +80,14 @@ TEST(JointLimits, LetTheBodyDoWhatBodiesDo) {
   EXPECT_FALSE(within(Body::head, about(y, 60)));
 }
 
-TEST(JointLimits, LeadBackToTheLimit) {
+TEST(JointRange, ViolationLeadsBackToTheLimit) {
   const JointRange knee = limits_of(Body::left_shin);
   const Eigen::Vector3d back =
       limit_violation(knee, about(Eigen::Vector3d::UnitY(), 165), Eigen::Quaterniond::Identity());
   EXPECT_TRUE(back.isApprox(-15 * kDegree * Eigen::Vector3d::UnitY(), 1e-6)) << back.transpose();
 }
 
-TEST(JointLimits, GiveWayToTheReference) {
+TEST(JointRange, AllowsWhatTheReferenceDoes) {
   const JointRange knee = limits_of(Body::left_shin);
   const Eigen::Quaterniond reference = about(Eigen::Vector3d::UnitY(), 165);
   EXPECT_EQ(limit_violation(knee, about(Eigen::Vector3d::UnitY(), 163), reference).norm(), 0);
@@ -95,7 +95,7 @@ TEST(JointLimits, GiveWayToTheReference) {
               5 * kDegree, 1e-9);
 }
 
-TEST(JointLimits, AskForNothingExactlyWithinThem) {
+TEST(JointRange, ViolationIsExactlyZeroWithinTheLimits) {
   std::mt19937 generator(9);
   std::uniform_real_distribution<double> share(-0.3, 1.3);
   int within = 0;
@@ -127,7 +127,7 @@ TEST(JointLimits, AskForNothingExactlyWithinThem) {
 }
 
 // Angles jump at half a turn; the way back must not.
-TEST(JointLimits, NeverAskForMoreThanTheWayToTheReference) {
+TEST(JointRange, ViolationIsNoLargerThanTheDistanceToTheReference) {
   std::mt19937 generator(8);
   std::normal_distribution<double> normal;
   for (Body body : motion::kBodies) {

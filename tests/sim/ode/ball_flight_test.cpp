@@ -91,7 +91,7 @@ double head_on_impulse(double restitution, double speed_mps, double first_kg, do
   return (1 + restitution) * speed_mps * first_kg * second_kg / (first_kg + second_kg);
 }
 
-TEST(BallFlight, IsTheParabolaAtAnyMixOfSteps) {
+TEST(BallFlight, FollowsTheParabolaWhateverTheSteps) {
   std::mt19937 generator(1);
   std::uniform_real_distribution<double> step(1e-6, 0.02);
   const Ball thrown = ball_at({1, 2, 30}, {-4, 3, 8});
@@ -109,7 +109,7 @@ TEST(BallFlight, IsTheParabolaAtAnyMixOfSteps) {
   }
 }
 
-TEST(BallFlight, GivesAFreeSphereTheClosedFormImpulse) {
+TEST(BallFlight, ImpulseOnAFreeSphereMatchesTheClosedForm) {
   for (double mass_kg : {0.3, 1.0, 4.4, 30.0}) {
     for (double speed_mps : {5.0, 17.0, 30.0}) {
       const Ball ball = ball_at({3, 0, 0}, {-speed_mps, 0, 0});
@@ -123,7 +123,7 @@ TEST(BallFlight, GivesAFreeSphereTheClosedFormImpulse) {
 }
 
 // Figures from biomechanics: a 4.4 kg head under a 0.27 kg volleyball of 22.8 to 29.7 m/s.
-TEST(BallFlight, GivesAFreeHeadTheImpulseOfAVolleyball) {
+TEST(BallFlight, ImpulseOfAVolleyballOnAFreeHeadMatchesTheClosedForm) {
   for (const auto& [speed_mps, expected] : {std::pair{22.8, 9.86}, {29.7, 12.84}}) {
     FreeSphere scene(ball_at({3, 0, 0}, {-speed_mps, 0, 0}), {}, 0.1, 4.4, weightless());
     scene.run(0.5);
@@ -131,7 +131,7 @@ TEST(BallFlight, GivesAFreeHeadTheImpulseOfAVolleyball) {
   }
 }
 
-TEST(BallFlight, HitsAMovingSphereWithTheRelativeVelocity) {
+TEST(BallFlight, ImpulseOnAMovingSphereFollowsFromTheRelativeVelocity) {
   BodyState state;
   state.velocity = {6, 0, 0};
   FreeSphere scene(ball_at({3, 0, 0}, {-14, 0, 0}), state, 0.1, 2, weightless());
@@ -140,7 +140,7 @@ TEST(BallFlight, HitsAMovingSphereWithTheRelativeVelocity) {
   EXPECT_NEAR(scene.impulse(), expected, 0.02 * expected);
 }
 
-TEST(BallFlight, KeepsTheMomentumOfBallAndSphere) {
+TEST(BallFlight, ConservesTheMomentumOfBallAndSphere) {
   std::mt19937 generator(2);
   std::uniform_real_distribution<double> offset(-0.15, 0.15);
   int hits = 0;
@@ -160,7 +160,7 @@ TEST(BallFlight, KeepsTheMomentumOfBallAndSphere) {
 
 // Off-centre by s, the normal stands at angle a with sin a = s / (r1 + r2). Friction within its
 // cone: J = J_n sqrt(1 + mu^2) where the ball slides throughout.
-TEST(BallFlight, SlidesOffWithCoulombFriction) {
+TEST(BallFlight, GlancingHitObeysCoulombFriction) {
   const double angle = 1.2;
   const double offset = 0.205 * std::sin(angle);
   FreeSphere scene(ball_at({2, offset, 0}, {-20, 0, 0}), {}, 0.1, 4.4, weightless());
@@ -170,14 +170,14 @@ TEST(BallFlight, SlidesOffWithCoulombFriction) {
   EXPECT_NEAR(scene.impulse(), expected, 0.03 * expected);
 }
 
-TEST(BallFlight, MissesWithoutTouching) {
+TEST(BallFlight, NearMissGivesNoImpulse) {
   FreeSphere scene(ball_at({2, 0.21, 0}, {-20, 0, 0}), {}, 0.1, 1, weightless());
   scene.run(0.5);
   EXPECT_EQ(scene.impulse(), 0);
   EXPECT_EQ(scene.sphere_velocity().norm(), 0);
 }
 
-TEST(BallFlight, DoesNotTunnelThroughThinThings) {
+TEST(BallFlight, DoesNotTunnelThroughThinObjects) {
   for (double radius : {0.005, 0.02}) {
     const Ball ball = ball_at({3.017, 0, 0}, {-30, 0, 0});
     FreeSphere scene(ball, {}, radius, 1, weightless());
@@ -202,7 +202,7 @@ TEST(BallFlight, BouncesOffTheGround) {
   EXPECT_NEAR(scene.ball().position.z(), 0.105, 0.002);  // come to rest, on the ground
 }
 
-TEST(BallFlight, AnswersDoNotHangOnTheSteps) {
+TEST(BallFlight, ResultsDoNotDependOnTheSteps) {
   const Ball ball = ball_at({3, 0.05, 0.1}, {-25, 0, 1});
   const SimulationOptions coarse;
   SimulationOptions fine = coarse;

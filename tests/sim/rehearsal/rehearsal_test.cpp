@@ -55,7 +55,7 @@ class RehearsalTest : public testing::Test {
   }
 };
 
-TEST_F(RehearsalTest, GivesTheImpulsesOfTheUnabridgedSimulation) {
+TEST_F(RehearsalTest, ImpulsesMatchTheFullSimulation) {
   const auto rehearsed = rehearsals();
   int hits = 0;
   int misses = 0;
@@ -81,7 +81,7 @@ TEST_F(RehearsalTest, GivesTheImpulsesOfTheUnabridgedSimulation) {
 }
 
 // The ball falls before the shins, bounces off the ground and meets them on its way up.
-TEST_F(RehearsalTest, SeesHitsAfterABounceOffTheGround) {
+TEST_F(RehearsalTest, FindsHitsAfterABounceOffTheGround) {
   const Rehearsal standing = simulator_.rehearse(motions_[0].motion, 0, 1);
   int hits = 0;
   for (int i = 0; i < 12; ++i) {
@@ -95,7 +95,7 @@ TEST_F(RehearsalTest, SeesHitsAfterABounceOffTheGround) {
 }
 
 // Against the figure's way and the ball's sampled so finely that a gap changes by 2 mm at most.
-TEST_F(RehearsalTest, BallMeetsTheFigureNoSoonerThanFound) {
+TEST_F(RehearsalTest, NothingTouchesBeforeTheFirstPossibleContact) {
   const FigureModel figure_model(character_);
   const SimulationOptions options;
   std::vector<std::unique_ptr<Rehearsal::Track>> tracks;
@@ -136,7 +136,7 @@ TEST_F(RehearsalTest, BallMeetsTheFigureNoSoonerThanFound) {
   EXPECT_GT(steps, 1000U);
 }
 
-TEST_F(RehearsalTest, SkipsWhatCannotTouch) {
+TEST_F(RehearsalTest, SkipsBallsThatCannotTouch) {
   const Rehearsal standing = simulator_.rehearse(motions_[0].motion, 0, 1);
   const Ball wide = scenes::aimed_ball({0, 3, 2}, {-20, 0, 0}, 0.4);
   const auto missed = simulator_.simulate(standing, wide);
@@ -149,7 +149,7 @@ TEST_F(RehearsalTest, SkipsWhatCannotTouch) {
   EXPECT_GT(total(hit), 1);
 }
 
-TEST_F(RehearsalTest, RepeatsBitForBitWhateverElseIsSimulatedOnThreadsAtOnce) {
+TEST_F(RehearsalTest, IsDeterministicOnConcurrentThreads) {
   const auto rehearsed = rehearsals();
   const auto hits = balls(40, 13);
   const auto run = [&](std::vector<SimulationResult>& results) {
@@ -160,7 +160,7 @@ TEST_F(RehearsalTest, RepeatsBitForBitWhateverElseIsSimulatedOnThreadsAtOnce) {
   scenes::expect_same_bits_on_threads(run);
 }
 
-TEST_F(RehearsalTest, KeptFromLaterOnGivesTheSameBitsInLessMemory) {
+TEST_F(RehearsalTest, LaterStartGivesTheSameBitsInLessMemory) {
   const auto whole = rehearsals();
   const auto late = rehearsals(0.25);
   for (std::size_t i = 0; i < whole.size(); ++i) {
@@ -180,7 +180,7 @@ TEST_F(RehearsalTest, KeptFromLaterOnGivesTheSameBitsInLessMemory) {
   EXPECT_GT(hits, 10);
 }
 
-TEST_F(RehearsalTest, RefusesABallThatComesBeforeItBegins) {
+TEST_F(RehearsalTest, RejectsABallThatArrivesBeforeItsStart) {
   const Rehearsal late = simulator_.rehearse(motions_[0].motion, 0.6, 1);
   const Ball early = scenes::aimed_ball({0, 0, 1.2}, {-20, 0, 0}, 0.3);
   EXPECT_THROW(simulator_.simulate(late, early), Error);

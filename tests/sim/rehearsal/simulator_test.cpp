@@ -78,7 +78,7 @@ TEST(Simulator, HoldsStillBeyondTheEndOfItsMotion) {
   EXPECT_LT(result.tracking_error_m, 0.01);
 }
 
-TEST(Simulator, ChargesNothingForAMiss) {
+TEST(Simulator, AMissGivesNoImpulse) {
   const motion::Motion motion = standing_still();
   const Ball wide = scenes::aimed_ball({0, 2, 1}, {-20, 0, 0}, 0.4);
   const Ball late = scenes::aimed_ball({0, 0, 1.2}, {-20, 0, 0}, 1.5);
@@ -91,7 +91,7 @@ TEST(Simulator, ChargesNothingForAMiss) {
 
 // (1 + e) m v, what a wall would take, is the most that one hit gives; a chest that 75 kg stand
 // behind gives way little.
-TEST(Simulator, ChestTakesNearlyWhatAWallWould) {
+TEST(Simulator, ImpulseOnTheChestIsNearlyThatOnAWall) {
   const motion::Motion motion = standing_still();
   for (double speed_mps : {10.0, 20.0, 30.0}) {
     const Ball ball =
@@ -105,7 +105,7 @@ TEST(Simulator, ChestTakesNearlyWhatAWallWould) {
 }
 
 // A head on a neck takes at least what a free head would, and less than a wall.
-TEST(Simulator, HeadTakesBetweenWhatAFreeHeadAndAWallWould) {
+TEST(Simulator, ImpulseOnTheHeadIsBetweenThoseOnAFreeHeadAndOnAWall) {
   const motion::Motion motion = standing_still();
   const Ball ball =
       scenes::aimed_ball(middle_of(Body::head, motion.poses.front()), {-25, 0, 0}, 0.3);
@@ -115,7 +115,7 @@ TEST(Simulator, HeadTakesBetweenWhatAFreeHeadAndAWallWould) {
   EXPECT_LT(result.impulse[Body::head], 1.01 * wall);
 }
 
-TEST(Simulator, FirstContactIsWhenTheBallsFlightMeetsTheBody) {
+TEST(Simulator, FirstContactTimeMatchesTheBallsFlight) {
   const motion::Motion motion = standing_still();
   const Eigen::Vector3d chest = middle_of(Body::chest, motion.poses.front());
   const Ball ball = scenes::aimed_ball(chest, {-20, 0, 0}, 0.3);
@@ -132,7 +132,7 @@ TEST(Simulator, FirstContactIsWhenTheBallsFlightMeetsTheBody) {
   EXPECT_GT(total(simulate(motion, &ball, result.first_contact_s + 0.003)), 0);
 }
 
-TEST(Simulator, ChargesBothWhenAHandIsDrivenIntoTheFace) {
+TEST(Simulator, HandDrivenIntoTheFaceGivesBothAnImpulse) {
   motion::Motion motion;
   motion::Pose bowed = scenes::guarding(character().skeleton);
   scenes::turn(bowed, motion::Role::neck, Eigen::Vector3f::UnitY(), 20);
@@ -152,7 +152,7 @@ TEST(Simulator, ChargesBothWhenAHandIsDrivenIntoTheFace) {
   EXPECT_EQ(driven, 2);
 }
 
-TEST(Simulator, ChargesNoPressingThatTheMotionItselfDoes) {
+TEST(Simulator, ContactOfTheMotionItselfGivesNoImpulse) {
   motion::Pose kneeing = scenes::standing(character().skeleton);
   scenes::turn(kneeing, motion::Role::left_thigh, Eigen::Vector3f::UnitY(), -150);
   scenes::turn(kneeing, motion::Role::left_shin, Eigen::Vector3f::UnitY(), 90);
@@ -177,7 +177,7 @@ TEST(Simulator, ChargesNoPressingThatTheMotionItselfDoes) {
 }
 
 // docs/simulation.md has the study; this keeps what it found.
-TEST(Simulator, ImpulsesHardlyChangeWhenBothStepsAreHalved) {
+TEST(Simulator, ImpulsesConvergeWhenBothStepsAreHalved) {
   const auto motions = scenes::motions_by_rule(character().skeleton);
   const auto hits = scenes::random_hits(character(), motions, 48, 7);
   SimulationOptions half;
@@ -210,7 +210,7 @@ TEST(Simulator, FigureRecoversFromAnyHit) {
   }
 }
 
-TEST(Simulator, MirroredScenesTakeMirroredImpulses) {
+TEST(Simulator, MirroredScenesGiveMirroredImpulses) {
   const auto motions = scenes::motions_by_rule(character().skeleton);
   for (std::size_t index : {0U, 1U, 3U, 5U}) {
     const motion::Motion& motion = motions[index].motion;
@@ -230,7 +230,7 @@ TEST(Simulator, MirroredScenesTakeMirroredImpulses) {
   }
 }
 
-TEST(Simulator, RepeatsBitForBitWhateverItSimulatedBefore) {
+TEST(Simulator, IsDeterministicWhateverItSimulatedBefore) {
   const auto motions = scenes::motions_by_rule(character().skeleton);
   const motion::Motion& motion = motions[5].motion;
   const auto balls = many_balls(motion::sample(motion, 0.3F));
@@ -244,7 +244,7 @@ TEST(Simulator, RepeatsBitForBitWhateverItSimulatedBefore) {
   }
 }
 
-TEST(Simulator, RepeatsBitForBitOnThreadsAtOnce) {
+TEST(Simulator, IsDeterministicOnConcurrentThreads) {
   const motion::Motion motion = scenes::motions_by_rule(character().skeleton)[5].motion;
   const auto balls = many_balls(motion::sample(motion, 0.3F));
   const auto run = [&](std::vector<SimulationResult>& results) {
@@ -254,7 +254,7 @@ TEST(Simulator, RepeatsBitForBitOnThreadsAtOnce) {
   scenes::expect_same_bits_on_threads(run);
 }
 
-TEST(OdeMessages, AreCountedOnTheirThreadAndNotPrinted) {
+TEST(OdeMessages, AreCountedPerThreadAndNotPrinted) {
   const OdeWorld world;
   const int before = solver_messages_on_this_thread();
   testing::internal::CaptureStderr();
@@ -266,7 +266,7 @@ TEST(OdeMessages, AreCountedOnTheirThreadAndNotPrinted) {
   EXPECT_EQ(solver_messages_on_this_thread() - before, 1);
 }
 
-TEST(OdeMessages, OfFailureAreThrownAsErrors) {
+TEST(OdeMessages, FailuresAreThrownAsErrors) {
   const OdeWorld world;
   EXPECT_THROW(dError(7, "out of %s", "order"), Error);
   try {

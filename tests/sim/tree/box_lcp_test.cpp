@@ -46,7 +46,7 @@ std::optional<Eigen::VectorXd> by_exhaustion(const Eigen::MatrixXd& matrix,
   return std::nullopt;
 }
 
-TEST(BoxLcp, FindsWhatTryingEveryChoiceFinds) {
+TEST(BoxLcp, MatchesBruteForce) {
   std::mt19937 generator(3);
   std::uniform_real_distribution<double> uniform(-1, 1);
   BoxLcp lcp;

@@ -84,7 +84,7 @@ class TreeSceneTest : public testing::Test {
   }
 };
 
-TEST_F(TreeSceneTest, StepsFreeFiguresAsOdeDoes) {
+TEST_F(TreeSceneTest, FreeFiguresMatchOde) {
   RandomStep random(figure_model_, 1);
   for (int i = 0; i < 200; ++i) {
     ReferenceState start = random.disturbed(random.state(i % 2 ? 0.3 : 1.2));
@@ -109,7 +109,7 @@ TEST_F(TreeSceneTest, StepsFreeFiguresAsOdeDoes) {
   }
 }
 
-TEST_F(TreeSceneTest, StepsFiguresInContactAsOdeDoes) {
+TEST_F(TreeSceneTest, FiguresInContactMatchOde) {
   RandomStep random(figure_model_, 2);
   int rubbed = 0;
   for (int i = 0; i < 300; ++i) {

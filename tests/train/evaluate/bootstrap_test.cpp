@@ -19,7 +19,7 @@ TEST(Bootstrap, PercentilesAreLinearBetweenOrderStatistics) {
   EXPECT_DOUBLE_EQ(interval.high, 39);
 }
 
-TEST(Bootstrap, IntervalOfAMeanIsAboutTwoStandardErrorsWide) {
+TEST(Bootstrap, IntervalOfAMeanReachesAboutTwoStandardErrorsEachWay) {
   // 400 values, half of them 0 and half 1: the mean's standard error is 0.5 / 20 = 0.025.
   std::vector<double> values;
   for (int i = 0; i < 400; ++i) values.push_back(i % 2);
@@ -30,7 +30,7 @@ TEST(Bootstrap, IntervalOfAMeanIsAboutTwoStandardErrorsWide) {
   EXPECT_NEAR(estimated.interval.high, 0.5 + 1.96 * 0.025, 0.004);
 }
 
-TEST(Bootstrap, AResampledMeanIsTheMeanOfItsIndices) {
+TEST(Bootstrap, ResampledMeanIsTheMeanOfItsIndices) {
   const std::vector<double> values{1, 10, 100};
   const ResampledMean mean = resampled_mean(values, {{0, 0, 1}, {2, 1, 2}});
   EXPECT_DOUBLE_EQ(mean.mean, 37);
@@ -41,7 +41,7 @@ TEST(Bootstrap, AResampledMeanIsTheMeanOfItsIndices) {
 
 // Two rows that differ by a constant differ by it in every resample: pairing takes the scenarios'
 // own spread out.
-TEST(Bootstrap, APairedDifferenceOfAConstantHasNoWidth) {
+TEST(Bootstrap, IntervalOfAConstantPairedDifferenceHasZeroWidth) {
   std::vector<double> low;
   std::vector<double> high;
   for (int i = 0; i < 50; ++i) {
@@ -61,7 +61,7 @@ TEST(Bootstrap, ResamplesAreTheSameForTheSameSeed) {
   EXPECT_NE(draw_resamples(50, 10, 3), draw_resamples(50, 10, 4));
 }
 
-TEST(Bootstrap, AStatisticThatIsNeverDefinedHasNoInterval) {
+TEST(Bootstrap, UndefinedStatisticHasNoInterval) {
   const Interval interval =
       percentile_interval(std::vector<double>(10, std::numeric_limits<double>::quiet_NaN()));
   EXPECT_TRUE(std::isnan(interval.low));

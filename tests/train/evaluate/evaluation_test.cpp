@@ -28,7 +28,7 @@ TEST(CostModel, TakesItsReferencesFromTheStore) {
   EXPECT_DOUBLE_EQ(default_cost(store.header).reference_work_j, 250);
 }
 
-TEST(Evaluation, RowsAddUpToTheirDefinitions) {
+TEST(Evaluation, RowsMatchTheirDefinitions) {
   const Comparison comparison(split_of(made_up_store(400)));
   const Evaluation& evaluation = comparison.evaluation;
   ASSERT_EQ(comparison.split.tested.size(), 100U);
@@ -112,7 +112,7 @@ TEST(Evaluation, DifferencesArePairedByScenario) {
   }
 }
 
-TEST(Evaluation, LearnersFindARuleThatFollowsFromTheFeatures) {
+TEST(Evaluation, MethodsLearnARuleOfTheFeatures) {
   const Comparison comparison(split_of(made_up_store(400)));
   EXPECT_GT(row(comparison.evaluation, "svm").protection.value, 0.9);
   EXPECT_GT(row(comparison.evaluation, "knn").protection.value, 0.8);
@@ -120,7 +120,7 @@ TEST(Evaluation, LearnersFindARuleThatFollowsFromTheFeatures) {
             row(comparison.evaluation, "svm").protection.value);
 }
 
-TEST(Evaluation, IsTheSameEveryTimeButForTheTiming) {
+TEST(Evaluation, IsDeterministicExceptForTiming) {
   const Comparison once(split_of(made_up_store(60)), 1e-6);
   const Comparison again(split_of(made_up_store(60)), 5e-6);
   EXPECT_EQ(report_document(report_of(once)).dump(), report_document(report_of(again)).dump());
@@ -129,7 +129,7 @@ TEST(Evaluation, IsTheSameEveryTimeButForTheTiming) {
   EXPECT_NE(timing_document(once.evaluation).dump(), timing_document(again.evaluation).dump());
 }
 
-TEST(Evaluation, TimesWhatTheClockSays) {
+TEST(Evaluation, TimingFollowsTheClock) {
   const Comparison comparison(split_of(made_up_store(60)), 3e-6);
   for (const RowTiming& timing : comparison.evaluation.timing) {
     EXPECT_NEAR(timing.median_us, 3, 1e-6);
@@ -139,7 +139,7 @@ TEST(Evaluation, TimesWhatTheClockSays) {
   }
 }
 
-TEST(Groups, HoldEveryScenarioOnceAKindAndTheirOwnMeans) {
+TEST(Groups, HoldEveryScenarioOncePerKindWithTheirOwnMeans) {
   const Comparison comparison(split_of(made_up_store(400)));
   const std::vector<GroupRow> groups = group_rows(comparison.split, comparison.evaluation, 1);
   std::map<std::string, std::size_t> scenarios;
@@ -188,7 +188,7 @@ TEST(Reliability, BinsHoldEveryScenarioOnceByRisingConfidence) {
   }
 }
 
-TEST(Relabelling, MoreBrawnMakesIdlingBestMoreOften) {
+TEST(Relabelling, MoreBrawnLabelsIdleMoreOften) {
   const Store store = made_up_store(200);
   const auto idling = [&](double brawn) {
     const Labels labels =

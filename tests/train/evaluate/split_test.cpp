@@ -21,7 +21,7 @@ std::string refusal_of(const Store& training, const Store& test) {
   return "";
 }
 
-TEST(TrainTestSplit, HoldsOutEveryFourth) {
+TEST(TrainTestSplit, HoldsOutEveryFourthScenario) {
   const TrainTestSplit split = split_of(made_up_store(10));
   ASSERT_EQ(split.tested.size(), 2U);
   EXPECT_EQ(split.tested[0].number, 3U);
@@ -30,7 +30,7 @@ TEST(TrainTestSplit, HoldsOutEveryFourth) {
   EXPECT_FALSE(split.has_test_store);
 }
 
-TEST(TrainTestSplit, OfTwoStoresFitsToAllOfOneAndTestsOnAllOfTheOther) {
+TEST(TrainTestSplit, OfTwoStoresFitsOneAndTestsTheOther) {
   const TrainTestSplit split = split_of(made_up_store(10), made_up_store(6, 6));
   EXPECT_EQ(split.fitted.size(), 10U);
   EXPECT_EQ(split.tested.size(), 6U);
@@ -38,13 +38,13 @@ TEST(TrainTestSplit, OfTwoStoresFitsToAllOfOneAndTestsOnAllOfTheOther) {
   EXPECT_TRUE(split.has_test_store);
 }
 
-TEST(TrainTestSplit, TooFewScenariosAreRefused) {
+TEST(TrainTestSplit, RejectsTooFewScenarios) {
   EXPECT_THROW(split_of(made_up_store(7)), Error);
   EXPECT_THROW(split_of(made_up_store(10), made_up_store(1, 6)), Error);
   EXPECT_THROW(split_of(made_up_store(0), made_up_store(10, 6)), Error);
 }
 
-TEST(TestStore, ThatSharesAScenarioIsRefused) {
+TEST(TestStore, IsRejectedIfItSharesAScenario) {
   const Store training = made_up_store(10);
   Store test = made_up_store(12);
   EXPECT_THAT(refusal_of(training, test), HasSubstr("test.flinchobs: shares scenarios"));
@@ -58,7 +58,7 @@ TEST(TestStore, ThatSharesAScenarioIsRefused) {
   EXPECT_EQ(refusal_of(training, test), "");
 }
 
-TEST(TestStore, OfAnotherLibrarySimulationOrLayoutIsRefused) {
+TEST(TestStore, IsRejectedIfLibrarySimulationOrLayoutDiffers) {
   const Store training = made_up_store(10);
   Store test = made_up_store(10, 6);
   test.header.library_hash = 1;

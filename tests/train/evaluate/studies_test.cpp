@@ -15,7 +15,7 @@ const EvaluationRow& row(const Comparison& comparison, const std::string& name) 
 }
 
 // The neighbours' majority is as coarse as the made-up directions, and smooths the noise away.
-TEST(Noise, OfNothingChangesNothingAndMuchOfItHurtsASharpSelector) {
+TEST(Noise, OfZeroChangesNothingAndLargeNoiseHurtsAnAccurateSelector) {
   const Comparison comparison(split_of(made_up_store(400)));
   const std::vector<NoiseRow> rows = noise_rows(comparison.plan(), comparison.fitted);
   ASSERT_EQ(rows.size(), 5 * kTestMethods.size());
@@ -28,7 +28,7 @@ TEST(Noise, OfNothingChangesNothingAndMuchOfItHurtsASharpSelector) {
   }
 }
 
-TEST(Curves, EndAtTheComparisonsOwnRow) {
+TEST(LearningCurves, EndAtTheComparisonsRow) {
   const Comparison comparison(split_of(made_up_store(700)));
   const std::vector<LearningCurveRow> rows = learning_curve_rows(comparison.plan(), kSilence);
   ASSERT_EQ(rows.size(), 2 * kTestMethods.size());  // 500 and all 525
@@ -40,7 +40,7 @@ TEST(Curves, EndAtTheComparisonsOwnRow) {
   }
 }
 
-TEST(Transfer, ToTheSameBrawnIsTheComparisonsOwnRow) {
+TEST(Transfer, ToTheSameBrawnIsTheComparisonsRow) {
   const Comparison comparison(split_of(made_up_store(200)));
   const std::vector<TransferRow> rows = transfer_rows(comparison.plan(), kSilence);
   ASSERT_EQ(rows.size(), 16 * kTestMethods.size());

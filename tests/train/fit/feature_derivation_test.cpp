@@ -14,7 +14,7 @@ namespace {
 
 // What a character in a game is told of a scenario and what its selector learned from are the same
 // bits, whatever the layout; and so it chooses what the trainer would.
-TEST(FeatureDerivation, GivesTheBitsThatTheRunTimeComputes) {
+TEST(FeatureDerivation, MatchesTheRunTimeBitForBit) {
   for (const features::FeatureSet& set : features::feature_sets()) {
     Store store = made_up_store(60);
     derive_features(set.layout, store);
@@ -43,7 +43,7 @@ TEST(FeatureDerivation, GivesTheBitsThatTheRunTimeComputes) {
   }
 }
 
-TEST(FeatureDerivation, LeavesThePapersFeaturesAsTheStoreHasThem) {
+TEST(FeatureDerivation, OfThePapersFeaturesChangesNothing) {
   const Store before = made_up_store(20);
   Store after = before;
   derive_features(features::feature_set_named("paper")->layout, after);
@@ -51,7 +51,7 @@ TEST(FeatureDerivation, LeavesThePapersFeaturesAsTheStoreHasThem) {
     EXPECT_EQ(after.observations[i].features, before.observations[i].features);
 }
 
-TEST(FeatureDerivation, FromADamagedLibraryIsRefused) {
+TEST(FeatureDerivation, RejectsADamagedLibrary) {
   Store store = made_up_store(2);
   store.header.library_file.resize(100);
   EXPECT_THROW(derive_features(features::feature_set_named("geometry")->layout, store), Error);

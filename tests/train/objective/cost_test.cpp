@@ -8,7 +8,7 @@ namespace {
 
 using motion::Body;
 
-TEST(Vulnerability, TheDefaultKeepsTheOrderOfTheBodyWithASpreadOfThreeToSeven) {
+TEST(Vulnerability, DefaultRanksBodiesByInjuryWithARatioOfThreeToSeven) {
   const Vulnerability& v = vulnerability_profiles()[0].vulnerability;
   for (const bool left : {true, false}) {
     const double hand = v[left ? Body::left_hand : Body::right_hand];
@@ -36,7 +36,7 @@ TEST(Vulnerability, ProfilesAreFoundByName) {
   EXPECT_EQ(vulnerability_profile_named("nonsense"), nullptr);
 }
 
-TEST(Cost, IsTheFormulaOfTheDesign) {
+TEST(Cost, MatchesItsFormula) {
   CostModel model;
   model.vulnerability = {};
   model.vulnerability[Body::head] = 2;
@@ -69,17 +69,17 @@ TEST(BestTrial, IsTheCheapest) {
   EXPECT_EQ(best_trial(trials({{0, 1}, {1, 9}, {2, 1}}), std::vector{3.0, 2.0, 2.5}), 1U);
 }
 
-TEST(BestTrial, OfCostsWithinOnePercentIsTheOneOfLessWork) {
+TEST(BestTrial, AmongCostsWithinOnePercentHasTheLeastWork) {
   const auto three = trials({{0, 9}, {1, 5}, {2, 1}});
   EXPECT_EQ(best_trial(three, std::vector{1.0, 1.0099, 1.0101}), 1U);
   EXPECT_EQ(best_trial(three, std::vector{1.0, 1.0099, 1.0099}), 2U);
 }
 
-TEST(BestTrial, OfEqualCostAndWorkIsTheLowerClip) {
+TEST(BestTrial, OfEqualCostAndWorkIsTheLowerClipIndex) {
   EXPECT_EQ(best_trial(trials({{4, 2}, {2, 2}, {3, 2}}), std::vector{1.0, 1.0, 1.0}), 1U);
 }
 
-TEST(BestTrial, ACostOfZeroHasNoNeighbours) {
+TEST(BestTrial, ZeroCostTiesOnlyWithZero) {
   EXPECT_EQ(best_trial(trials({{0, 5}, {1, 0}}), std::vector{0.0, 1e-9}), 0U);
 }
 

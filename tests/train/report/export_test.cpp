@@ -24,7 +24,7 @@ std::vector<std::string> cells_of(const std::string& line) {
   return cells;
 }
 
-TEST(Export, LibsvmTextHoldsTheTrainingSetToTheLastBit) {
+TEST(Export, LibsvmTextRoundTripsTheTrainingSet) {
   for (const features::FeatureSet& features : features::feature_sets()) {
     Store store = made_up_store(50);
     derive_features(features.layout, store);
@@ -55,7 +55,7 @@ TEST(Export, LibsvmTextHoldsTheTrainingSetToTheLastBit) {
   }
 }
 
-TEST(Export, CsvHoldsWhatEachTriedClipCostsUnderItsName) {
+TEST(Export, CsvHoldsTheCostOfEachTriedClipUnderItsName) {
   Store store = made_up_store(20);
   derive_features(features::feature_set_named("geometry")->layout, store);
   const Labels labels = label(store.observations, default_cost(store.header));

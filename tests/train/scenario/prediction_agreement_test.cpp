@@ -11,7 +11,7 @@ namespace flinch::train {
 namespace {
 
 // What a game computes from position and velocity alone is what selectors are trained on.
-TEST(PredictImpact, FindsTheTargetAndTheTimeThatScenariosAimAt) {
+TEST(PredictImpact, FindsTheTargetAndTimeOfScenarios) {
   constexpr int kScenarios = 3000;
   const database::ClipLibrary library = scenes::synthetic_library();
   const motion::BodyModel model = make_body_model(library.character);

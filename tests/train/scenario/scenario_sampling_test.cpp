@@ -49,7 +49,7 @@ TEST_F(ScenarioSampling, ThreatsPassNearTheTargetsCentreAtTheTimeOfImpact) {
   EXPECT_GT(farthest, 0.95 * distribution_.aim_radius_m);
 }
 
-TEST_F(ScenarioSampling, ThreatsKeepToTheDistributionAndAboveTheGround) {
+TEST_F(ScenarioSampling, ThreatsAreWithinTheDistributionAndAboveTheGround) {
   std::array<int, motion::kTargetCount> per_target{};
   std::array<int, 8> per_sector{};
   for (int number = 0; number < kScenarios; ++number) {
@@ -76,7 +76,7 @@ TEST_F(ScenarioSampling, ThreatsKeepToTheDistributionAndAboveTheGround) {
   for (const int count : per_sector) EXPECT_NEAR(count, kScenarios / 8, 65);
 }
 
-TEST_F(ScenarioSampling, TimesAndCharactersAreOnTheirGrid) {
+TEST_F(ScenarioSampling, TimesAndIdlePhasesAreOnTheirGrid) {
   std::array<int, 20> per_time{};
   std::array<int, 4> per_state{};
   ASSERT_EQ(time_to_impact_count(distribution_), 20);
@@ -111,7 +111,7 @@ TEST_F(ScenarioSampling, TheSameNumberGivesTheSameBits) {
   EXPECT_NE(once.threat.velocity, sample(17, 2).threat.velocity);
 }
 
-TEST_F(ScenarioSampling, ADistributionWithoutFeasibleThreatsIsRefused) {
+TEST_F(ScenarioSampling, RejectsADistributionWithoutFeasibleThreats) {
   distribution_.max_speed_mps = 8;
   distribution_.min_time_to_impact_s = 3;
   distribution_.max_time_to_impact_s = 4;
@@ -126,7 +126,7 @@ TEST(MinFeasibleElevation, PutsTheStartOnTheGround) {
   EXPECT_DOUBLE_EQ(min_feasible_elevation(1, 5, 0.105, 1.1), M_PI / 2);
 }
 
-TEST_F(ScenarioSampling, ADescribedThreatHasTheFeaturesOfAnObserverWhoStandsStill) {
+TEST_F(ScenarioSampling, ADescribedThreatHasTheFeaturesOfACharacterStandingStill) {
   TargetCentres centres{};
   centres[0] = {0.1F, 0, 1.6F};
   DescribedThreat threat;
@@ -143,7 +143,7 @@ TEST_F(ScenarioSampling, ADescribedThreatHasTheFeaturesOfAnObserverWhoStandsStil
   EXPECT_EQ(x[15], 1.0F);
 }
 
-TEST_F(ScenarioSampling, TargetCentresInTheCharactersFrameForgetWhereItStands) {
+TEST_F(ScenarioSampling, TargetCentresInTheCharactersFrameDoNotDependOnItsPlace) {
   const motion::Skeleton& skeleton = library_.character.skeleton;
   const motion::Pose pose = idle().poses.front();
   const TargetCentres here = target_centres_in_character_frame(skeleton, model_, pose);

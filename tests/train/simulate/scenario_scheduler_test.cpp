@@ -14,7 +14,7 @@ std::vector<ScenarioRange> all_of(ScenarioScheduler& ranges, int threads = 1) {
   return handed_out;
 }
 
-TEST(ScenarioScheduler, HandOutEachMissingScenarioOnce) {
+TEST(ScenarioScheduler, AssignsEachMissingScenarioOnce) {
   const std::vector<ScenarioRange> missing{{3, 40}, {100, 1}, {1000, 5000}};
   for (const int workers : {1, 2, 7}) {
     ScenarioScheduler ranges(missing, workers, 128);
@@ -35,7 +35,7 @@ TEST(ScenarioScheduler, HandOutEachMissingScenarioOnce) {
   }
 }
 
-TEST(ScenarioScheduler, BeginSmallAndGrowToTheMost) {
+TEST(ScenarioScheduler, RangesStartSmallAndGrowToTheMaximum) {
   ScenarioScheduler ranges({{0, 100'000}}, 1, 128);
   const auto handed_out = all_of(ranges);
   EXPECT_EQ(handed_out.front().count, 16U);
@@ -44,14 +44,14 @@ TEST(ScenarioScheduler, BeginSmallAndGrowToTheMost) {
   EXPECT_EQ(handed_out[20].count, 128U);
 }
 
-TEST(ScenarioScheduler, AreSmallAgainWhereOthersWouldWaitForTheLast) {
+TEST(ScenarioScheduler, RangesShrinkNearTheEnd) {
   ScenarioScheduler ranges({{0, 10'000}}, 10, 128);
   const auto handed_out = all_of(ranges);
   EXPECT_LE(handed_out.back().count, 16U);
   EXPECT_EQ(handed_out[handed_out.size() / 2].count, 128U);
 }
 
-TEST(ScenarioScheduler, AreLargerForProcessesOfMoreThreads) {
+TEST(ScenarioScheduler, RangesAreLargerForProcessesWithMoreThreads) {
   ScenarioScheduler ranges({{0, 100'000}}, 1, 128);
   EXPECT_EQ(ranges.next(8)->count, 8 * 16U);
   for (int i = 0; i < 20; ++i) ranges.next(8);
@@ -59,7 +59,7 @@ TEST(ScenarioScheduler, AreLargerForProcessesOfMoreThreads) {
   EXPECT_EQ(ranges.next(1)->count, 128U);
 }
 
-TEST(ScenarioScheduler, ARangeTakenBackIsTheNext) {
+TEST(ScenarioScheduler, AReturnedRangeIsAssignedNext) {
   ScenarioScheduler ranges({{0, 32}}, 2, 128);
   const ScenarioRange first = *ranges.next(1);
   ranges.put_back(first);

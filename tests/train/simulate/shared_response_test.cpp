@@ -91,12 +91,12 @@ TEST_F(SharedResponse, IsNoLongerSharedWhereThereIsLessTime) {
   EXPECT_GT(rushed, 50);
 }
 
-TEST_F(SharedResponse, OfTheIdlerIsOneForAllTimes) {
+TEST_F(SharedResponse, OfTheIdleClipIsOneForAllTimes) {
   for (int time = 0; time < time_to_impact_count(kDistribution); ++time)
     EXPECT_EQ(shared_->key_of(library_->idle, {2, time}), (ResponseKey{library_->idle, {2, 0}}));
 }
 
-TEST_F(SharedResponse, ThereAreFarFewerThanPlaces) {
+TEST_F(SharedResponse, ThereAreFarFewerThanGridCells) {
   const std::size_t places =
       library_->clips.size() * 4 * static_cast<std::size_t>(time_to_impact_count(kDistribution));
   EXPECT_LT(shared_->count(), places / 2);

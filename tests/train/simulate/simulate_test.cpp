@@ -15,7 +15,7 @@
 namespace flinch::train {
 namespace {
 
-TEST(ClipsToTry, AreTheAllowedOnesAndIdle) {
+TEST(ClipsToTry, AreTheAllowedClipsAndTheIdleClip) {
   database::ClipLibrary library = scenes::synthetic_library();
   library.clips[2].annotation.reset();
   std::vector<std::string> names;
@@ -53,14 +53,14 @@ TEST(StoreHeader, KeepsTheReferencesOfTheNormalisation) {
   EXPECT_EQ(header.clips.size(), library.clips.size());
 }
 
-TEST(StoreHeader, ALibraryWithoutAnnotatedClipsIsRefused) {
+TEST(StoreHeader, RejectsALibraryWithoutAnnotatedClips) {
   database::ClipLibrary library = scenes::synthetic_library();
   for (motion::Clip& clip : library.clips) clip.annotation.reset();
   const SimulationSetup setup(library, {});
   EXPECT_THROW(make_store_header(setup), Error);
 }
 
-TEST(Trials, ABallAtAnIdlerLeavesAPlausibleImpulse) {
+TEST(Trials, ABallGivesAnIdlingCharacterAPlausibleImpulse) {
   const database::ClipLibrary library = scenes::synthetic_library();
   const SimulationSetup setup(library, {});
   int hits = 0;
@@ -96,7 +96,7 @@ std::vector<std::vector<std::byte>> trials_of(const Batch& batch) {
   return bytes;
 }
 
-TEST(SimulateBatch, GivesTheSameBitsForAnyThreadsMemoryAndCompany) {
+TEST(SimulateBatch, DoesNotDependOnThreadsMemoryAndBatches) {
   const database::ClipLibrary library = scenes::synthetic_library();
   SimulationPlan plan;
   plan.tail_s = 0.05;
@@ -118,7 +118,7 @@ TEST(SimulateBatch, GivesTheSameBitsForAnyThreadsMemoryAndCompany) {
   EXPECT_GT(batch.counts.hits, 0U);
 }
 
-TEST(RehearsalCache, KeepNoMoreThanTheyMay) {
+TEST(RehearsalCache, StaysWithinItsMaximumSize) {
   const database::ClipLibrary library = scenes::synthetic_library();
   const SimulationSetup setup(library, {});
   const auto first = std::make_shared<const RehearsedResponse>(rehearse(setup, {0, {0, 0}}));
@@ -132,7 +132,7 @@ TEST(RehearsalCache, KeepNoMoreThanTheyMay) {
   EXPECT_EQ(rehearsals.find(second->key), nullptr);
 }
 
-TEST(MemoryPlan, TooLittleIsRefusedWithTheLeastThatDoes) {
+TEST(MemoryPlan, RejectsTooLittleMemoryNamingTheMinimum) {
   const database::ClipLibrary library = scenes::synthetic_library();
   const SimulationSetup setup(library, {});
   const MemoryPlan plan = plan_memory(setup, std::uint64_t{1} << 30, 2);
@@ -158,7 +158,7 @@ double difference(const Trial& a, const Trial& b) {
   return whole > 0 ? change / whole : 0;
 }
 
-TEST(SharedTrials, FindWhatTheUnabridgedOnesDo) {
+TEST(SharedTrials, MatchFullSimulations) {
   const database::ClipLibrary library = scenes::synthetic_library();
   SimulationPlan plan;
   plan.distribution.min_time_to_impact_s = 0.5;  // so that many responses are begun later
@@ -216,7 +216,7 @@ class SimulateStore : public testing::Test {
   SimulationSetup setup_{library_, plan()};
 };
 
-TEST_F(SimulateStore, StoppedAndRunAgainGivesTheBytesOfAnUninterruptedRun) {
+TEST_F(SimulateStore, ResumedRunGivesTheBytesOfAnUninterruptedRun) {
   std::atomic<bool> stop = false;
   SimulationRun run = run_of(setup_, kWanted, 1);
   run.batch.stop = &stop;
@@ -230,7 +230,7 @@ TEST_F(SimulateStore, StoppedAndRunAgainGivesTheBytesOfAnUninterruptedRun) {
   EXPECT_TRUE(bytes_of(folder_ / "stopped") == whole());
 }
 
-TEST_F(SimulateStore, TheNumberOfProcessesDoesNotShow) {
+TEST_F(SimulateStore, DoesNotDependOnTheNumberOfProcesses) {
   LocalExchange exchange(3);
   std::vector<std::jthread> workers;
   for (int rank = 1; rank < 3; ++rank) {
@@ -246,7 +246,7 @@ TEST_F(SimulateStore, TheNumberOfProcessesDoesNotShow) {
   EXPECT_TRUE(bytes_of(folder_ / "crew") == whole());
 }
 
-TEST_F(SimulateStore, AFinishedStoreSendsTheHelpersHome) {
+TEST_F(SimulateStore, AFinishedStoreStopsTheWorkers) {
   whole();
   LocalExchange exchange(2);
   std::jthread worker([&] { help(exchange, 1); });

@@ -65,7 +65,7 @@ Outcome run(std::uint64_t scenarios, int workers,
   return outcome;
 }
 
-TEST(WorkerPool, EveryScenarioIsDoneOnce) {
+TEST(WorkerPool, SimulatesEveryScenarioOnce) {
   for (const int workers : {1, 2, 5}) {
     const Outcome outcome =
         run(3000, workers, [](int, ScenarioRange range) { return done_of(range); });
@@ -74,7 +74,7 @@ TEST(WorkerPool, EveryScenarioIsDoneOnce) {
   }
 }
 
-TEST(WorkerPool, ASlowHelperHoldsNobodyUp) {
+TEST(WorkerPool, ASlowWorkerDoesNotDelayTheOthers) {
   std::atomic<std::uint64_t> by_slow = 0;
   const Outcome outcome = run(2000, 3, [&](int worker, ScenarioRange range) {
     if (worker == 1) {
@@ -87,7 +87,7 @@ TEST(WorkerPool, ASlowHelperHoldsNobodyUp) {
   EXPECT_LT(by_slow, 500U);
 }
 
-TEST(WorkerPool, AnInterruptedHelpersRangeIsDoneByAnother) {
+TEST(WorkerPool, ReassignsTheRangeOfAnInterruptedWorker) {
   const Outcome outcome =
       run(1000, 3, [](int worker, ScenarioRange range) -> std::optional<RangeResult> {
         if (worker == 2 && range.first > 100) return std::nullopt;
@@ -96,7 +96,7 @@ TEST(WorkerPool, AnInterruptedHelpersRangeIsDoneByAnother) {
   EXPECT_EQ(outcome.times_done, std::vector<int>(1000, 1));
 }
 
-TEST(WorkerPool, AFailureIsToldWithItsReason) {
+TEST(WorkerPool, ReportsAFailureWithItsReason) {
   const auto fails = [](int worker, ScenarioRange range) -> std::optional<RangeResult> {
     if (worker == 2) throw Error("real.flinchlib", "is gone");
     return done_of(range);
@@ -109,7 +109,7 @@ TEST(WorkerPool, AFailureIsToldWithItsReason) {
   }
 }
 
-TEST(WorkerPool, AHelperOfAnotherRunIsRefused) {
+TEST(WorkerPool, RejectsAWorkerOfAnotherRun) {
   LocalExchange exchange(2);
   LocalMessenger worker(exchange, 1);
   worker.send(0, encode(WorkRequest{kRun + 1, 1}));
@@ -118,7 +118,7 @@ TEST(WorkerPool, AHelperOfAnotherRunIsRefused) {
   EXPECT_THROW(pool.poll(), Error);
 }
 
-TEST(WorkerMessages, ArriveAsTheyWereSent) {
+TEST(WorkerMessages, RoundTrip) {
   RangeResult done = done_of({7, 3});
   done.trials[1] = {std::byte{1}, std::byte{255}};
   done.counts = {1, 2, 3, 4, 5};
@@ -133,7 +133,7 @@ TEST(WorkerMessages, ArriveAsTheyWereSent) {
   EXPECT_EQ(std::get<Assignment>(decode(encode(Assignment{{4, 5}}))).range.count, 5U);
 }
 
-TEST(WorkerMessages, CutShortOrTooLongAreRefused) {
+TEST(WorkerMessages, RejectsTruncatedOrOverlongBytes) {
   std::vector<std::byte> bytes = encode(done_of({7, 3}));
   for (std::size_t size = 0; size < bytes.size(); ++size)
     EXPECT_THROW(decode(std::span(bytes).first(size)), Error) << size;

@@ -46,7 +46,7 @@ class Merge : public testing::Test {
   StoreHeader header_ = made_up_header();
 };
 
-TEST_F(Merge, GivesTheBytesOfAStoreThatWasMadeAtOnce) {
+TEST_F(Merge, GivesTheBytesOfOneStoreOfAllScenarios) {
   const std::string whole = bytes_of(make("whole", {0, kCount}));
   const std::string a = make("a", {0, 25});
   const std::string b = make("b", {25, 15});
@@ -65,7 +65,7 @@ TEST_F(Merge, GivesTheBytesOfAStoreThatWasMadeAtOnce) {
   EXPECT_FALSE(std::filesystem::exists(a + ".partial"));
 }
 
-TEST_F(Merge, InterruptedGoesOn) {
+TEST_F(Merge, ResumesAfterAnInterruption) {
   const std::string whole = bytes_of(make("whole", {10, 50}));
   const std::string a = make("a", {10, 20});
   const std::string b = make("b", {30, 30});
@@ -77,7 +77,7 @@ TEST_F(Merge, InterruptedGoesOn) {
   EXPECT_TRUE(bytes_of(folder_ / "out") == whole);
 }
 
-TEST_F(Merge, StoresThatDisagreeAreRefusedByScenario) {
+TEST_F(Merge, NamesTheScenarioOnWhichStoresDisagree) {
   const std::string a = make("a", {0, 20});
   std::vector<Observation> others = made_up_observations(header_, 10, 30);
   others[7].trials[1].impulse[motion::Body::chest] = 1;
@@ -85,7 +85,7 @@ TEST_F(Merge, StoresThatDisagreeAreRefusedByScenario) {
   EXPECT_THAT(refusal({a, b}), HasSubstr("b: scenario 17 is not as in " + a));
 }
 
-TEST_F(Merge, WhatAnEarlierMergeLeftMustAgreeToo) {
+TEST_F(Merge, ChecksThePartialFileOfAnEarlierMerge) {
   std::vector<Observation> others = made_up_observations(header_, 5, 8);
   others[1].scenario.threat.mass_kg = 1;
   {
@@ -96,7 +96,7 @@ TEST_F(Merge, WhatAnEarlierMergeLeftMustAgreeToo) {
               AllOf(HasSubstr("a: scenario 6 is not as in "), HasSubstr("out.partial")));
 }
 
-TEST_F(Merge, AGapIsNamed) {
+TEST_F(Merge, NamesAGap) {
   const std::string a = make("a", {0, 20});
   const std::string c = make("c", {33, 7});
   EXPECT_THAT(refusal({c, a}),
@@ -104,7 +104,7 @@ TEST_F(Merge, AGapIsNamed) {
   EXPECT_FALSE(std::filesystem::exists(folder_ / "out.partial"));
 }
 
-TEST_F(Merge, StoresOfOtherRunsAreRefusedByFileAndDifference) {
+TEST_F(Merge, RejectsStoresOfOtherRunsNamingFileAndDifference) {
   const std::string a = make("a", {0, 20});
   const StoreHeader header = header_;
   const auto expect = [&](const char* what) {
@@ -129,7 +129,7 @@ TEST_F(Merge, StoresOfOtherRunsAreRefusedByFileAndDifference) {
   expect("another library (other");
 }
 
-TEST_F(Merge, AStoreThatIsNotFinishedIsRefused) {
+TEST_F(Merge, RejectsAnUnfinishedStore) {
   const std::string a = make("a", {0, 20});
   {
     StoreWriter writer(folder_ / "b", header_, {20, 20});

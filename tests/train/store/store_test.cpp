@@ -42,7 +42,7 @@ void write_store(const std::string& path, const StoreHeader& header, std::uint64
   writer.finish();
 }
 
-TEST(Store, ReadsBackEveryBitThatWasWritten) {
+TEST(Store, RoundTripsBitForBit) {
   const TemporaryFolder folder;
   const StoreHeader header = made_up_header();
   write_store(folder / "a.flinchobs", header, 40);
@@ -79,7 +79,7 @@ TEST(Store, ReadsBackEveryBitThatWasWritten) {
   }
 }
 
-TEST(Store, InterruptedAnywhereEndsWithTheSameBytes) {
+TEST(Store, HasTheSameBytesWhereverItIsInterrupted) {
   const TemporaryFolder folder;
   const StoreHeader header = made_up_header();
   write_store(folder / "whole", header, 70);
@@ -96,7 +96,7 @@ TEST(Store, InterruptedAnywhereEndsWithTheSameBytes) {
   }
 }
 
-TEST(Store, KilledInTheMiddleOfATransactionKeepsWhatWasCommitted) {
+TEST(Store, KeepsCommittedScenariosWhenKilledDuringATransaction) {
   const TemporaryFolder folder;
   const StoreHeader header = made_up_header();
   write_store(folder / "whole", header, 32);
@@ -125,7 +125,7 @@ TEST(Store, KilledInTheMiddleOfATransactionKeepsWhatWasCommitted) {
   EXPECT_TRUE(bytes_of(path) == bytes_of(folder / "whole"));
 }
 
-TEST(Store, AFinishedStoreGoesOnAndEndsWithTheSameBytes) {
+TEST(Store, AnExtendedStoreHasTheSameBytes) {
   const TemporaryFolder folder;
   const StoreHeader header = made_up_header();
   write_store(folder / "whole", header, 50);
@@ -134,7 +134,7 @@ TEST(Store, AFinishedStoreGoesOnAndEndsWithTheSameBytes) {
   EXPECT_TRUE(bytes_of(folder / "grown") == bytes_of(folder / "whole"));
 }
 
-TEST(Store, OfAnotherRunIsRefusedAndLeftAlone) {
+TEST(Store, OfAnotherRunIsRejectedAndUnchanged) {
   const TemporaryFolder folder;
   const StoreHeader header = made_up_header();
   const std::string path = folder / "a.flinchobs";
@@ -157,7 +157,7 @@ TEST(Store, OfAnotherRunIsRefusedAndLeftAlone) {
   EXPECT_TRUE(bytes_of(path) == before);
 }
 
-TEST(Store, FilesThatAreNoStoreAreRefusedByName) {
+TEST(Store, RejectsOtherFilesByName) {
   const TemporaryFolder folder;
   const auto write = [&](const std::string& name, const std::string& bytes) {
     std::ofstream(folder / name, std::ios::binary) << bytes;
@@ -186,7 +186,7 @@ TEST(Store, FilesThatAreNoStoreAreRefusedByName) {
   EXPECT_THAT(message_of([&] { read_store(folder / "a"); }), HasSubstr("format 99"));
 }
 
-TEST(Store, DamagedRowsAreRefused) {
+TEST(Store, RejectsDamagedRows) {
   const TemporaryFolder folder;
   for (const char* damage :
        {"UPDATE observation SET trials = x'0000' WHERE number = 3",
@@ -209,7 +209,7 @@ TEST(Store, DamagedRowsAreRefused) {
   }
 }
 
-TEST(Store, AScenarioThatIsGoneIsNamed) {
+TEST(Store, NamesAMissingScenario) {
   const TemporaryFolder folder;
   write_store(folder / "a", made_up_header(), 5);
   Database(folder / "a", Database::Mode::write)
@@ -240,7 +240,7 @@ std::string content_of(const std::string& path) {
   return message.empty() ? content : "refused";
 }
 
-TEST(Store, AChangedByteAnywhereIsNoticedOrChangesNothing) {
+TEST(Store, AChangedByteIsDetectedOrWithoutEffect) {
   const TemporaryFolder folder;
   write_store(folder / "whole", made_up_header(), 60);
   const std::string whole = bytes_of(folder / "whole");
@@ -273,7 +273,7 @@ TEST(Store, AChangedByteAnywhereIsNoticedOrChangesNothing) {
   EXPECT_GT(refused, 200U);
 }
 
-TEST(Store, FilledInAnyOrderHasTheSameBytes) {
+TEST(Store, HasTheSameBytesInAnyOrderOfWriting) {
   const TemporaryFolder folder;
   const StoreHeader header = made_up_header();
   const ScenarioRange wanted{30, 40};
@@ -296,7 +296,7 @@ TEST(Store, FilledInAnyOrderHasTheSameBytes) {
   EXPECT_FALSE(summary.holds({29, 5}));
 }
 
-TEST(Store, WhatIsMissingIsKnownAfterAnInterruption) {
+TEST(Store, KnowsItsMissingScenariosAfterAnInterruption) {
   const TemporaryFolder folder;
   const StoreHeader header = made_up_header();
   {
@@ -320,7 +320,7 @@ TEST(Store, WhatIsMissingIsKnownAfterAnInterruption) {
   EXPECT_EQ(StoreWriter(folder / "a", header, {5, 35}).missing(), expected);
 }
 
-TEST(Store, RangesThatCannotBeAreRefused) {
+TEST(Store, RejectsInvalidRanges) {
   const TemporaryFolder folder;
   const StoreHeader header = made_up_header();
   const std::uint64_t last = kScenarioNumberEnd - 1;
@@ -337,7 +337,7 @@ TEST(Store, RangesThatCannotBeAreRefused) {
   EXPECT_EQ(StoreWriter(folder / "end", header, {last, 1}).missing().front().first, last);
 }
 
-TEST(Store, ARangeThatLeavesOutWhatIsThereIsRefused) {
+TEST(Store, RejectsARangeThatOmitsStoredScenarios) {
   const TemporaryFolder folder;
   const StoreHeader header = made_up_header();
   write_store(folder / "a", header, 20);
@@ -356,7 +356,7 @@ TEST(Store, ARangeThatLeavesOutWhatIsThereIsRefused) {
   EXPECT_EQ(StoreWriter(folder / "b", header, {0, 20}).count(), 20U);
 }
 
-TEST(Store, FinishingOnAFullDiskLosesNothing) {
+TEST(Store, LosesNothingWhenTheDiskFillsWhileFinishing) {
   const TemporaryFolder folder;
   const StoreHeader header = made_up_header();
   write_store(folder / "whole", header, 64);
@@ -381,7 +381,7 @@ TEST(Store, FinishingOnAFullDiskLosesNothing) {
   EXPECT_TRUE(bytes_of(path) == bytes_of(folder / "whole"));
 }
 
-TEST(Store, AFullDiskIsToldAndKeepsWhatWasCommitted) {
+TEST(Store, ReportsAFullDiskAndKeepsCommittedScenarios) {
   const TemporaryFolder folder;
   const StoreHeader header = made_up_header();
   write_store(folder / "whole", header, 160);
@@ -408,7 +408,7 @@ TEST(Store, AFullDiskIsToldAndKeepsWhatWasCommitted) {
   EXPECT_TRUE(bytes_of(path) == bytes_of(folder / "whole"));
 }
 
-TEST(Sqlite, AFullDatabaseIsAFullDisk) {
+TEST(Sqlite, ReportsAFullDatabaseAsAFullDisk) {
   const TemporaryFolder folder;
   Database database(folder / "small", Database::Mode::create);
   database.execute("CREATE TABLE t(x)");

@@ -45,7 +45,7 @@ void expect_same(std::span<const Trial> a, std::span<const Trial> b) {
   }
 }
 
-TEST(StoreTrials, HaveTheBytesThatTheDocumentationTells) {
+TEST(StoreTrials, HaveTheDocumentedBytes) {
   std::vector<Trial> trials(2);
   trials[0].clip = 0;
   trials[1].clip = 300;
@@ -59,7 +59,7 @@ TEST(StoreTrials, HaveTheBytesThatTheDocumentationTells) {
                                           16,   0,    0, 0, 0x80}));
 }
 
-TEST(StoreTrials, ComeBackToTheBit) {
+TEST(StoreTrials, RoundTripBitForBit) {
   features::Random random(1, features::RandomStream::baseline, 0);
   for (int i = 0; i < 300; ++i) {
     const std::vector<Trial> trials = random_trials(random);
@@ -68,7 +68,7 @@ TEST(StoreTrials, ComeBackToTheBit) {
   EXPECT_TRUE(decode_trials({}).empty());
 }
 
-TEST(StoreTrials, ThatCannotBeKeptAreRefused) {
+TEST(StoreTrials, RejectTrialsThatCannotBeEncoded) {
   std::vector<Trial> trials(2);
   trials[0].clip = 5;
   for (const int clip : {5, 4, 5 + 2048}) {
@@ -79,7 +79,7 @@ TEST(StoreTrials, ThatCannotBeKeptAreRefused) {
   EXPECT_EQ(decode_trials(encode_trials(trials))[1].clip, 5 + 2047);
 }
 
-TEST(StoreTrials, DamagedBytesAreRefusedOrAreOtherTrials) {
+TEST(StoreTrials, DamagedBytesAreRejectedOrDecodeToValidTrials) {
   EXPECT_THROW(decode_trials(bytes({0x20, 0, 0, 0, 0})), Error) << "cut short";
   EXPECT_THROW(decode_trials(bytes({0, 0, 0, 0, 0, 0})), Error) << "no step";
   EXPECT_THROW(decode_trials(bytes({0x21, 0, 0, 0, 0, 0, 17, 0, 0, 0, 0})), Error) << "no body";
