@@ -183,7 +183,6 @@ void add_simulate(CLI::App& program) {
   command
       ->add_option("--first", options->first,
                    "number of the first, where this is one of several stores to merge")
-      ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
   command->add_option("--seed", options->seed, "what the scenarios are drawn from")
       ->capture_default_str();
