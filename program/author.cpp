@@ -77,19 +77,21 @@ void run(const Options& options) {
 
 }  // namespace
 
-void add_author(CLI::App& program) {
+Command author_command() {
   auto options = std::make_shared<Options>();
-  CLI::App* command =
-      program.add_subcommand("author", "Make the default library by rule, without motion capture");
-  command->add_option("--out", options->library, "library to write")->required();
-  command->add_option("--character", options->character,
-                      "TOML file with height_m, mass_kg, sex and [proportions], or a library whose "
-                      "character to take (default: a man of 1.75 m and 75 kg)");
-  command->add_flag("--startle", options->startle, "begin blocks with a flinch");
-  command->add_option("--gallery", options->gallery, "folder to draw filmstrips of all clips into");
-  add_json_option(*command, options->json);
-  command->footer("Example:\n  flinch author --out default.flinchlib");
-  command->callback([options] { run(*options); });
+  return {
+      .name = "author",
+      .summary = "Make the default library by rule, without motion capture",
+      .required = {{"--out", "library to write", &options->library}},
+      .optional = {{"--character",
+                    "TOML file with height_m, mass_kg, sex and [proportions], or a library "
+                    "whose character to take (default: a man of 1.75 m and 75 kg)",
+                    &options->character},
+                   {"--startle", "begin blocks with a flinch", &options->startle},
+                   {"--gallery", "folder to draw filmstrips of all clips into", &options->gallery},
+                   json_option(options->json)},
+      .notes = "Example:\n  flinch author --out default.flinchlib",
+      .run = [options] { run(*options); }};
 }
 
 }  // namespace flinch::program

@@ -8,13 +8,13 @@
 
 namespace flinch::program {
 
-void add_bvh_options(CLI::App& command, BvhOptions& options) {
-  command.add_option("--unit", options.unit, "of length in BVH files (default: found out)")
-      ->check(CLI::IsMember({"m", "cm", "mm", "inch", "cmu"}));
-  command.add_option("--up", options.up, "axis in BVH files (default: found out)")
-      ->check(CLI::IsMember({"x", "y", "z", "-x", "-y", "-z"}));
-  command.add_option("--roles", options.roles,
-                     "TOML file with a table [roles] of lines like head = \"Bip01 Head\"");
+std::vector<Option> bvh_options(BvhOptions& options) {
+  return {{"--unit", "of length in BVH files (default: found out)", &options.unit,
+           OneOf{{"m", "cm", "mm", "inch", "cmu"}}},
+          {"--up", "axis in BVH files (default: found out)", &options.up,
+           OneOf{{"x", "y", "z", "-x", "-y", "-z"}}},
+          {"--roles", "TOML file with a table [roles] of lines like head = \"Bip01 Head\"",
+           &options.roles}};
 }
 
 database::SourceOptions source_options(const BvhOptions& options) {

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
+#include <vector>
 
 #include "database/import/source_motion.h"
-#include "program/command.h"
+#include "program/document.h"
+#include "program/options.h"
 
 namespace flinch::program {
 
@@ -17,7 +18,7 @@ struct BvhOptions {
 
   bool given() const { return !unit.empty() || !up.empty() || !roles.empty(); }
 };
-void add_bvh_options(CLI::App& command, BvhOptions& options);
+std::vector<Option> bvh_options(BvhOptions& options);
 
 /// Throws Error for a file of roles that cannot be used.
 database::SourceOptions source_options(const BvhOptions& options);

@@ -1,36 +1,32 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
 #include <vector>
 
 #include "program/document.h"
+#include "program/options.h"
 #include "train/objective/cost.h"
 
 namespace flinch::program {
 
-/// Each adds one command with its options to the program; parsing a command line with it runs it.
-/// Commands throw Error for what a user can put right.
-void add_author(CLI::App& program);
-void add_import(CLI::App& program);
-void add_info(CLI::App& program);
-void add_simulate(CLI::App& program);
-void add_merge(CLI::App& program);
-void add_train(CLI::App& program);
-void add_compare(CLI::App& program);
-void add_export(CLI::App& program);
-void add_select(CLI::App& program);
-void add_respond(CLI::App& program);
+/// The commands, each with destinations of its own for its options.
+Command author_command();
+Command import_command();
+Command info_command();
+Command simulate_command();
+Command merge_command();
+Command train_command();
+Command compare_command();
+Command export_command();
+Command select_command();
+Command respond_command();
 
-/// The option that every command has.
-void add_json_option(CLI::App& command, bool& json);
-
-/// Accepts numbers from `min` to `max`; unlike CLI::Range, nan is not one.
-CLI::Validator number_in(double min, double max);
+/// --json, as all commands but simulate describe it.
+Option json_option(bool& json);
 
 /// The option that says with which features selectors are asked; `set` becomes the default.
-void add_features_option(CLI::App& command, std::string& set);
+Option features_option(std::string& set);
 
 /// The names of all methods.
 std::vector<std::string> method_names();
@@ -40,7 +36,7 @@ struct CostOptions {
   double brawn = 0.1;
   std::string vulnerability{train::vulnerability_profiles()[0].name};
 };
-void add_cost_options(CLI::App& command, CostOptions& options);
+std::vector<Option> cost_options(CostOptions& options);
 const train::Vulnerability& vulnerability_of(const CostOptions& options);
 
 }  // namespace flinch::program

@@ -99,29 +99,29 @@ void run(const Options& options) {
 
 }  // namespace
 
-void add_compare(CLI::App& program) {
+Command compare_command() {
   auto options = std::make_shared<Options>();
-  CLI::App* command =
-      program.add_subcommand("compare", "Fit selectors to a store and try them side by side");
-  command->add_option("STORE", options->store, "store that flinch simulate made")->required();
-  command->add_option("--test", options->test,
-                      "store of other scenarios to try them on (default: every fourth of STORE)");
-  command->add_option("--report", options->report,
-                      "folder for report.json and the data of each chart, made if missing");
-  command->add_option("--models", options->models, "which to fit (default: all)")
-      ->delimiter(',')
-      ->check(CLI::IsMember(method_names()));
-  add_features_option(*command, options->features);
-  command->add_flag("--curves", options->curves, "also fit to fewer scenarios");
-  command->add_flag("--transfer", options->transfer, "also fit for other brawns");
-  command->add_flag("--ablation", options->ablation, "also fit with other features");
-  add_cost_options(*command, options->cost);
-  add_json_option(*command, options->json);
-  command->footer(
-      "Protection is 0 for standing still and 1 for the exhaustive choice; intervals are\n"
-      "bootstrapped over the scenarios that are tried.\n\n"
-      "Example:\n  flinch compare real.flinchobs --test test.flinchobs --report report");
-  command->callback([options] { run(*options); });
+  return {
+      .name = "compare",
+      .summary = "Fit selectors to a store and try them side by side",
+      .required = {{"STORE", "store that flinch simulate made", &options->store}},
+      .optional = join(
+          {{{"--test", "store of other scenarios to try them on (default: every fourth of STORE)",
+             &options->test},
+            {"--report", "folder for report.json and the data of each chart, made if missing",
+             &options->report},
+            {"--models", "which to fit (default: all)", &options->models, OneOf{method_names()}},
+            features_option(options->features),
+            {"--curves", "also fit to fewer scenarios", &options->curves},
+            {"--transfer", "also fit for other brawns", &options->transfer},
+            {"--ablation", "also fit with other features", &options->ablation}},
+           cost_options(options->cost),
+           {json_option(options->json)}}),
+      .notes =
+          "Protection is 0 for standing still and 1 for the exhaustive choice; intervals are\n"
+          "bootstrapped over the scenarios that are tried.\n\n"
+          "Example:\n  flinch compare real.flinchobs --test test.flinchobs --report report",
+      .run = [options] { run(*options); }};
 }
 
 }  // namespace flinch::program

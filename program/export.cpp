@@ -56,22 +56,23 @@ void run(const Options& options) {
 
 }  // namespace
 
-void add_export(CLI::App& program) {
+Command export_command() {
   auto options = std::make_shared<Options>();
-  CLI::App* command = program.add_subcommand("export", "Write a store's data for other tools");
-  command->add_option("STORE", options->store, "store that flinch simulate made")->required();
-  command
-      ->add_option("--out", options->file,
-                   "FILE.libsvm (scaled features and labels) or FILE.csv (named columns)")
-      ->required();
-  command->add_option("--scaled-as", options->scaling,
-                      "store whose features the scaling is made from, for test data (default: "
-                      "STORE)");
-  add_features_option(*command, options->features);
-  add_cost_options(*command, options->cost);
-  add_json_option(*command, options->json);
-  command->footer("Example:\n  flinch export real.flinchobs --out real.libsvm");
-  command->callback([options] { run(*options); });
+  return {
+      .name = "export",
+      .summary = "Write a store's data for other tools",
+      .required = {{"STORE", "store that flinch simulate made", &options->store},
+                   {"--out", "FILE.libsvm (scaled features and labels) or FILE.csv (named columns)",
+                    &options->file}},
+      .optional = join({{{"--scaled-as",
+                          "store whose features the scaling is made from, for test data "
+                          "(default: STORE)",
+                          &options->scaling},
+                         features_option(options->features)},
+                        cost_options(options->cost),
+                        {json_option(options->json)}}),
+      .notes = "Example:\n  flinch export real.flinchobs --out real.libsvm",
+      .run = [options] { run(*options); }};
 }
 
 }  // namespace flinch::program

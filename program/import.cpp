@@ -20,7 +20,7 @@ struct Options {
   std::vector<std::string> paths;
   std::string library;
   std::optional<std::string> manifest;
-  std::optional<float> rate_hz;
+  std::optional<double> rate_hz;
   std::optional<std::string> skeleton;
   BvhOptions bvh;
   bool verbose = false;
@@ -116,27 +116,28 @@ void run(const Options& options) {
 
 }  // namespace
 
-void add_import(CLI::App& program) {
+Command import_command() {
   auto options = std::make_shared<Options>();
-  CLI::App* command = program.add_subcommand("import", "Make a library of motion capture");
-  command->add_option("PATH", options->paths, "BVH files, and folders of them")->required();
-  command->add_option("--out", options->library, "library to write")->required();
-  command->add_option("--manifest", options->manifest,
-                      "TOML file that says which clips to take and what they protect against");
-  command
-      ->add_option("--rate", options->rate_hz,
-                   "of the library, Hz (default: the manifest's, "
-                   "else 60)")
-      ->check(number_in(10, 1000));
-  command->add_option("--skeleton", options->skeleton,
-                      "file whose skeleton to use, where there is no manifest");
-  add_bvh_options(*command, options->bvh);
-  command->add_flag("--verbose", options->verbose, "tell of each file and clip");
-  add_json_option(*command, options->json);
-  command->footer(
-      "Example:\n  flinch import mocap --manifest mocap/manifest.toml --out "
-      "real.flinchlib");
-  command->callback([options] { run(*options); });
+  return {
+      .name = "import",
+      .summary = "Make a library of motion capture",
+      .required = {{"PATH", "BVH files, and folders of them", &options->paths},
+                   {"--out", "library to write", &options->library}},
+      .optional = join({{{"--manifest",
+                          "TOML file that says which clips to take and what they protect "
+                          "against",
+                          &options->manifest},
+                         {"--rate", "of the library, Hz (default: the manifest's, else 60)",
+                          &options->rate_hz, Range{10, 1000}},
+                         {"--skeleton", "file whose skeleton to use, where there is no manifest",
+                          &options->skeleton}},
+                        bvh_options(options->bvh),
+                        {{"--verbose", "tell of each file and clip", &options->verbose},
+                         json_option(options->json)}}),
+      .notes =
+          "Example:\n  flinch import mocap --manifest mocap/manifest.toml --out "
+          "real.flinchlib",
+      .run = [options] { run(*options); }};
 }
 
 }  // namespace flinch::program

@@ -278,18 +278,19 @@ void run(const Options& options) {
 
 }  // namespace
 
-void add_info(CLI::App& program) {
+Command info_command() {
   auto options = std::make_shared<Options>();
-  CLI::App* command = program.add_subcommand(
-      "info",
-      "Tell what a library, store or selector holds, or how a BVH file's joints are mapped");
-  command->add_option("FILE", options->file, "a library, store, selector or BVH file")->required();
-  add_bvh_options(*command, options->bvh);
-  command->add_flag("--quality", options->quality, "measure how human each clip of a library is");
-  add_json_option(*command, options->json);
-  command->footer(
-      "Example:\n  flinch info real.flinchlib\n  flinch info default.flinchlib --quality");
-  command->callback([options] { run(*options); });
+  return {
+      .name = "info",
+      .summary =
+          "Tell what a library, store or selector holds, or how a BVH file's joints are mapped",
+      .required = {{"FILE", "a library, store, selector or BVH file", &options->file}},
+      .optional =
+          join({bvh_options(options->bvh),
+                {{"--quality", "measure how human each clip of a library is", &options->quality},
+                 json_option(options->json)}}),
+      .notes = "Example:\n  flinch info real.flinchlib\n  flinch info default.flinchlib --quality",
+      .run = [options] { run(*options); }};
 }
 
 }  // namespace flinch::program

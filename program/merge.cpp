@@ -36,19 +36,21 @@ void run(const Options& options) {
 
 }  // namespace
 
-void add_merge(CLI::App& program) {
+Command merge_command() {
   auto options = std::make_shared<Options>();
-  CLI::App* command =
-      program.add_subcommand("merge", "Join stores of one run, each of a range of its scenarios");
-  command->add_option("STORE", options->stores, "stores that flinch simulate made")->required();
-  command->add_option("--out", options->out, "store to write")->required();
-  add_json_option(*command, options->json);
-  command->footer(
-      "The stores must be of the same library, seed, distribution and simulation, and leave no\n"
-      "scenario out between them. Scenarios that are in several must be the same in all. The\n"
-      "result has the bytes of a store that was simulated at once.\n\n"
-      "Example:\n  flinch merge part-*.flinchobs --out all.flinchobs");
-  command->callback([options] { run(*options); });
+  return {
+      .name = "merge",
+      .summary = "Join stores of one run, each of a range of its scenarios",
+      .required = {{"STORE", "stores that flinch simulate made", &options->stores},
+                   {"--out", "store to write", &options->out}},
+      .optional = {json_option(options->json)},
+      .notes =
+          "The stores must be of the same library, seed, distribution and simulation, and leave "
+          "no\n"
+          "scenario out between them. Scenarios that are in several must be the same in all. The\n"
+          "result has the bytes of a store that was simulated at once.\n\n"
+          "Example:\n  flinch merge part-*.flinchobs --out all.flinchobs",
+      .run = [options] { run(*options); }};
 }
 
 }  // namespace flinch::program

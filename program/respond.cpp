@@ -119,23 +119,23 @@ void run(const Options& options) {
 
 }  // namespace
 
-void add_respond(CLI::App& program) {
+Command respond_command() {
   auto options = std::make_shared<Options>();
-  CLI::App* command = program.add_subcommand(
-      "respond", "Write the whole animation that answers a threat, ball included");
-  command->add_option("SELECTOR", options->selector, "selector that flinch train made")->required();
-  command
-      ->add_option("--out", options->out,
-                   "FILE.glb for Blender and glTF viewers, FILE.bvh, or FILE.svg for a filmstrip")
-      ->required();
-  add_threat_options(*command, options->threat);
-  add_json_option(*command, options->json);
-  command->footer(
-      "The character stands at the origin, facing the front, perceives the threat at once, and is\n"
-      "hit by it as the simulation has it.\n\n"
-      "Example:\n  flinch respond default.flinch --azimuth 40 --speed 24 --target head "
-      "--out hit.glb");
-  command->callback([options] { run(*options); });
+  return {.name = "respond",
+          .summary = "Write the whole animation that answers a threat, ball included",
+          .required = {{"SELECTOR", "selector that flinch train made", &options->selector},
+                       {"--out",
+                        "FILE.glb for Blender and glTF viewers, FILE.bvh, or FILE.svg for a "
+                        "filmstrip",
+                        &options->out}},
+          .optional = join({threat_options(options->threat), {json_option(options->json)}}),
+          .notes =
+              "The character stands at the origin, facing the front, perceives the threat at once, "
+              "and is\n"
+              "hit by it as the simulation has it.\n\n"
+              "Example:\n  flinch respond default.flinch --azimuth 40 --speed 24 --target head "
+              "--out hit.glb",
+          .run = [options] { run(*options); }};
 }
 
 }  // namespace flinch::program

@@ -90,18 +90,17 @@ void run(const Options& options) {
 
 }  // namespace
 
-void add_select(CLI::App& program) {
+Command select_command() {
   auto options = std::make_shared<Options>();
-  CLI::App* command =
-      program.add_subcommand("select", "Ask a selector which clip answers a threat");
-  command->add_option("SELECTOR", options->selector, "selector that flinch train made")->required();
-  add_threat_options(*command, options->threat);
-  add_json_option(*command, options->json);
-  command->footer(
-      "The character stands still, facing the front, until the impact.\n\n"
-      "Example:\n  flinch select real.flinch --azimuth 40 --speed 24 --target head "
-      "--time-to-impact 0.5");
-  command->callback([options] { run(*options); });
+  return {.name = "select",
+          .summary = "Ask a selector which clip answers a threat",
+          .required = {{"SELECTOR", "selector that flinch train made", &options->selector}},
+          .optional = join({threat_options(options->threat), {json_option(options->json)}}),
+          .notes =
+              "The character stands still, facing the front, until the impact.\n\n"
+              "Example:\n  flinch select real.flinch --azimuth 40 --speed 24 --target head "
+              "--time-to-impact 0.5",
+          .run = [options] { run(*options); }};
 }
 
 }  // namespace flinch::program

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <thread>
 
 #include "database/import/library_writer.h"
@@ -28,7 +29,7 @@ struct Options {
   std::uint64_t scenarios = 0;
   std::uint64_t first = 0;
   std::uint64_t seed = 1;
-  int threads = 0;
+  std::optional<int> threads;
   std::uint64_t memory = std::uint64_t{1} << 30;
   bool unabridged = false;
   bool json = false;
@@ -36,7 +37,7 @@ struct Options {
 
 /// The processors that this process may use, shared with the run's others on this machine.
 int thread_count(const Options& options, const train::Messenger& messenger) {
-  if (options.threads > 0) return options.threads;
+  if (options.threads) return *options.threads;
   const auto share = static_cast<int>(std::thread::hardware_concurrency()) / messenger.local_size();
   return std::clamp(share, 1, std::max(1, omp_get_num_procs()));
 }
@@ -170,40 +171,34 @@ void run(const Options& options) {
 
 }  // namespace
 
-void add_simulate(CLI::App& program) {
+Command simulate_command() {
   auto options = std::make_shared<Options>();
-  CLI::App* command =
-      program.add_subcommand("simulate", "Try every allowed clip of a library on random scenarios");
-  command->add_option("LIB", options->library, "library that flinch import made")->required();
-  command->add_option("--out", options->store, "store to write")->required();
-  constexpr std::uint64_t kMaxScenarios = 1'000'000'000;
-  command->add_option("-n", options->scenarios, "number of scenarios")
-      ->required()
-      ->check(CLI::Range(std::uint64_t{1}, kMaxScenarios));
-  command
-      ->add_option("--first", options->first,
-                   "number of the first, where this is one of several stores to merge")
-      ->capture_default_str();
-  command->add_option("--seed", options->seed, "what the scenarios are drawn from")
-      ->capture_default_str();
-  command->add_option("--threads", options->threads, "how many (default: one a processor)")
-      ->check(CLI::Range(1, 1024));
-  command->add_option("--memory", options->memory, "how much to use at most, as in 512M or 2G")
-      ->transform(CLI::AsSizeValue(false))
-      ->default_str("1G");
-  command->add_flag("--reference", options->unabridged,
-                    "simulate each trial by itself from perception on: many times slower");
-  command->add_flag("--json", options->json,
-                    "print lines of JSON and nothing else: progress, and a summary at the end");
-  command->footer(
-      "What is done is kept: after Ctrl-C or a full disk run the same command again, and a\n"
-      "finished store goes on when more scenarios are asked for. The same library, seed and\n"
-      "numbers give the same file, byte for byte, on any number of threads, with any memory, and\n"
-      "by any number of processes that mpirun starts.\n\n"
-      "Example:\n  flinch simulate real.flinchlib --out real.flinchobs -n 2000 --seed 1\n\n"
-      "On a cluster:\n"
-      "  mpirun -n 64 flinch simulate real.flinchlib --out real.flinchobs -n 1000000");
-  command->callback([options] { run(*options); });
+  return {
+      .name = "simulate",
+      .summary = "Try every allowed clip of a library on random scenarios",
+      .required = {{"LIB", "library that flinch import made", &options->library},
+                   {"--out", "store to write", &options->store},
+                   {"-n", "number of scenarios", &options->scenarios, Range{1, 1e9}}},
+      .optional =
+          {{"--first", "number of the first, where this is one of several stores to merge",
+            &options->first},
+           {"--seed", "what the scenarios are drawn from", &options->seed},
+           {"--threads", "how many (default: one a processor)", &options->threads, Range{1, 1024}},
+           {"--memory", "how much to use at most, as in 512M or 2G", &options->memory, ByteCount{}},
+           {"--reference", "simulate each trial by itself from perception on: many times slower",
+            &options->unabridged},
+           {"--json", "print lines of JSON and nothing else: progress, and a summary at the end",
+            &options->json}},
+      .notes =
+          "What is done is kept: after Ctrl-C or a full disk run the same command again, and a\n"
+          "finished store goes on when more scenarios are asked for. The same library, seed and\n"
+          "numbers give the same file, byte for byte, on any number of threads, with any memory, "
+          "and\n"
+          "by any number of processes that mpirun starts.\n\n"
+          "Example:\n  flinch simulate real.flinchlib --out real.flinchobs -n 2000 --seed 1\n\n"
+          "On a cluster:\n"
+          "  mpirun -n 64 flinch simulate real.flinchlib --out real.flinchobs -n 1000000",
+      .run = [options] { run(*options); }};
 }
 
 }  // namespace flinch::program

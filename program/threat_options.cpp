@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "motion/error.h"
+#include "program/document.h"
 #include "program/table.h"
 
 namespace flinch::program {
@@ -19,32 +20,19 @@ std::vector<std::string> target_names() {
 
 }  // namespace
 
-void add_threat_options(CLI::App& command, ThreatOptions& threat) {
-  command
-      .add_option("--azimuth", threat.azimuth,
-                  "where it comes from, degrees: 0 the front, 90 the character's left")
-      ->check(number_in(-360, 360))
-      ->capture_default_str();
-  command
-      .add_option("--elevation", threat.elevation,
-                  "how far above the horizontal it comes from at the impact, degrees (default: "
-                  "level, or as high as a falling ball must)")
-      ->check(number_in(-89, 89));
-  command.add_option("--speed", threat.speed_mps, "at the impact, m/s")
-      ->check(number_in(0.1, 1000))
-      ->capture_default_str();
-  command.add_option("--target", threat.target, "what it threatens: head, trunk, pelvis or legs")
-      ->check(CLI::IsMember(target_names()))
-      ->capture_default_str();
-  command.add_option("--time-to-impact", threat.time_to_impact_s, "from perception, s")
-      ->check(number_in(0.01, 10))
-      ->capture_default_str();
-  command.add_option("--radius", threat.radius_m, "of the ball, m")
-      ->check(number_in(0.001, 10))
-      ->capture_default_str();
-  command.add_option("--mass", threat.mass_kg, "of the ball, kg")
-      ->check(number_in(0.0001, 1000))
-      ->capture_default_str();
+std::vector<Option> threat_options(ThreatOptions& threat) {
+  return {{"--azimuth", "where it comes from, degrees: 0 the front, 90 the character's left",
+           &threat.azimuth, Range{-360, 360}},
+          {"--elevation",
+           "how far above the horizontal it comes from at the impact, degrees (default: level, or "
+           "as high as a falling ball must)",
+           &threat.elevation, Range{-89, 89}},
+          {"--speed", "at the impact, m/s", &threat.speed_mps, Range{0.1, 1000}},
+          {"--target", "what it threatens: head, trunk, pelvis or legs", &threat.target,
+           OneOf{target_names()}},
+          {"--time-to-impact", "from perception, s", &threat.time_to_impact_s, Range{0.01, 10}},
+          {"--radius", "of the ball, m", &threat.radius_m, Range{0.001, 10}},
+          {"--mass", "of the ball, kg", &threat.mass_kg, Range{0.0001, 1000}}};
 }
 
 train::DescribedThreat described(const ThreatOptions& options,

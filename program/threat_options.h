@@ -3,8 +3,9 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
-#include "program/command.h"
+#include "program/options.h"
 #include "train/scenario/scenario_sampling.h"
 
 namespace flinch::program {
@@ -20,7 +21,7 @@ struct ThreatOptions {
   double mass_kg = 0.27;
 };
 
-void add_threat_options(CLI::App& command, ThreatOptions& threat);
+std::vector<Option> threat_options(ThreatOptions& threat);
 
 /// The threat that the options describe, of a character whose targets are at `centres`. Throws
 /// Error when it would have come out of the ground.

@@ -72,20 +72,18 @@ void run(const Options& options) {
 
 }  // namespace
 
-void add_train(CLI::App& program) {
+Command train_command() {
   auto options = std::make_shared<Options>();
-  CLI::App* command =
-      program.add_subcommand("train", "Fit a selector to a store, parameters by cross-validation");
-  command->add_option("STORE", options->store, "store that flinch simulate made")->required();
-  command->add_option("--out", options->selector, "selector to write")->required();
-  command->add_option("--model", options->model, "what to fit")
-      ->check(CLI::IsMember(method_names()))
-      ->capture_default_str();
-  add_features_option(*command, options->features);
-  add_cost_options(*command, options->cost);
-  add_json_option(*command, options->json);
-  command->footer("Example:\n  flinch train real.flinchobs --out real.flinch");
-  command->callback([options] { run(*options); });
+  return {.name = "train",
+          .summary = "Fit a selector to a store, parameters by cross-validation",
+          .required = {{"STORE", "store that flinch simulate made", &options->store},
+                       {"--out", "selector to write", &options->selector}},
+          .optional = join({{{"--model", "what to fit", &options->model, OneOf{method_names()}},
+                             features_option(options->features)},
+                            cost_options(options->cost),
+                            {json_option(options->json)}}),
+          .notes = "Example:\n  flinch train real.flinchobs --out real.flinch",
+          .run = [options] { run(*options); }};
 }
 
 }  // namespace flinch::program

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+#include "program/command_line.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <iostream>
+#include <sstream>
+#include <type_traits>
+
+namespace flinch::program {
+namespace {
+
+template <class Value>
+struct OneValue {
+  using Type = Value;
+};
+template <class Value>
+struct OneValue<std::optional<Value>> {
+  using Type = Value;
+};
+
+// CLI::Range takes nan for a number of any range.
+CLI::Validator real_number_in(const Range& range) {
+  std::ostringstream text;
+  text << "[" << range.min << " - " << range.max << "]";
+  const auto refusal = [range, text = text.str()](const std::string& input) {
+    double value = 0;
+    const bool in_range =
+        CLI::detail::lexical_cast(input, value) && value >= range.min && value <= range.max;
+    return in_range ? std::string() : "Value " + input + " not in range " + text;
+  };
+  return {refusal, "NUMBER in " + text.str()};
+}
+
+template <class Number>
+CLI::Validator number_in(const Range& range) {
+  if constexpr (std::is_integral_v<Number>)
+    return CLI::Range(static_cast<Number>(range.min), static_cast<Number>(range.max));
+  else
+    return real_number_in(range);
+}
+
+/// With the largest unit that leaves no remainder: 1G.
+std::string byte_text(std::uint64_t bytes) {
+  constexpr std::array kUnits{"", "K", "M", "G"};
+  std::size_t unit = 0;
+  for (; bytes > 0 && bytes % 1024 == 0 && unit + 1 < kUnits.size(); ++unit) bytes /= 1024;
+  return std::to_string(bytes) + kUnits[unit];
+}
+
+CLI::Option* add_option(CLI::App& command, const Option& option, bool* value) {
+  return command.add_flag(option.name, *value, option.help);
+}
+
+template <class Value>
+CLI::Option* add_option(CLI::App& command, const Option& option, Value* value) {
+  CLI::Option* added = command.add_option(option.name, *value, option.help);
+  if constexpr (std::is_same_v<Value, std::vector<std::string>>) {
+    if (std::holds_alternative<OneOf>(option.accepted)) added->delimiter(',');
+  }
+  if (const auto* range = std::get_if<Range>(&option.accepted)) {
+    added->check(number_in<typename OneValue<Value>::Type>(*range));
+  } else if (const auto* one_of = std::get_if<OneOf>(&option.accepted)) {
+    added->check(CLI::IsMember(one_of->names));
+  } else if (std::holds_alternative<ByteCount>(option.accepted)) {
+    added->transform(CLI::AsSizeValue(false));
+  }
+  return added;
+}
+
+CLI::Option* add_option(CLI::App& command, const Option& option) {
+  return std::visit([&](auto* value) { return add_option(command, option, value); },
+                    option.destination);
+}
+
+void show_default(const Option& option, CLI::Option* added) {
+  if (std::holds_alternative<ByteCount>(option.accepted)) {
+    added->default_str(byte_text(*std::get<std::uint64_t*>(option.destination)));
+  } else if (!std::holds_alternative<std::vector<std::string>*>(option.destination)) {
+    added->capture_default_str();  // of an empty list it would be []
+  }
+}
+
+void add_command(CLI::App& app, const Command& command) {
+  CLI::App* added = app.add_subcommand(command.name, command.summary);
+  for (const Option& option : command.required) add_option(*added, option)->required();
+  for (const Option& option : command.optional) show_default(option, add_option(*added, option));
+  added->footer(command.notes);
+}
+
+}  // namespace
+
+std::function<void()> parse(const Program& program, int argument_count,
+                            const char* const* arguments) {
+  CLI::App app(program.summary, program.name);
+  app.set_version_flag("--version", program.version);
+  app.require_subcommand(1);
+  app.footer(program.notes);
+  for (const Command& command : program.commands) add_command(app, command);
+
+  std::function<void()> run;
+  const auto chosen = [&] {
+    const auto commands = app.get_subcommands();
+    return commands.empty() ? std::string() : commands.front()->get_name();
+  };
+  try {
+    app.parse(argument_count, arguments);
+  } catch (const CLI::Success& asked) {
+    std::ostringstream text;
+    app.exit(asked, text);
+    return [text = text.str()] { std::cout << text; };
+  } catch (const CLI::ParseError& error) {
+    throw UsageError(std::string(error.what()) + "; see " + program.name + " " +
+                     (chosen().empty() ? "" : chosen() + " ") + "--help");
+  }
+  return std::ranges::find(program.commands, chosen(), &Command::name)->run;
+}
+
+}  // namespace flinch::program
