@@ -2,6 +2,7 @@
 #include "train/report/report.h"
 
 #include <filesystem>
+#include <nlohmann/json.hpp>
 
 #include "database/import/file_io.h"
 #include "motion/error.h"

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <nlohmann/json.hpp>
 
 #include "motion/error.h"
 #include "tests/train/evaluate/comparison.h"
