@@ -78,6 +78,8 @@ MAP = {
 }
 ROOMS = sorted({folder.split("/")[0] for folder in MAP})
 
+# Headers that cost the compiler seconds each time: one file alone includes them.
+ONLY_IN = {"CLI/": "program/command_line.cpp"}
 # The operating system's headers, for files, terminals and signals: offline code alone.
 SYSTEM_HEADERS = ["fcntl.h", "signal.h", "unistd.h", "sys/"]
 # The run time starts no thread, asks no clock, draws no chance and prints nothing.
@@ -130,7 +132,7 @@ class Checker:
                 line = text.count("\n", 0, match.start()) + 1
                 own, foreign = match.groups()
                 wrong = (self.own_include(folder, own) if own else
-                         self.foreign_include(folder, foreign))
+                         self.foreign_include(path, foreign))
                 if wrong:
                     yield f"{path}:{line}: {wrong}"
         for folder in MAP:
@@ -168,7 +170,11 @@ class Checker:
             return f'{folder}/ may not use {other}/ ("{included}")'
         return None
 
-    def foreign_include(self, folder: str, included: str):
+    def foreign_include(self, path: str, included: str):
+        for header, file in ONLY_IN.items():
+            if matches(included, [header]) and path != file:
+                return f"only {file} may include <{included}>"
+        folder = folder_of(path)
         at_run_time = MAP[folder].at_run_time
         if STANDARD_HEADER.fullmatch(included):
             if at_run_time and included in NOT_AT_RUN_TIME - set(MAP[folder].headers):

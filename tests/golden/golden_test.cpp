@@ -38,7 +38,7 @@ constexpr const char* kAdvice =
 class Bytes {
  public:
   template <class Number>
-    requires std::is_arithmetic_v<Number>
+  requires std::is_arithmetic_v<Number>
   void add(Number number) {
     const auto bytes = std::bit_cast<std::array<std::byte, sizeof(Number)>>(number);
     bytes_.insert(bytes_.end(), bytes.begin(), bytes.end());
@@ -85,8 +85,8 @@ std::uint64_t hash_of(std::span<const train::Observation> observations) {
 
 /// A selector's file, fitted by as many threads as OpenMP is given.
 std::string selector_file(const train::Store& store) {
-  const train::CostModel cost_model = train::make_cost_model(
-      store.header, train::vulnerability_profiles()[0].vulnerability, 0.1);
+  const train::CostModel cost_model =
+      train::make_cost_model(store.header, train::vulnerability_profiles()[0].vulnerability, 0.1);
   const train::Training training = train_selector(store.header, store.observations, cost_model,
                                                   train::Method::network, store.header.seed);
   return train::selector_bytes(training.selector,
@@ -116,7 +116,8 @@ std::uint64_t hash_of_a_minute(const std::string& selector_file) {
   constexpr float kFrame_s = 1.0F / 60;
   int struck = 0;
   for (int frame = 0; frame < 3600; ++frame) {
-    const features::Threat threat = throw_number(static_cast<std::uint64_t>(frame / kFramesPerThrow));
+    const features::Threat threat =
+        throw_number(static_cast<std::uint64_t>(frame / kFramesPerThrow));
     if (frame % kFramesPerThrow == 0) {
       character.stop();
       character.character().place(Eigen::Vector2f::Zero(), 0, 0);
