@@ -92,7 +92,9 @@ class Mapper {
 
   void apply(const RoleOverrides& overrides) {
     for (const auto& [role, joint_name] : overrides) {
-      const auto named = [&](const BvhJoint& candidate) { return candidate.name == joint_name; };
+      const auto named = [&wanted = joint_name](const BvhJoint& joint) {
+        return joint.name == wanted;
+      };
       const auto at = std::find_if(bvh_.joints.begin(), bvh_.joints.end(), named);
       if (at == bvh_.joints.end()) {
         throw Error(bvh_.path, "no joint is named \"" + joint_name +

@@ -46,7 +46,7 @@ void prepare_this_thread() {
     dSetErrorHandler(throw_error);
     dSetDebugHandler(throw_error);
   });
-  if (dAllocateODEDataForThread(dAllocateMaskAll) == 0) {
+  if (dAllocateODEDataForThread(static_cast<unsigned>(dAllocateMaskAll)) == 0) {
     throw Error("simulation", "the physics engine has no memory for this thread");
   }
 }
