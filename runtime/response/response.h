@@ -3,6 +3,7 @@
 
 #include <limits>
 
+#include "motion/interpolation.h"
 #include "runtime/response/inertialization.h"
 #include "runtime/response/prepared_library.h"
 
@@ -29,6 +30,10 @@ struct FootPlan {
   float correction_lift_m = 0;  ///< height of that step; 0 in the clip's own swing
   Interval return_step;         ///< the way back to where the idle clip has the foot
   float return_lift_m = 0;
+  /// Height and tilt by which the foot differs from its clip's, offset and all, when the clip
+  /// begins: the blend takes them back.
+  Eigen::Vector3f rise = Eigen::Vector3f::Zero();
+  Eigen::Quaternionf tilt = Eigen::Quaternionf::Identity();
 };
 
 /// A shift of the weight: the pelvis moves by `pelvis` until the centre of mass is above the sole
@@ -81,6 +86,8 @@ struct Response {
   motion::Side support = motion::Side::left;
   motion::PerSide<FootPlan> feet;
   std::array<WeightShift, 3> shifts;  ///< the clip's first step and at most two on the way back
+  motion::Signs arcs_in{};            ///< of the blend into the clip when it begins
+  motion::Signs arcs_back{};          ///< of the blend back to idle when it begins
 };
 
 inline constexpr float kMaxPlaybackRate = 1.4F;

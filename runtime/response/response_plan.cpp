@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Plans responses: when the clip plays, where the feet go and how the weight is shifted.
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "motion/rotation.h"
@@ -12,6 +13,7 @@ namespace flinch::runtime {
 namespace {
 
 using motion::FootPose;
+using motion::Role;
 using motion::Side;
 
 constexpr float kShiftDuration_s = 0.3F;      // s, that a shift of weight takes where there is time
@@ -94,11 +96,21 @@ void set_timing(const motion::Annotation& annotation, float time_to_impact_s, fl
   r.end_s = r.begin_s + (annotation.end_s - annotation.onset_s) / r.playback_rate;
 }
 
-void align(Response& r) {
+// What is blended when the clip begins.
+struct Start {
+  motion::Pose source;
+  motion::Pose clip;
+};
+
+// Lays the clip's support foot on the character's.
+Start align(Response& r) {
   r.yaw = r.state.facing;
   r.translation = Eigen::Vector3f::Zero();
-  r.translation = horizontal(source_foot_at(r, r.support, r.begin_s).ankle -
-                             uncorrected_clip_foot_at(r, r.support, r.begin_s).ankle);
+  Start start{source_pose_at(r, r.begin_s), clip_pose_at(r, r.begin_s)};
+  r.translation = horizontal(source_foot_in(r, r.support, start.source).ankle -
+                             foot_of(r.library->skeleton(), start.clip, r.support).ankle);
+  start.clip.root_position += r.translation;
+  return start;
 }
 
 Interval response_interval(const Response& r, const Swing& swing) {
@@ -120,16 +132,9 @@ std::optional<Interval> first_swing(const Response& r, Side side) {
   return interval;
 }
 
-void plan_foot(Response& r, Side side) {
+// Where the foot of a clip that has it elsewhere goes there.
+void plan_change(Response& r, Side side, const FootPose& from, const FootPose& to) {
   FootPlan& plan = r.feet[motion::index_of(side)];
-  plan = {};
-  const FootPose from = source_foot_at(r, side, r.begin_s);
-  const FootPose to = uncorrected_clip_foot_at(r, side, r.begin_s);
-  if (differ(from, to, 1e-5F, 1e-4F)) {
-    plan.offset.yaw = yaw_between(to, from);
-    plan.offset.translation = horizontal(
-        from.ankle - motion::rotation_about(Eigen::Vector3f::UnitZ(), plan.offset.yaw) * to.ankle);
-  }
   const std::optional<Interval> swing = first_swing(r, side);
   if (swing) plan.correction = *swing;
   const bool must_step = side != r.support && differ(from, to, kToleratedOffset_m, kToleratedYaw);
@@ -140,6 +145,22 @@ void plan_foot(Response& r, Side side) {
     plan.correction = {begin_s, begin_s + kStepDuration_s};
     plan.correction_lift_m = step_height(from, to);
   }
+}
+
+void plan_foot(Response& r, Side side, const Start& start) {
+  FootPlan& plan = r.feet[motion::index_of(side)];
+  plan = {};
+  const FootPose from = source_foot_in(r, side, start.source);
+  const FootPose to = foot_of(r.library->skeleton(), start.clip, side);
+  if (differ(from, to, 1e-5F, 1e-4F)) {
+    plan.offset.yaw = yaw_between(to, from);
+    plan.offset.translation = horizontal(
+        from.ankle - motion::rotation_about(Eigen::Vector3f::UnitZ(), plan.offset.yaw) * to.ankle);
+  }
+  plan_change(r, side, from, to);
+  const FootPose clip = clip_foot_in(r, side, start.clip, r.begin_s);
+  plan.rise = from.ankle - clip.ankle;
+  plan.tilt = from.orientation * clip.orientation.conjugate();
 }
 
 // How far a point is from being kMargin inside of a sole, on the way to the sole's middle.
@@ -171,9 +192,14 @@ void solve_pelvis_shift(const Response& r, Side side, float lift_s, WeightShift&
   const PreparedLibrary& library = *r.library;
   const float max_distance_m = kMaxShiftSpeed * (shift.hold.begin_s - shift.interval.begin_s);
   shift.pelvis = Eigen::Vector3f::Zero();
+  const Samples samples = samples_at(r, lift_s);
+  const motion::Pose unshifted = blended(r, samples);
+  const Legs legs = legs_of(r, samples, unshifted);
   for (int round = 0; round < kIterations; ++round) {
-    const motion::JointFrames frames =
-        motion::forward_kinematics(library.skeleton(), pose_at(r, lift_s));
+    motion::Pose pose = unshifted;
+    const Eigen::Vector3f weight_shift = weight_shift_at(r, lift_s);
+    if (must_place_feet(r, samples, weight_shift)) place_feet(r, legs, weight_shift, pose);
+    const motion::JointFrames frames = motion::forward_kinematics(library.skeleton(), pose);
     const FootPose foot = motion::foot_pose(frames, side);
     const Eigen::Quaternionf heading =
         motion::rotation_about(Eigen::Vector3f::UnitZ(), motion::yaw_of(foot.orientation));
@@ -212,20 +238,65 @@ std::optional<float> first_lift_s(const Response& r) {
   return lift_s;
 }
 
-// The most by which a joint's velocity changes about a time, over a frame of 1/60 s, rad/s.
-float velocity_change_at(const Response& r, float time_s) {
-  constexpr float kFrame = 1.0F / 60;
-  const motion::Pose before = pose_at(r, time_s - kFrame);
-  const motion::Pose at = pose_at(r, time_s);
-  const motion::Pose after = pose_at(r, time_s + kFrame);
-  float max_change = 0;
-  for (motion::Role role : motion::kRoles) {
-    const auto way = [role](const motion::Pose& from, const motion::Pose& to) {
-      return motion::rotation_vector<float>(to.rotation[role] * from.rotation[role].conjugate());
-    };
-    max_change = std::max(max_change, (way(at, after) - way(before, at)).norm() / kFrame);
+// The joints that the third stage turns, and all others.
+constexpr std::array kPlaced{Role::left_thigh,  Role::left_shin,  Role::left_foot,
+                             Role::right_thigh, Role::right_shin, Role::right_foot};
+constexpr auto kNotPlaced = [] {
+  std::array<Role, motion::kRoleCount - kPlaced.size()> roles{};
+  std::ranges::copy_if(motion::kRoles, roles.begin(),
+                       [](Role role) { return std::ranges::count(kPlaced, role) == 0; });
+  return roles;
+}();
+
+// A turn between two poses with a positive scalar part, so that its vector part v points along its
+// rotation vector, 2 asin(|v|) v / |v|.
+Eigen::Quaternionf turn_of(Role role, const motion::Pose& from, const motion::Pose& to) {
+  Eigen::Quaternionf turn = to.rotation[role] * from.rotation[role].conjugate();
+  if (turn.w() < 0) turn.coeffs() = -turn.coeffs();
+  return turn;
+}
+
+// A cheap bound of the difference of two turns' rotation vectors: where both |v| are below 1/4,
+// they differ by at most 2 / sqrt(1 - 1/16) = 2.07 times what the vector parts do.
+float max_difference(const Eigen::Quaternionf& first, const Eigen::Quaternionf& second) {
+  constexpr float kSmall = 1.0F / 16;
+  constexpr float kRounding = 1e-6F;
+  if (!(first.vec().squaredNorm() < kSmall && second.vec().squaredNorm() < kSmall))
+    return std::numeric_limits<float>::infinity();
+  return 2.08F * (second.vec() - first.vec()).norm() + kRounding;
+}
+
+// The largest change of a joint's velocity from one pair of poses to the next, rad per frame; at
+// least `min_change`. Most joints need not be looked at closely.
+float max_velocity_change(const std::array<motion::Pose, 3>& poses, std::span<const Role> roles,
+                          float min_change) {
+  float max_change = min_change;
+  for (Role role : roles) {
+    const Eigen::Quaternionf first = turn_of(role, poses[0], poses[1]);
+    const Eigen::Quaternionf second = turn_of(role, poses[1], poses[2]);
+    if (max_difference(first, second) < max_change) continue;
+    max_change = std::max(
+        max_change, (motion::rotation_vector(second) - motion::rotation_vector(first)).norm());
   }
   return max_change;
+}
+
+// The largest change of a joint's velocity about a time, over a frame of 1/60 s, rad/s. Where it is
+// at least `enough`, any number from there on.
+float velocity_change_at(const Response& r, float time_s, float enough) {
+  constexpr float kFrame_s = 1.0F / 60;
+  const std::array<Samples, 3> samples{samples_at(r, time_s - kFrame_s), samples_at(r, time_s),
+                                       samples_at(r, time_s + kFrame_s)};
+  std::array<motion::Pose, 3> poses{blended(r, samples[0]), blended(r, samples[1]),
+                                    blended(r, samples[2])};
+  const float of_trunk_and_arms = max_velocity_change(poses, kNotPlaced, 0);
+  if (of_trunk_and_arms / kFrame_s >= enough) return of_trunk_and_arms / kFrame_s;
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    const Eigen::Vector3f shift = weight_shift_at(r, samples[i].time_s);
+    if (must_place_feet(r, samples[i], shift))
+      place_feet(r, legs_of(r, samples[i], poses[i]), shift, poses[i]);
+  }
+  return max_velocity_change(poses, kPlaced, of_trunk_and_arms) / kFrame_s;
 }
 
 // What is left of a blend adds to what the clip does: of the ends that it may have, the blend takes
@@ -240,7 +311,8 @@ void choose_blend_duration(Response& r) {
   for (int k = 0; k < kBlendCandidates; ++k) {
     tried.blend_duration_s = kMinBlend_s + static_cast<float>(k) * kBlendIncrement_s;
     if (tried.blend_duration_s > max_blend_s) return;
-    const float step = velocity_change_at(tried, tried.begin_s + tried.blend_duration_s);
+    const float step =
+        velocity_change_at(tried, tried.begin_s + tried.blend_duration_s, min_change);
     if (step < min_change) {
       min_change = step;
       r.blend_duration_s = tried.blend_duration_s;
@@ -251,8 +323,9 @@ void choose_blend_duration(Response& r) {
 void plan_clip(const motion::Annotation& annotation, float time_to_impact_s, float earliest_s,
                Response& r) {
   set_timing(annotation, time_to_impact_s, earliest_s, r);
-  align(r);
-  for (Side side : motion::kSides) plan_foot(r, side);
+  const Start start = align(r);
+  for (Side side : motion::kSides) plan_foot(r, side, start);
+  r.arcs_in = motion::shorter_arcs(start.source, start.clip);
   r.shifts[0] = {};
   const std::optional<float> lift_s = first_lift_s(r);
   const auto shift = [&] {
@@ -283,6 +356,8 @@ Side weight_bearing_foot(const Response& r) {
 void plan_return(Response& r) {
   const Side last = weight_bearing_foot(r);
   const bool idles = r.clip == r.library->library->idle;
+  if (!idles)
+    r.arcs_back = motion::shorter_arcs(clip_pose_at(r, r.end_s), return_pose_at(r, r.end_s));
   const auto away_foot = [&](Side side, float time_s) {
     return idles ? source_foot_at(r, side, time_s) : clip_foot_at(r, side, time_s);
   };
