@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <array>
 
 namespace flinch::models {
 namespace {
@@ -24,25 +25,36 @@ void hidden_layer(std::span<const float> in, const float* weights, const float* 
   }
 }
 
-/// The weighted sum of the last hidden layer in eight partial sums, added from the first to the
-/// last: the same order everywhere.
-float output(std::span<const float> in, const float* weights, float bias) {
-  Half partial = Half::Zero();
-  for (std::size_t i = 0; i < in.size(); i += static_cast<std::size_t>(partial.size())) {
-    partial += Eigen::Map<const Half>(&in[i]) * Eigen::Map<const Half>(weights + i);
+/// Outputs that are computed side by side: one sum waits for each of its additions, four do not.
+constexpr std::size_t kOutputsAtOnce = 4;
+
+/// sums[k] += bias[k] + weights[k] . in. Each of these products has eight partial sums, added from
+/// the first to the last: the same order everywhere, and whichever outputs stand beside it.
+void add_outputs(std::span<const float> in, const std::array<const float*, kOutputsAtOnce>& weights,
+                 const std::array<float, kOutputsAtOnce>& bias,
+                 std::array<float, kOutputsAtOnce>& sums) {
+  std::array<Half, kOutputsAtOnce> partial;
+  partial.fill(Half::Zero());
+  for (std::size_t i = 0; i < in.size(); i += kNetworkBlock / 2) {
+    const Eigen::Map<const Half> inputs(&in[i]);
+    for (std::size_t k = 0; k < kOutputsAtOnce; ++k) {
+      partial[k] += inputs * Eigen::Map<const Half>(weights[k] + i);
+    }
   }
-  float sum = bias;
-  for (const float part : partial) {
-    sum += part;
+  Eigen::Array<float, kOutputsAtOnce, 1> total = Eigen::Map<const decltype(total)>(bias.data());
+  for (int part = 0; part < kNetworkBlock / 2; ++part) {
+    total += Eigen::Array<float, kOutputsAtOnce, 1>(partial[0][part], partial[1][part],
+                                                    partial[2][part], partial[3][part]);
   }
-  return sum;
+  Eigen::Map<decltype(total)>(sums.data()) += total;
 }
 
 }  // namespace
 
 std::pmr::vector<Candidate> expected_costs(const NetworkModel& model,
                                            std::span<const double> scaled,
-                                           const ClipMask& allowed_clips, MemoryResource memory) {
+                                           const ClipMask& allowed_clips, MemoryResource memory,
+                                           std::size_t max_count) {
   const NetworkShape shape = model.shape();
   std::pmr::vector<std::size_t> outputs(memory);
   outputs.reserve(model.clip.size());
@@ -55,15 +67,25 @@ std::pmr::vector<Candidate> expected_costs(const NetworkModel& model,
   std::transform(scaled.begin(), scaled.end(), inputs.begin(), network_input);
   std::pmr::vector<float> first(shape.hidden(), memory);
   std::pmr::vector<float> second(shape.hidden(), memory);
-  std::pmr::vector<float> sums(outputs.size(), memory);
+  // In groups of kOutputsAtOnce; the last group repeats an output where too few are left.
+  using Group = std::array<float, kOutputsAtOnce>;
+  std::pmr::vector<Group> sums((outputs.size() + kOutputsAtOnce - 1) / kOutputsAtOnce, Group{},
+                               memory);
   for (int member = 0; member < model.member_count; ++member) {
     const float* weights =
         model.weights.data() + static_cast<std::size_t>(member) * shape.weight_count();
     hidden_layer(inputs, weights, weights + shape.first_biases(), first);
     hidden_layer(first, weights + shape.second_weights(), weights + shape.second_biases(), second);
-    for (std::size_t i = 0; i < outputs.size(); ++i) {
-      sums[i] += output(second, weights + shape.output_weights() + outputs[i] * shape.hidden(),
-                        weights[shape.output_biases() + outputs[i]]);
+    for (std::size_t group = 0; group < sums.size(); ++group) {
+      std::array<const float*, kOutputsAtOnce> output_weights{};
+      Group biases{};
+      for (std::size_t k = 0; k < kOutputsAtOnce; ++k) {
+        const std::size_t output =
+            outputs[std::min(group * kOutputsAtOnce + k, outputs.size() - 1)];
+        output_weights[k] = weights + shape.output_weights() + output * shape.hidden();
+        biases[k] = weights[shape.output_biases() + output];
+      }
+      add_outputs(second, output_weights, biases, sums[group]);
     }
   }
   struct Root {
@@ -74,12 +96,16 @@ std::pmr::vector<Candidate> expected_costs(const NetworkModel& model,
   roots.reserve(outputs.size());
   const float scale = model.scale_root / static_cast<float>(model.member_count);
   for (std::size_t i = 0; i < outputs.size(); ++i) {
-    roots.push_back({model.mean_root + scale * sums[i], model.clip[outputs[i]]});
+    roots.push_back({model.mean_root + scale * sums[i / kOutputsAtOnce][i % kOutputsAtOnce],
+                     model.clip[outputs[i]]});
   }
   // By the root, which still tells apart what is expected to cost nothing or less.
-  std::sort(roots.begin(), roots.end(), [](const Root& a, const Root& b) {
+  const std::size_t count = std::min(max_count, roots.size());
+  const auto end = roots.begin() + static_cast<std::ptrdiff_t>(count);
+  std::partial_sort(roots.begin(), end, roots.end(), [](const Root& a, const Root& b) {
     return a.root != b.root ? a.root < b.root : a.clip < b.clip;
   });
+  roots.resize(count, {});
   std::pmr::vector<Candidate> candidates(memory);
   candidates.reserve(roots.size());
   for (const Root& each : roots) {

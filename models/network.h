@@ -60,10 +60,12 @@ inline float network_input(double scaled) {
   return scaled > -2 ? (scaled < 2 ? static_cast<float>(scaled) : 2.0F) : -2.0F;
 }
 
-/// The allowed clips that the model knows, by rising expected cost; ties by the lower index.
-/// `scaled` has feature_count values.
-std::pmr::vector<Candidate> expected_costs(
-    const NetworkModel& model, std::span<const double> scaled, const ClipMask& allowed_clips,
-    MemoryResource memory = std::pmr::get_default_resource());
+/// The allowed clips that the model knows, by rising expected cost; ties by the lower index; at
+/// most the first `max_count`. `scaled` has feature_count values.
+std::pmr::vector<Candidate> expected_costs(const NetworkModel& model,
+                                           std::span<const double> scaled,
+                                           const ClipMask& allowed_clips,
+                                           MemoryResource memory = std::pmr::get_default_resource(),
+                                           std::size_t max_count = kNoLimit);
 
 }  // namespace flinch::models

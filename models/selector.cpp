@@ -57,8 +57,9 @@ std::pmr::vector<Candidate> candidates(const KnnModel& model, std::span<const do
 
 std::pmr::vector<Candidate> candidates(const NetworkModel& model, std::span<const double> scaled,
                                        const ClipMask& allowed_clips, int idle,
-                                       MemoryResource memory) {
-  auto expected = expected_costs(model, scaled, allowed_clips, memory);
+                                       MemoryResource memory, std::size_t max_count) {
+  auto expected =
+      expected_costs(model, scaled, allowed_clips, memory, std::max(max_count, std::size_t{1}));
   return expected.empty() ? single_candidate({.clip = idle}, memory) : std::move(expected);
 }
 
@@ -79,7 +80,7 @@ std::pmr::vector<Candidate> candidates(const Selector& selector, const features:
   return std::visit(
       [&](const auto& model) {
         using Model = std::remove_cvref_t<decltype(model)>;
-        if constexpr (std::is_same_v<Model, SvmModel> || std::is_same_v<Model, PairwiseModel>) {
+        if constexpr (!std::is_same_v<Model, KnnModel>) {
           return candidates(model, scaled, allowed, selector.idle, memory, max_count);
         } else {
           auto ranked = candidates(model, scaled, allowed, selector.idle, memory);

@@ -60,7 +60,8 @@ std::pmr::vector<Candidate> candidates(const KnnModel& model, std::span<const do
                                        MemoryResource memory = std::pmr::get_default_resource());
 std::pmr::vector<Candidate> candidates(const NetworkModel& model, std::span<const double> scaled,
                                        const ClipMask& allowed_clips, int idle,
-                                       MemoryResource memory = std::pmr::get_default_resource());
+                                       MemoryResource memory = std::pmr::get_default_resource(),
+                                       std::size_t max_count = kNoLimit);
 std::pmr::vector<Candidate> candidates(const PairwiseModel& model, std::span<const double> scaled,
                                        const ClipMask& allowed_clips, int idle,
                                        MemoryResource memory = std::pmr::get_default_resource(),
