@@ -9,8 +9,8 @@
 
 #include "database/import/import.h"
 #include "database/import/role_map.h"
-#include "made_figure.h"
 #include "motion/default_character.h"
+#include "tests/database/import/synthetic_figure.h"
 #include "tests/scenes/error_of.h"
 #include "tests/scenes/temporary_folder.h"
 

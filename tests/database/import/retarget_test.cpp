@@ -8,9 +8,9 @@
 
 #include "database/import/foot_drift.h"
 #include "database/import/source_character.h"
-#include "made_figure.h"
 #include "motion/default_character.h"
 #include "motion/limb_ik.h"
+#include "tests/database/import/synthetic_figure.h"
 
 namespace flinch::database {
 namespace {

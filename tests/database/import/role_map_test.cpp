@@ -7,8 +7,8 @@
 #include <fstream>
 
 #include "database/import/role_names.h"
-#include "made_figure.h"
 #include "motion/default_character.h"
+#include "tests/database/import/synthetic_figure.h"
 #include "tests/scenes/error_of.h"
 #include "tests/scenes/temporary_folder.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "made_figure.h"
+#include "tests/database/import/synthetic_figure.h"
 
 #include <numbers>
 
