@@ -16,14 +16,11 @@
 namespace flinch::runtime {
 namespace {
 
+using database::bytes_of;
 using database::LoadStatus;
 using motion::Target;
 using tests::MadeUpSelector;
 using tests::ModelKind;
-
-std::span<const std::byte> bytes_of(const std::string& text) {
-  return std::as_bytes(std::span(text));
-}
 
 const MadeUpSelector& made_up() {
   static const MadeUpSelector kMadeUp =

@@ -63,7 +63,7 @@ std::string resealed_with(std::string bytes, const std::string& from, const std:
   }
   EXPECT_GT(replaced, 0U) << from;
   const auto seal = database::make_file_header(
-      database::kSelectorFormat, tests::bytes_of(bytes).subspan(database::kFileHeaderSize));
+      database::kSelectorFormat, database::bytes_of(bytes).subspan(database::kFileHeaderSize));
   return bytes.replace(0, seal.size(), reinterpret_cast<const char*>(seal.data()), seal.size());
 }
 
@@ -88,7 +88,8 @@ TEST(SelectorFileDamage, CorruptContentWithAValidSealNeverLoadsUnsound) {
       const std::size_t at = random() % 2 == 0 ? random() % content : random() % 400;
       changed[database::kFileHeaderSize + at] = static_cast<char>(random());
       const auto seal = database::make_file_header(
-          database::kSelectorFormat, tests::bytes_of(changed).subspan(database::kFileHeaderSize));
+          database::kSelectorFormat,
+          database::bytes_of(changed).subspan(database::kFileHeaderSize));
       changed.replace(0, seal.size(), reinterpret_cast<const char*>(seal.data()), seal.size());
       Selector selector;
       if (tests::read(changed, selector) != LoadStatus::ok) {

@@ -6,12 +6,11 @@
 
 #include <algorithm>
 #include <functional>
-#include <limits>
 
-#include "database/import/file_io.h"
 #include "database/import/library_writer.h"
 #include "tests/database/library/random_library.h"
 #include "tests/scenes/error_of.h"
+#include "tests/scenes/not_finite.h"
 #include "tests/scenes/temporary_folder.h"
 
 namespace flinch::database {
@@ -19,11 +18,8 @@ namespace {
 
 using testing::HasSubstr;
 using testing::StartsWith;
+using tests::kNan;
 using tests::random_library;
-
-std::span<const std::byte> bytes_of(const std::string& text) {
-  return std::as_bytes(std::span(text));
-}
 
 LoadStatus read(const std::string& bytes, ClipLibrary& library) {
   return read_library(bytes_of(bytes), library);
@@ -190,7 +186,6 @@ TEST(LibraryFile, RefusesBrokenInvariantsDespiteAValidHeader) {
   ClipLibrary library = random_library(5, 3);
   library.clips[3].motion.poses[2].root_position.z() = 123.456F;
   const std::string content = library_bytes(library).substr(kFileHeaderSize);
-  const float nan = std::numeric_limits<float>::quiet_NaN();
   const float mass = library.character.mass_kg;
   const float component = library.clips[0].motion.poses[1].rotation[motion::Role::head].w();
   const float peak = library.clips[0].annotation->peak_s;
@@ -198,10 +193,10 @@ TEST(LibraryFile, RefusesBrokenInvariantsDespiteAValidHeader) {
   EXPECT_EQ(read(sealed(with_float(content, mass, 62)), read_back), LoadStatus::ok);
   EXPECT_EQ(read_back.character.mass_kg, 62);
   for (const std::string& wrong :
-       {with_float(content, mass, nan), with_float(content, mass, 0),
-        with_float(content, 123.456F, nan), with_float(content, component, component + 0.5F),
-        with_float(content, component, nan), with_float(content, peak, 9),
-        with_float(content, peak, nan)}) {
+       {with_float(content, mass, kNan), with_float(content, mass, 0),
+        with_float(content, 123.456F, kNan), with_float(content, component, component + 0.5F),
+        with_float(content, component, kNan), with_float(content, peak, 9),
+        with_float(content, peak, kNan)}) {
     EXPECT_EQ(read(sealed(wrong), read_back), LoadStatus::damaged);
   }
 }
@@ -212,7 +207,6 @@ struct Breakage {
 };
 
 TEST(LibraryFile, RefusesToWriteAnInvalidLibrary) {
-  const float nan = std::numeric_limits<float>::quiet_NaN();
   const Breakage breakages[] = {
       {"no name", [](ClipLibrary& l) { l.name.clear(); }},
       {"clip 2 () has no name", [](ClipLibrary& l) { l.clips[2].name.clear(); }},
@@ -220,12 +214,12 @@ TEST(LibraryFile, RefusesToWriteAnInvalidLibrary) {
       {"rate", [](ClipLibrary& l) { l.rate_hz = 0; }},
       {"another rate", [](ClipLibrary& l) { l.clips[0].motion.rate_hz = 30; }},
       {"mass", [](ClipLibrary& l) { l.character.mass_kg = -1; }},
-      {"skeleton", [&](ClipLibrary& l) { l.character.skeleton.tip[motion::Role::head].x() = nan; }},
+      {"skeleton", [](ClipLibrary& l) { l.character.skeleton.tip[motion::Role::head].x() = kNan; }},
       {"no idle", [](ClipLibrary& l) { l.idle = -1; }},
       {"no idle", [](ClipLibrary& l) { l.idle = 4; }},
       {"no idle", [](ClipLibrary& l) { l.clips.clear(); }},
       {"no poses", [](ClipLibrary& l) { l.clips[3].motion.poses.clear(); }},
-      {"not finite", [&](ClipLibrary& l) { l.clips[3].motion.poses[1].root_position.y() = nan; }},
+      {"not finite", [](ClipLibrary& l) { l.clips[3].motion.poses[1].root_position.y() = kNan; }},
       {"unit",
        [](ClipLibrary& l) { l.clips[3].motion.poses[1].rotation[motion::Role::neck].w() += 2; }},
       {"target", [](ClipLibrary& l) { l.clips[0].annotation->target = motion::Target{4}; }},
@@ -235,7 +229,7 @@ TEST(LibraryFile, RefusesToWriteAnInvalidLibrary) {
       {"eight", [](ClipLibrary& l) { l.clips[0].annotation->direction = 0.1F; }},
       {"eight",
        [](ClipLibrary& l) { l.clips[0].annotation->direction = -std::numbers::pi_v<float>; }},
-      {"eight", [&](ClipLibrary& l) { l.clips[0].annotation->direction = nan; }},
+      {"eight", [](ClipLibrary& l) { l.clips[0].annotation->direction = kNan; }},
       {"onset", [](ClipLibrary& l) { l.clips[0].annotation->onset_s = -0.1F; }},
       {"onset", [](ClipLibrary& l) { l.clips[0].annotation->peak_s = 0; }},
       {"onset", [](ClipLibrary& l) { l.clips[0].annotation->end_s = 0.01F; }},
@@ -255,8 +249,8 @@ TEST(LibraryFile, RefusesToWriteAnInvalidLibrary) {
 TEST(LoadLibrary, NamesTheActualFileKind) {
   const tests::TemporaryFolder folder;
   const auto message_for = [&](const std::string& bytes) {
-    write_file_atomically(folder / "file", bytes);
-    return tests::error_of([&] { load_library(folder / "file"); });
+    const std::string path = folder.write("file", bytes);
+    return tests::error_of([&] { load_library(path); });
   };
   EXPECT_THAT(message_for(""), StartsWith(folder / "file: is an empty file, not a library"));
   EXPECT_THAT(message_for("HIERARCHY\n"), HasSubstr("is a BVH file,"));
