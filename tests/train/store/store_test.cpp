@@ -10,6 +10,7 @@
 
 #include "motion/error.h"
 #include "tests/scenes/error_of.h"
+#include "tests/scenes/file_damage.h"
 #include "tests/train/store/made_up_store.h"
 #include "train/store/sqlite.h"
 #include "train/store/store_trials.h"
@@ -233,13 +234,12 @@ TEST(Store, AChangedByteIsDetectedOrWithoutEffect) {
   const std::string content = content_of(folder / "whole");
   ASSERT_NE(content, "refused");
   features::Random random(3, features::RandomStream::baseline, 0);
-  std::size_t refused = 0;
   // The library has tests of its own: half of the flips hit the file's ends, and half an
   // observation, of which the trials and some hundred bytes before them are.
   const std::size_t ends = 50'000;
   ASSERT_GT(whole.size(), 2 * ends);
+  std::vector<tests::Flip> flips;
   for (int flip = 0; flip < 400; ++flip) {
-    std::string flipped = whole;
     std::size_t place = random.index(2 * ends);
     if (place >= ends) place += whole.size() - 2 * ends;
     if (flip % 2 == 0) {
@@ -249,12 +249,14 @@ TEST(Store, AChangedByteIsDetectedOrWithoutEffect) {
       ASSERT_NE(place, std::string::npos);
       place += random.index(100 + trials.size()) - 100;
     }
-    char& byte = flipped[place];
-    byte = static_cast<char>(byte ^ (1 << random.index(8)));
+    flips.push_back({place, 1 << random.index(8)});
+  }
+  std::size_t refused = 0;
+  tests::for_each_flip(whole, flips, [&](const std::string& flipped, const tests::Flip& flip) {
     const std::string found = content_of(folder.write("flipped", flipped));
     refused += found == "refused" ? 1U : 0U;
-    EXPECT_TRUE(found == "refused" || found == content) << place;
-  }
+    EXPECT_TRUE(found == "refused" || found == content) << flip.byte;
+  });
   EXPECT_GT(refused, 200U);
 }
 
