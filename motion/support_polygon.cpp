@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "motion/segment.h"
+
 namespace flinch::motion {
 namespace {
 
@@ -55,15 +57,6 @@ float twice_signed_area(const Eigen::Vector2f& a, const Eigen::Vector2f& b,
 
 bool precedes(const Eigen::Vector2f& a, const Eigen::Vector2f& b) {
   return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y());
-}
-
-float squared_distance_to_segment(const Eigen::Vector2f& from, const Eigen::Vector2f& to,
-                                  const Eigen::Vector2f& point) {
-  const Eigen::Vector2f edge = to - from;
-  const float squared_length = edge.squaredNorm();
-  const float along =
-      squared_length > 0 ? std::clamp(edge.dot(point - from) / squared_length, 0.0F, 1.0F) : 0;
-  return (from + along * edge - point).squaredNorm();
 }
 
 }  // namespace
@@ -119,7 +112,8 @@ float signed_distance_inside(const std::vector<Eigen::Vector2f>& polygon,
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Eigen::Vector2f& from = polygon[i];
     const Eigen::Vector2f& to = polygon[i + 1 < polygon.size() ? i + 1 : 0];
-    squared_distance = std::min(squared_distance, squared_distance_to_segment(from, to, point));
+    squared_distance =
+        std::min(squared_distance, (nearest_on_segment(from, to, point) - point).squaredNorm());
     inside = inside && twice_signed_area(from, to, point) >= 0;
   }
   const float distance = std::sqrt(squared_distance);
