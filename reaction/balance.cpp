@@ -38,10 +38,9 @@ void for_each_sole_corner(const sim::FigureModel& figure_model,
   for (Body foot : {Body::left_foot, Body::right_foot}) {
     const sim::MovingShape& sole = figure_model.outline[foot];
     for (int corner = 0; corner < 4; ++corner) {
-      const Eigen::Vector3d side(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, -1);
       visit(bodies[foot].position +
             bodies[foot].orientation *
-                (sole.centre + sole.orientation * sole.half_extents.cwiseProduct(side)));
+                sim::sole_point(sole, corner & 1 ? 1 : -1, corner & 2 ? 1 : -1));
     }
   }
 }
