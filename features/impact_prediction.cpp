@@ -7,6 +7,7 @@
 
 #include "features/free_flight.h"
 #include "motion/collision_shape.h"
+#include "motion/enum_names.h"
 
 namespace flinch::features {
 namespace {
@@ -212,7 +213,7 @@ float reach_of(const motion::Skeleton& skeleton, const motion::BodyModel& model)
 }  // namespace
 
 std::string_view name_of(Outcome outcome) {
-  return kOutcomeNames[static_cast<std::size_t>(outcome)];
+  return motion::name_of(kOutcomeNames, outcome);
 }
 
 CollisionFigure make_collision_figure(const motion::Skeleton& skeleton,

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "features/feature_vector.h"
+#include "models/pair_index.h"
 #include "models/tournament.h"
 
 namespace flinch::models {
@@ -40,7 +41,7 @@ void expand(std::span<const double> scaled, std::span<std::int16_t> terms) {
 
 bool beats(const PairwiseModel& model, std::span<const std::int16_t> terms, std::size_t a,
            std::size_t b) {
-  const int machine = model.machine[model.pair_of(a, b)];
+  const int machine = model.machine[pair_index(a, b, model.clip.size())];
   if (machine == PairwiseModel::kNone) {
     return true;
   }

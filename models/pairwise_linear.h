@@ -42,10 +42,6 @@ struct PairwiseModel {
     return (term_count(feature_count) + 15) / 16 * 16;
   }
   std::size_t row_size() const { return row_size(static_cast<std::size_t>(feature_count)); }
-  /// Of classes a < b in `machine`.
-  std::size_t pair_of(std::size_t a, std::size_t b) const {
-    return a * (2 * clip.size() - a - 1) / 2 + b - a - 1;
-  }
 };
 
 /// The terms of scaled features, kMaxFeatures at the most, then zeros: `terms` has row_size() of

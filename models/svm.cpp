@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "models/integer_power.h"
+#include "models/pair_index.h"
 
 namespace flinch::models {
 namespace {
@@ -50,7 +51,7 @@ void update_derived(SvmModel& model) {
   std::uint32_t first_coefficient = 0;
   for (std::size_t i = 0; i < model.label.size(); ++i) {
     for (std::size_t j = i + 1; j < model.label.size(); ++j) {
-      SvmMachine& machine = model.machines[model.machine_of(i, j)];
+      SvmMachine& machine = model.machines[pair_index(i, j, model.label.size())];
       const auto& [free_i, bound_i, free_j, bound_j] = machine.count;
       machine.first_vector = first_vector;
       machine.first_coefficient = first_coefficient;
@@ -67,7 +68,7 @@ void update_derived(SvmModel& model) {
 // those at the bound are merged back into that order.
 double decision_value(const SvmModel& model, std::span<const double> scaled, std::size_t i,
                       std::size_t j) {
-  const SvmMachine& machine = model.machines[model.machine_of(i, j)];
+  const SvmMachine& machine = model.machines[pair_index(i, j, model.label.size())];
   const std::uint16_t* next = model.vectors.data() + machine.first_vector;
   const double* coefficient = model.coefficients.data() + machine.first_coefficient;
   double sum = 0;

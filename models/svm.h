@@ -64,10 +64,6 @@ struct SvmModel {
   int vector_count() const {
     return label.empty() ? 0 : first_of_class.back() + vectors_of_class.back();
   }
-  /// Index of the machine of classes i < j.
-  std::size_t machine_of(std::size_t i, std::size_t j) const {
-    return i * label.size() - i * (i + 1) / 2 + (j - i - 1);
-  }
   static constexpr std::size_t row_size(int feature_count) {
     return (static_cast<std::size_t>(feature_count) + kLanes - 1) / kLanes * kLanes;
   }

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include "models/pair_index.h"
 #include "models/svm.h"
 #include "models/svm_kernel.h"
 #include "models/tournament.h"
@@ -28,7 +29,7 @@ class PairDecisions {
 
   /// Whether class i < j is preferred to j.
   bool is_first_preferred(std::size_t i, std::size_t j) const {
-    const SvmMachine& machine = model_.machines[model_.machine_of(i, j)];
+    const SvmMachine& machine = model_.machines[pair_index(i, j, model_.label.size())];
     const std::uint16_t* vector = model_.vectors.data() + machine.first_vector;
     const double* coefficient = model_.coefficients.data() + machine.first_coefficient;
     const double first = kernel_sum(i, machine.count[0], machine.count[1], vector, coefficient);

@@ -104,7 +104,7 @@ Target target_of(Body body) {
 }
 
 std::string_view name_of(Sex sex) {
-  return kSexNames[static_cast<std::size_t>(sex)];
+  return name_of(kSexNames, sex);
 }
 
 std::optional<Sex> sex_named(std::string_view name) {

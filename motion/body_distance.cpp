@@ -5,17 +5,11 @@
 #include <cmath>
 #include <limits>
 
+#include "motion/segment.h"
+
 namespace flinch::motion {
 
 namespace {
-
-float distance_to_segment(const Eigen::Vector3f& from, const Eigen::Vector3f& to,
-                          const Eigen::Vector3f& point) {
-  const Eigen::Vector3f along = to - from;
-  const float squared = along.squaredNorm();
-  const float t = squared > 0 ? std::clamp(along.dot(point - from) / squared, 0.0F, 1.0F) : 0;
-  return (from + t * along - point).norm();
-}
 
 // The outline's frame in the world.
 struct ShapeFrame {
@@ -52,7 +46,9 @@ float distance_to(const Figure& figure, const JointFrames& frames, Body body,
   const Shape& shape = figure.bodies[body].shape;
   if (shape.kind == Shape::Kind::capsule) {
     const Capsule capsule = capsule_of(figure, frames, body);
-    return std::max(distance_to_segment(capsule.from, capsule.to, point) - capsule.radius, 0.0F);
+    return std::max(
+        (nearest_on_segment(capsule.from, capsule.to, point) - point).norm() - capsule.radius,
+        0.0F);
   }
   const ShapeFrame place = shape_frame(figure, frames, body);
   const Eigen::Vector3f local = place.orientation.conjugate() * (point - place.centre);

@@ -39,21 +39,21 @@ float ping_pong_time(const Motion& motion, float time_s) {
 }  // namespace
 
 std::string_view name_of(Target target) {
-  return kTargetNames[static_cast<std::size_t>(target)];
+  return name_of(kTargetNames, target);
 }
 std::optional<Target> target_named(std::string_view name) {
   return enum_named<Target>(kTargetNames, name);
 }
 
 std::string_view name_of(Degree degree) {
-  return kDegreeNames[static_cast<std::size_t>(degree)];
+  return name_of(kDegreeNames, degree);
 }
 std::optional<Degree> degree_named(std::string_view name) {
   return enum_named<Degree>(kDegreeNames, name);
 }
 
 std::string_view name_of(Purpose purpose) {
-  return kPurposeNames[static_cast<std::size_t>(purpose)];
+  return name_of(kPurposeNames, purpose);
 }
 
 Pose sample(const Motion& motion, float time_s, std::span<const Role> roles) {

@@ -8,6 +8,12 @@
 
 namespace flinch::motion {
 
+/// The name that stands at the enumerator's place in `names`.
+template <class Enum, std::size_t size>
+constexpr std::string_view name_of(const std::array<std::string_view, size>& names, Enum value) {
+  return names[static_cast<std::size_t>(value)];
+}
+
 /// The enumerator whose name stands at its place in `names`, if there is one.
 template <class Enum, std::size_t size>
 std::optional<Enum> enum_named(const std::array<std::string_view, size>& names,

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "motion/segment.h"
+
 namespace flinch::motion {
 namespace {
 
@@ -57,15 +59,6 @@ bool precedes(const Eigen::Vector2f& a, const Eigen::Vector2f& b) {
   return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y());
 }
 
-float squared_distance_to_segment(const Eigen::Vector2f& from, const Eigen::Vector2f& to,
-                                  const Eigen::Vector2f& point) {
-  const Eigen::Vector2f edge = to - from;
-  const float squared_length = edge.squaredNorm();
-  const float along =
-      squared_length > 0 ? std::clamp(edge.dot(point - from) / squared_length, 0.0F, 1.0F) : 0;
-  return (from + along * edge - point).squaredNorm();
-}
-
 }  // namespace
 
 // Andrew's monotone chain (1979): lower hull from left to right, then upper hull back.
@@ -95,19 +88,36 @@ SoleOutline sole_outline(const Skeleton& skeleton, Side side) {
           outline_in_frame(kToesOutline, foot, side, toes)};
 }
 
+PerSide<SoleOutline> sole_outlines(const Skeleton& skeleton) {
+  return {sole_outline(skeleton, Side::left), sole_outline(skeleton, Side::right)};
+}
+
+std::vector<Eigen::Vector3f> sole_points(const SoleOutline& sole, const JointFrames& frames,
+                                         Side side) {
+  std::vector<Eigen::Vector3f> points;
+  points.reserve(sole.foot.size() + sole.toes.size());
+  const auto add = [&](const std::vector<Eigen::Vector3f>& outline, Role role) {
+    for (const Eigen::Vector3f& point : outline)
+      points.push_back(frames.position[role] + frames.orientation[role] * point);
+  };
+  const FootRoles roles = roles_of(side);
+  add(sole.foot, roles.foot);
+  add(sole.toes, roles.toes);
+  return points;
+}
+
+float lowest_z(std::span<const Eigen::Vector3f> points) {
+  float lowest = std::numeric_limits<float>::infinity();
+  for (const Eigen::Vector3f& point : points) lowest = std::min(lowest, point.z());
+  return lowest;
+}
+
 std::vector<Eigen::Vector2f> support_polygon(const Skeleton& skeleton, const JointFrames& frames,
                                              float tolerance_m) {
   std::vector<Eigen::Vector2f> touching;
-  const auto collect = [&](const std::vector<Eigen::Vector3f>& points, Role role) {
-    for (const Eigen::Vector3f& point : points) {
-      const Eigen::Vector3f world = frames.position[role] + frames.orientation[role] * point;
-      if (world.z() <= tolerance_m) touching.emplace_back(world.head<2>());
-    }
-  };
-  for (Side side : {Side::left, Side::right}) {
-    const SoleOutline sole = sole_outline(skeleton, side);
-    collect(sole.foot, roles_of(side).foot);
-    collect(sole.toes, roles_of(side).toes);
+  for (Side side : kSides) {
+    for (const Eigen::Vector3f& point : sole_points(sole_outline(skeleton, side), frames, side))
+      if (point.z() <= tolerance_m) touching.emplace_back(point.head<2>());
   }
   return convex_hull(std::move(touching));
 }
@@ -119,7 +129,8 @@ float signed_distance_inside(const std::vector<Eigen::Vector2f>& polygon,
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Eigen::Vector2f& from = polygon[i];
     const Eigen::Vector2f& to = polygon[i + 1 < polygon.size() ? i + 1 : 0];
-    squared_distance = std::min(squared_distance, squared_distance_to_segment(from, to, point));
+    squared_distance =
+        std::min(squared_distance, (nearest_on_segment(from, to, point) - point).squaredNorm());
     inside = inside && twice_signed_area(from, to, point) >= 0;
   }
   const float distance = std::sqrt(squared_distance);

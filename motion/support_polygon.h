@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
+#include <span>
 #include <vector>
 
 #include "motion/foot.h"
@@ -16,6 +18,33 @@ struct SoleOutline {
 /// The sole of a skeleton's foot, scaled from a mean adult footprint to its foot length (see
 /// measure_foot). Flat on the ground in the rest pose.
 SoleOutline sole_outline(const Skeleton& skeleton, Side side);
+/// Of both feet.
+PerSide<SoleOutline> sole_outlines(const Skeleton& skeleton);
+
+/// The points of a sole in the world, m, those of the foot before those of the toes. For offline
+/// use: allocates.
+std::vector<Eigen::Vector3f> sole_points(const SoleOutline& sole, const JointFrames& frames,
+                                         Side side);
+
+/// The z of the lowest of these points, m; infinite of no points.
+float lowest_z(std::span<const Eigen::Vector3f> points);
+
+/// Of the sides for which `stands` holds, the one whose ankle is nearer to the centre of mass as
+/// seen from above, the left one of two as near; none where neither stands. `ankle_of` returns a
+/// side's ankle, world.
+template <class Stands, class AnkleOf>
+std::optional<Side> support_foot(const Eigen::Vector3f& centre, Stands stands, AnkleOf ankle_of) {
+  std::optional<Side> support;
+  float nearest = 0;
+  for (Side side : kSides) {
+    if (!stands(side)) continue;
+    const float distance = (ankle_of(side) - centre).template head<2>().norm();
+    if (support && distance >= nearest) continue;
+    support = side;
+    nearest = distance;
+  }
+  return support;
+}
 
 /// The convex hull of points, counter-clockwise, without repeated or collinear ones.
 std::vector<Eigen::Vector2f> convex_hull(std::vector<Eigen::Vector2f> points);

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "motion/segment.h"
+
 namespace flinch::reaction {
 namespace {
 
@@ -17,14 +19,6 @@ constexpr double kStepTime_s = 0.2;
 
 double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
   return a.x() * b.y() - a.y() * b.x();
-}
-
-double distance_to_segment(const Eigen::Vector2d& from, const Eigen::Vector2d& to,
-                           const Eigen::Vector2d& point) {
-  const Eigen::Vector2d way = to - from;
-  const double squared = way.squaredNorm();
-  const double along = squared > 0 ? std::clamp((point - from).dot(way) / squared, 0.0, 1.0) : 0;
-  return (from + along * way - point).norm();
 }
 
 /// A few points on the ground.
@@ -44,10 +38,9 @@ void for_each_sole_corner(const sim::FigureModel& figure_model,
   for (Body foot : {Body::left_foot, Body::right_foot}) {
     const sim::MovingShape& sole = figure_model.outline[foot];
     for (int corner = 0; corner < 4; ++corner) {
-      const Eigen::Vector3d side(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, -1);
       visit(bodies[foot].position +
             bodies[foot].orientation *
-                (sole.centre + sole.orientation * sole.half_extents.cwiseProduct(side)));
+                sim::sole_point(sole, corner & 1 ? 1 : -1, corner & 2 ? 1 : -1));
     }
   }
 }
@@ -66,7 +59,7 @@ double distance_outside(std::span<const Eigen::Vector2d> points, const Eigen::Ve
   double nearest = std::numeric_limits<double>::infinity();
   for (const auto& from : points) {
     for (const auto& to : points) {
-      nearest = std::min(nearest, distance_to_segment(from, to, point));
+      nearest = std::min(nearest, (motion::nearest_on_segment(from, to, point) - point).norm());
     }
   }
   return nearest;

@@ -8,6 +8,7 @@
 #include "motion/interpolation.h"
 #include "motion/joint_limits.h"
 #include "motion/rotation.h"
+#include "motion/support_polygon.h"
 
 namespace flinch::database {
 namespace {
@@ -78,18 +79,9 @@ motion::PerSide<FootStep> steps_of(const JointFrames& from, const JointFrames& t
 
 std::optional<Side> support_of(const motion::PerSide<FootStep>& steps,
                                const Eigen::Vector3f& centre) {
-  std::optional<Side> support;
-  float nearest = 0;
-  for (Side side : motion::kSides) {
-    const FootStep& step = steps[index_of(side)];
-    if (step.moves) continue;
-    const float distance = (step.from.ankle - centre).head<2>().norm();
-    if (!support || distance < nearest) {
-      support = side;
-      nearest = distance;
-    }
-  }
-  return support;
+  return motion::support_foot(
+      centre, [&](Side side) { return !steps[index_of(side)].moves; },
+      [&](Side side) { return steps[index_of(side)].from.ankle; });
 }
 
 motion::FootPose foot_pose_in_step(const FootStep& step, float s) {

@@ -7,6 +7,7 @@
 #include <limits>
 #include <string>
 
+#include "motion/enum_names.h"
 #include "motion/error.h"
 
 namespace flinch::database {
@@ -76,7 +77,7 @@ Json& GltfBuffer::add_accessor(std::span<const Number> numbers, GltfElement elem
   accessors_.push_back({{"bufferView", views_.size()},
                         {"componentType", component_type(Number{})},
                         {"count", numbers.size() / kComponents[static_cast<std::size_t>(element)]},
-                        {"type", kElementNames[static_cast<std::size_t>(element)]}});
+                        {"type", motion::name_of(kElementNames, element)}});
   views_.push_back(std::move(view));
   return accessors_.back();
 }

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "database/library/file_header.h"
+#include "motion/enum_names.h"
 
 namespace flinch::database {
 namespace {
@@ -55,7 +56,7 @@ std::string_view name_of(FileKind kind) {
                                                    "an archive",
                                                    "a text file",
                                                    "no file that Flinch knows"};
-  return kNames[static_cast<std::size_t>(kind)];
+  return motion::name_of(kNames, kind);
 }
 
 }  // namespace flinch::database

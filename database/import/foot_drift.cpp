@@ -53,19 +53,11 @@ void measure_track(const PointTrajectory& track, float interval_s, FootDrift& dr
 
 float lowest_sole(const motion::Skeleton& skeleton, const motion::Motion& clip) {
   float lowest = std::numeric_limits<float>::infinity();
-  for (motion::Side side : {motion::Side::left, motion::Side::right}) {
+  for (motion::Side side : motion::kSides) {
     const motion::SoleOutline sole = motion::sole_outline(skeleton, side);
-    const motion::FootRoles roles = motion::roles_of(side);
     for (const motion::Pose& pose : clip.poses) {
       const motion::JointFrames frames = forward_kinematics(skeleton, pose);
-      const auto look = [&](Role role, const std::vector<Vector3f>& points) {
-        for (const Vector3f& point : points) {
-          const Vector3f world = frames.position[role] + frames.orientation[role] * point;
-          lowest = std::min(lowest, world.z());
-        }
-      };
-      look(roles.foot, sole.foot);
-      look(roles.toes, sole.toes);
+      lowest = std::min(lowest, motion::lowest_z(motion::sole_points(sole, frames, side)));
     }
   }
   return lowest;

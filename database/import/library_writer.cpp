@@ -96,10 +96,6 @@ std::string text_of(const ClipLibrary& library, const LibraryFault& fault) {
          fault.what;
 }
 
-std::span<const std::byte> bytes_of(std::string_view text) {
-  return std::as_bytes(std::span(text));
-}
-
 }  // namespace
 
 std::string library_bytes(const ClipLibrary& library) {

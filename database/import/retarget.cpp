@@ -37,16 +37,13 @@ struct RetargetContext {
   const Skeleton& skeleton;
   float scale;
   JointFrames rest;
-  std::array<motion::SoleOutline, 2> sole;
+  motion::PerSide<motion::SoleOutline> sole;
 };
 
 RetargetContext make_retarget_context(const SourceMotion& source, const Skeleton& skeleton) {
-  return {source,
-          skeleton,
-          leg_ratio(source, skeleton),
+  return {source, skeleton, leg_ratio(source, skeleton),
           forward_kinematics(skeleton, motion::rest_pose(skeleton)),
-          {motion::sole_outline(skeleton, motion::Side::left),
-           motion::sole_outline(skeleton, motion::Side::right)}};
+          motion::sole_outlines(skeleton)};
 }
 
 Vector3f between_hips(const Skeleton& skeleton) {

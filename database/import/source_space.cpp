@@ -27,7 +27,7 @@ double metres_in(LengthUnit unit) {
 }
 
 std::string_view name_of(LengthUnit unit) {
-  return kUnitNames[static_cast<std::size_t>(unit)];
+  return motion::name_of(kUnitNames, unit);
 }
 
 std::optional<LengthUnit> length_unit_named(std::string_view name) {
@@ -50,7 +50,7 @@ Eigen::Vector3d direction_of(UpAxis up) {
 }
 
 std::string_view name_of(UpAxis up) {
-  return kUpNames[static_cast<std::size_t>(up)];
+  return motion::name_of(kUpNames, up);
 }
 
 std::optional<UpAxis> up_axis_named(std::string_view name) {

@@ -39,6 +39,11 @@ inline constexpr FileFormat kSelectorFormat{.magic = "FLINCHS", .version = 3};
 
 inline constexpr std::size_t kFileHeaderSize = 16;
 
+/// The text's bytes, as long as it lives.
+inline std::span<const std::byte> bytes_of(std::string_view text) noexcept {
+  return std::as_bytes(std::span(text));
+}
+
 /// The bytes that go before `content` in its file.
 std::array<std::byte, kFileHeaderSize> make_file_header(
     const FileFormat& kind, std::span<const std::byte> content) noexcept;

@@ -82,57 +82,23 @@ void measure_hands(const motion::Figure& figure, const FramesOfClip& frames, Cli
   }
 }
 
-// The points of a sole in the world, those of the foot before those of the toes.
-std::vector<Eigen::Vector3f> sole_points(const motion::SoleOutline& sole, const JointFrames& frames,
-                                         Side side) {
-  std::vector<Eigen::Vector3f> points;
-  const motion::FootRoles roles = motion::roles_of(side);
-  for (const Eigen::Vector3f& point : sole.foot) {
-    points.push_back(frames.position[roles.foot] + frames.orientation[roles.foot] * point);
-  }
-  for (const Eigen::Vector3f& point : sole.toes) {
-    points.push_back(frames.position[roles.toes] + frames.orientation[roles.toes] * point);
-  }
-  return points;
-}
-
-float lowest(const std::vector<Eigen::Vector3f>& points) {
-  float z = std::numeric_limits<float>::infinity();
-  for (const Eigen::Vector3f& point : points) z = std::min(z, point.z());
-  return z;
-}
-
-// The foot on the ground that is nearer to the centre of mass; none in a jump.
-std::optional<Side> support_foot(const motion::Figure& figure, const JointFrames& frames,
-                                 const motion::PerSide<std::vector<Eigen::Vector3f>>& soles) {
-  const Eigen::Vector3f centre = motion::centre_of_mass(figure.bodies, frames);
-  std::optional<Side> support;
-  float nearest = std::numeric_limits<float>::infinity();
-  for (Side side : motion::kSides) {
-    if (lowest(soles[index_of(side)]) > kContactHeight) continue;
-    const float distance = (frames.position[motion::roles_of(side).foot] - centre).head<2>().norm();
-    if (distance < nearest) {
-      nearest = distance;
-      support = side;
-    }
-  }
-  return support;
-}
-
 // Every point of a sole remembers where it came to the ground and slips from there until it leaves.
 void measure_feet(const motion::Figure& figure, const FramesOfClip& frames, ClipQuality& quality) {
-  const motion::PerSide<motion::SoleOutline> outlines{
-      motion::sole_outline(figure.skeleton(), Side::left),
-      motion::sole_outline(figure.skeleton(), Side::right)};
+  const auto outlines = motion::sole_outlines(figure.skeleton());
   motion::PerSide<std::vector<std::optional<Eigen::Vector3f>>> landed;
   for (const JointFrames& pose : frames) {
     motion::PerSide<std::vector<Eigen::Vector3f>> soles;
     for (Side side : motion::kSides) {
       const std::size_t i = index_of(side);
       soles[i] = sole_points(outlines[i], pose, side);
-      quality.foot_below_ground_m = std::max(quality.foot_below_ground_m, -lowest(soles[i]));
+      quality.foot_below_ground_m =
+          std::max(quality.foot_below_ground_m, -motion::lowest_z(soles[i]));
     }
-    const std::optional<Side> support = support_foot(figure, pose, soles);
+    // None in a jump.
+    const std::optional<Side> support = motion::support_foot(
+        motion::centre_of_mass(figure.bodies, pose),
+        [&](Side side) { return motion::lowest_z(soles[index_of(side)]) <= kContactHeight; },
+        [&](Side side) { return motion::foot_pose(pose, side).ankle; });
     for (Side side : motion::kSides) {
       const std::size_t i = index_of(side);
       landed[i].resize(soles[i].size());

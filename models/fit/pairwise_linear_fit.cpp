@@ -8,6 +8,7 @@
 
 #include "models/fit/parallel_for.h"
 #include "models/fit/weighted_svm.h"
+#include "models/pair_index.h"
 #include "motion/error.h"
 
 namespace flinch::models {
@@ -127,12 +128,7 @@ PairwiseModel fit_pairwise(const TrainingSet& set, const PairwiseParameters& par
   model.clip = tried_clips(set);
   const std::vector<ClipTrials> trials = clip_trials_of(set, model.clip, parameters.nearness);
   const FeatureRows rows = expanded(set);
-  std::vector<std::pair<std::size_t, std::size_t>> pairs;
-  for (std::size_t a = 0; a < model.clip.size(); ++a) {
-    for (std::size_t b = a + 1; b < model.clip.size(); ++b) {
-      pairs.emplace_back(a, b);
-    }
-  }
+  const auto pairs = class_pairs(model.clip.size());
   std::vector<std::vector<std::int16_t>> weights(pairs.size());
   parallel_for(pairs.size(), [&](std::size_t pair) {
     const auto [a, b] = pairs[pair];

@@ -10,6 +10,7 @@
 
 #include "models/fit/parallel_for.h"
 #include "models/fit/svm_pair.h"
+#include "models/pair_index.h"
 #include "motion/error.h"
 
 namespace flinch::models {
@@ -48,10 +49,7 @@ std::vector<Class> classes_of(const TrainingSet& set, double balance) {
 /// Every pair's solution, (0,1), (0,2), …, (1,2), ….
 std::vector<PairSolution> solve(const std::vector<Class>& classes, int feature_count,
                                 const SvmParameters& parameters) {
-  std::vector<std::pair<std::size_t, std::size_t>> pairs;
-  for (std::size_t i = 0; i < classes.size(); ++i) {
-    for (std::size_t j = i + 1; j < classes.size(); ++j) pairs.emplace_back(i, j);
-  }
+  const auto pairs = class_pairs(classes.size());
   std::vector<PairSolution> solutions(pairs.size());
   parallel_for(pairs.size(), [&](std::size_t p) {
     const Class& first = classes[pairs[p].first];

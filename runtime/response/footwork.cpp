@@ -7,7 +7,6 @@
 #include <optional>
 
 #include "motion/limb_ik.h"
-#include "motion/support_polygon.h"
 
 namespace flinch::runtime {
 namespace {
@@ -95,14 +94,14 @@ Side nearer_foot(const motion::Skeleton& skeleton, const motion::BodyModel& bodi
 }  // namespace
 
 Sole make_sole(const motion::Skeleton& skeleton, Side side) {
-  const motion::SoleOutline outline = motion::sole_outline(skeleton, side);
+  motion::SoleOutline outline = motion::sole_outline(skeleton, side);
   const motion::FootRoles roles = motion::roles_of(side);
   std::vector<Eigen::Vector2f> points;
   for (const Eigen::Vector3f& point : outline.foot) points.push_back(point.head<2>());
   for (const Eigen::Vector3f& point : outline.toes) {
     points.push_back((skeleton.offset[roles.toes] + point).head<2>());
   }
-  return {outline.foot, outline.toes, motion::convex_hull(std::move(points))};
+  return {std::move(outline), motion::convex_hull(std::move(points))};
 }
 
 std::span<const Role> leg_chain(Side side) {

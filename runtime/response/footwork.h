@@ -6,7 +6,7 @@
 
 #include "motion/body.h"
 #include "motion/clip.h"
-#include "motion/foot.h"
+#include "motion/support_polygon.h"
 
 namespace flinch::runtime {
 
@@ -24,10 +24,8 @@ struct Footwork {
   motion::Side support = motion::Side::left;
 };
 
-/// The sole's corners in the frame of its foot and of its toes, m.
-struct Sole {
-  std::vector<Eigen::Vector3f> foot;
-  std::vector<Eigen::Vector3f> toes;
+/// An outline, and the hull of its contact with the ground.
+struct Sole : motion::SoleOutline {
   /// The whole sole's hull on flat ground, counter-clockwise, in the foot's frame seen from above.
   std::vector<Eigen::Vector2f> hull;
 };

@@ -123,4 +123,9 @@ FigureModel::FigureModel(const motion::Physique& character)
   }
 }
 
+Eigen::Vector3d sole_point(const MovingShape& foot, double forward, double left) {
+  return foot.centre +
+         foot.orientation * foot.half_extents.cwiseProduct(Eigen::Vector3d(forward, left, -1));
+}
+
 }  // namespace flinch::sim

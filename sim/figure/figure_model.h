@@ -28,4 +28,8 @@ struct FigureModel {
   motion::PerBody<BodySet> may_collide;
 };
 
+/// A point of the underside of a foot's box, in the frame of the foot's centre of mass, m:
+/// `forward` and `left` go from -1 to 1 across the box.
+Eigen::Vector3d sole_point(const MovingShape& foot, double forward, double left);
+
 }  // namespace flinch::sim

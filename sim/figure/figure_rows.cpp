@@ -47,9 +47,7 @@ JointAxes axes_of(JointKind kind, const JointRange& limits, const Eigen::Quatern
 /// Heel and toe, on the sole's middle, in the frame of the foot's centre of mass, m. Two points a
 /// foot, not its corners: each costs the solver a pivot, and a foot's roll is its ankle's matter.
 std::array<Eigen::Vector3d, 2> heel_and_toe(const MovingShape& foot) {
-  const Eigen::Vector3d heel = foot.half_extents.cwiseProduct(Eigen::Vector3d(-1, 0, -1));
-  const Eigen::Vector3d toe = foot.half_extents.cwiseProduct(Eigen::Vector3d(1, 0, -1));
-  return {foot.centre + foot.orientation * heel, foot.centre + foot.orientation * toe};
+  return {sole_point(foot, -1, 0), sole_point(foot, 1, 0)};
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "motion/default_character.h"
 #include "motion/error.h"
 #include "tests/motion/random_motion.h"
+#include "tests/scenes/error_of.h"
 
 namespace flinch::features {
 namespace {
@@ -130,12 +131,8 @@ TEST(Scaling, RefusesNoRowsAndNumbersThatAreNotFinite) {
   std::vector<FeatureVector> rows(2);
   for (FeatureVector& row : rows) row.fill(0);
   rows[1][6] = std::numeric_limits<float>::quiet_NaN();
-  try {
-    make_scaling(rows, kNames);
-    FAIL() << "took a NaN";
-  } catch (const Error& error) {
-    EXPECT_THAT(error.what(), testing::HasSubstr("speed_mps of observation 1"));
-  }
+  EXPECT_THAT(tests::error_of([&] { make_scaling(rows, kNames); }),
+              testing::HasSubstr("speed_mps of observation 1"));
 }
 
 }  // namespace

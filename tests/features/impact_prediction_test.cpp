@@ -5,23 +5,23 @@
 
 #include <bit>
 #include <cmath>
-#include <limits>
 
 #include "features/free_flight.h"
 #include "motion/collision_shape.h"
 #include "motion/rotation.h"
 #include "tests/features/moving_figure.h"
 #include "tests/motion/random_motion.h"
+#include "tests/scenes/not_finite.h"
 
 namespace flinch::features {
 namespace {
 
 using motion::Body;
 using motion::Target;
+using tests::kInfinity;
+using tests::kNan;
 using tests::uniform;
 
-constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
 constexpr double kContactTolerance_m = 1e-3;
 
 const tests::SwayingFigure& figure() {
@@ -61,7 +61,7 @@ double sampled_touch_s(const Threat& threat, const PoseAt& pose_at,
     if ((ball - pose.root_position.cast<double>()).norm() > 1.6 + radius) continue;
     if (figure().gap(pose, ball, radius) <= 0.5 * kContactTolerance_m) return t;
   }
-  return std::numeric_limits<double>::infinity();
+  return tests::kInfinityDouble;
 }
 
 /// Whether the prediction is what the samples allow. Counts impacts.

@@ -5,12 +5,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 #include <random>
 
 #include "models/selector.h"
 #include "tests/models/network_reference.h"
 #include "tests/models/training_sets.h"
+#include "tests/scenes/not_finite.h"
 
 namespace flinch::models {
 namespace {
@@ -108,8 +108,8 @@ TEST(Network, TiesGoToTheLowerClipAndIdleIsTheFallback) {
 TEST(Network, IsFiniteForAnyInput) {
   NetworkModel model = random_network(6, 40, 64, 5, 2);
   for (float& weight : model.weights) weight = std::copysign(kMaxNetworkWeight, weight);
-  const double infinity = std::numeric_limits<double>::infinity();
-  for (const double value : {1e300, -1e300, infinity, -infinity, std::nan("")}) {
+  for (const double value :
+       {1e300, -1e300, tests::kInfinityDouble, -tests::kInfinityDouble, std::nan("")}) {
     for (const Candidate& candidate :
          expected_costs(model, std::vector<double>(40, value), ClipMask(10, true))) {
       EXPECT_TRUE(std::isfinite(candidate.expected_cost_ns));

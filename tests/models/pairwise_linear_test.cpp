@@ -6,11 +6,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <random>
 
 #include "models/selector.h"
 #include "tests/models/training_sets.h"
+#include "tests/scenes/not_finite.h"
 
 namespace flinch::models {
 namespace {
@@ -134,15 +134,14 @@ TEST(PairwiseLinear, SumsNeverOverflow) {
     const std::vector<double> x(features::kMaxFeatures, value);
     return rank(model, x, ClipMask(4, true), 1)[0].clip == 1;
   };
-  const double infinity = std::numeric_limits<double>::infinity();
   EXPECT_TRUE(first_wins(2));
-  EXPECT_TRUE(first_wins(infinity));
+  EXPECT_TRUE(first_wins(tests::kInfinityDouble));
   EXPECT_TRUE(first_wins(1e300));
   for (std::int16_t& weight : model.weights) weight = static_cast<std::int16_t>(-weight);
   EXPECT_FALSE(first_wins(2));
-  EXPECT_FALSE(first_wins(infinity));
+  EXPECT_FALSE(first_wins(tests::kInfinityDouble));
   // Not a number is as good as far below.
-  EXPECT_EQ(first_wins(std::nan("")), first_wins(-infinity));
+  EXPECT_EQ(first_wins(std::nan("")), first_wins(-tests::kInfinityDouble));
 }
 
 TEST(PairwiseLinear, FallsBackToIdleWithoutAnAllowedClip) {

@@ -5,17 +5,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "motion/rotation.h"
 #include "tests/reaction/reaction_player.h"
 #include "tests/runtime/made_up_selector.h"
+#include "tests/scenes/not_finite.h"
 
 namespace flinch::reaction {
 namespace {
 
 using motion::Role;
 using scenes::same_bits;
+using tests::kNan;
 
 constexpr float kFrame_s = 1.0F / 60;
 constexpr float kImpact_s = 0.6F;
@@ -164,7 +165,6 @@ TEST(ReactingCharacter, StaysSimulatedAfterBeingKnockedOverUntilStopped) {
 }
 
 TEST(ReactingCharacter, RejectsBadInputAndStaysUsable) {
-  constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
   ReactingCharacter hit(plain(), make_reaction_data(plain()));
   ReactingCharacter untroubled(plain(), make_reaction_data(plain()));
   const Played played = play(untroubled, plain(), 2);
@@ -174,7 +174,7 @@ TEST(ReactingCharacter, RejectsBadInputAndStaysUsable) {
   for (float time_s = 0; time_s < 2; time_s += kFrame_s) {
     for (float dt_s : {0.0F, -1.0F, kNan}) EXPECT_EQ(hit.update(dt_s), ReactionStatus::bad_time);
     sim::Ball bad = ball_at_chest(plain(), hit.pose(), 0.27);
-    bad.velocity.x() = static_cast<double>(kNan);
+    bad.velocity.x() = tests::kNanDouble;
     EXPECT_EQ(hit.react_to(bad), ReactionStatus::bad_ball);
     if (hit.pose_source() == PoseSource::physics) {
       EXPECT_EQ(hit.update(0.2F), ReactionStatus::bad_time);

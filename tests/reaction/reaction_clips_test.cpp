@@ -4,9 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 #include <random>
 
+#include "tests/scenes/not_finite.h"
 #include "tests/sim/figure_motions.h"
 
 namespace flinch::reaction {
@@ -93,14 +93,13 @@ TEST(ReactionClips, FindNothingBeyondTheMaximumDistance) {
 TEST(ReactionClips, RejectNonFiniteInput) {
   const auto all = clips();
   const ReactionClips index(character(), all);
-  const float nan = std::numeric_limits<float>::quiet_NaN();
   const motion::Pose good = scenes::standing(character().skeleton);
   motion::Pose bad = good;
-  bad.rotation[motion::Role::head].x() = nan;
+  bad.rotation[motion::Role::head].x() = tests::kNan;
   EXPECT_TRUE(index.find(good, good, kFrame_s));
   EXPECT_FALSE(index.find(bad, good, kFrame_s));
   EXPECT_FALSE(index.find(good, bad, kFrame_s));
-  for (float dt_s : {0.0F, -1.0F, nan}) EXPECT_FALSE(index.find(good, good, dt_s));
+  for (float dt_s : {0.0F, -1.0F, tests::kNan}) EXPECT_FALSE(index.find(good, good, dt_s));
 }
 
 TEST(ReactionClips, MatchLeavesTimeToPlay) {

@@ -5,10 +5,10 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <thread>
 
 #include "tests/reaction/reaction_player.h"
+#include "tests/scenes/not_finite.h"
 
 namespace flinch::reaction {
 namespace {
@@ -86,27 +86,26 @@ TEST(Reaction, MotionDoesNotDependOnFrameTimes) {
 }
 
 TEST(Reaction, RejectsBadInputAndStaysUsable) {
-  const float nan = std::numeric_limits<float>::quiet_NaN();
   const ReactionCase& reaction_case = cases().front();
   const motion::Pose good = pose_at(*reaction_case.motion, reaction_case.begin_s);
   motion::Pose no_place = good;
-  no_place.root_position.x() = nan;
+  no_place.root_position.x() = tests::kNan;
   motion::Pose no_turn = good;
-  no_turn.rotation[Role::head].w() = nan;
+  no_turn.rotation[Role::head].w() = tests::kNan;
   motion::Pose not_unit = good;
   not_unit.rotation[Role::head].coeffs() *= 2;
   std::vector<sim::Ball> bad_balls(6, reaction_case.ball);
-  bad_balls[0].position.x() = static_cast<double>(nan);
-  bad_balls[1].velocity.z() = std::numeric_limits<double>::infinity();
+  bad_balls[0].position.x() = tests::kNanDouble;
+  bad_balls[1].velocity.z() = tests::kInfinityDouble;
   bad_balls[2].radius = 0;
   bad_balls[3].mass_kg = -1;
-  bad_balls[4].mass_kg = static_cast<double>(nan);
+  bad_balls[4].mass_kg = tests::kNanDouble;
   bad_balls[5].velocity.x() = 1e9;
 
   Reaction reaction(figure_model());
   EXPECT_EQ(reaction.advance(kFrame_s, good, good), ReactionStatus::not_begun);
   const auto try_all = [&] {
-    for (double dt_s : {0.0, -1.0, 0.2, static_cast<double>(nan)}) {
+    for (double dt_s : {0.0, -1.0, 0.2, tests::kNanDouble}) {
       EXPECT_EQ(reaction.begin(good, good, dt_s, &reaction_case.ball), ReactionStatus::bad_time);
     }
     for (const motion::Pose& bad : {no_place, no_turn, not_unit}) {
@@ -125,7 +124,7 @@ TEST(Reaction, RejectsBadInputAndStaysUsable) {
   ASSERT_EQ(scenes::begin(reaction, reaction_case), ReactionStatus::ok);
   for (std::size_t k = 1; k < poses.size(); ++k) {
     try_all();
-    for (double dt_s : {0.0, -1.0, 0.2, static_cast<double>(nan)}) {
+    for (double dt_s : {0.0, -1.0, 0.2, tests::kNanDouble}) {
       EXPECT_EQ(reaction.advance(dt_s, good, good), ReactionStatus::bad_time);
     }
     for (const motion::Pose& bad : {no_place, no_turn, not_unit}) {
@@ -138,8 +137,7 @@ TEST(Reaction, RejectsBadInputAndStaysUsable) {
   EXPECT_EQ(Reaction(nullptr).begin(good, good, kFrame_s, nullptr), ReactionStatus::bad_options);
   for (const ReactionOptions& bad :
        {ReactionOptions{.schedule = {.simulation_only_s = 0}, .stiffness = 0.1},
-        ReactionOptions{.schedule = {.simulation_only_s = static_cast<double>(nan)},
-        .stiffness = 0.1},
+        ReactionOptions{.schedule = {.simulation_only_s = tests::kNanDouble}, .stiffness = 0.1},
         ReactionOptions{.schedule = {}, .stiffness = 0}}) {
     EXPECT_EQ(Reaction(figure_model(), bad).begin(good, good, kFrame_s, nullptr),
               ReactionStatus::bad_options);

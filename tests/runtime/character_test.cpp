@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 #include <random>
 
 #include "database/author/authored_library.h"
@@ -13,6 +12,7 @@
 #include "tests/motion/random_motion.h"
 #include "tests/runtime/made_up_selector.h"
 #include "tests/scenes/allocation_count.h"
+#include "tests/scenes/not_finite.h"
 
 namespace flinch::runtime {
 namespace {
@@ -21,9 +21,8 @@ using motion::Pose;
 using motion::Role;
 using motion::Target;
 using tests::distance;
-
-constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
+using tests::kInfinity;
+using tests::kNan;
 
 const Library& library() {
   static const Library kLibrary = [] {

@@ -11,19 +11,17 @@
 #include "runtime/selector_file.h"
 #include "runtime/workspace.h"
 #include "tests/runtime/made_up_selector.h"
+#include "tests/scenes/file_damage.h"
 #include "tests/scenes/temporary_folder.h"
 
 namespace flinch::runtime {
 namespace {
 
+using database::bytes_of;
 using database::LoadStatus;
 using motion::Target;
 using tests::MadeUpSelector;
 using tests::ModelKind;
-
-std::span<const std::byte> bytes_of(const std::string& text) {
-  return std::as_bytes(std::span(text));
-}
 
 const MadeUpSelector& made_up() {
   static const MadeUpSelector kMadeUp =
@@ -102,69 +100,56 @@ TEST(SelectorFile, SelectsWithoutClips) {
 }
 
 TEST(Library, RejectsATruncatedFile) {
-  std::size_t cuts = 0;
-  for (std::size_t size = 0; size < whole_file().size(); size += 1000, ++cuts) {
+  const std::vector<std::size_t> sizes = tests::places(whole_file().size(), 1000);
+  tests::expect_wrong_sizes_are_refused(whole_file(), sizes, [](const std::string& wrong) {
     Library library;
-    ASSERT_NE(library.load(bytes_of(whole_file()).first(size)), LoadStatus::ok) << size;
-    ASSERT_FALSE(library.is_loaded());
-  }
-  EXPECT_GT(cuts, 200U);
+    return library.load(bytes_of(wrong)) != LoadStatus::ok && !library.is_loaded();
+  });
+  EXPECT_GT(sizes.size(), 200U);
 }
 
 TEST(Library, RejectsAChangedByte) {
   std::mt19937_64 random(1);
-  std::string changed = whole_file();
+  // The first bytes are the seal and the tables; each of them has its turn.
+  std::vector<std::size_t> bytes = tests::places(200);
+  while (bytes.size() < 2000) bytes.push_back(random() % whole_file().size());
   Library library;
-  for (int i = 0; i < 2000; ++i) {
-    // The first bytes are the seal and the tables; each of them has its turn.
-    const std::size_t at = i < 200 ? static_cast<std::size_t>(i) : random() % changed.size();
-    const char whole = changed[at];
-    changed[at] = static_cast<char>(whole ^ static_cast<char>(1 + random() % 255));
-    ASSERT_NE(library.load(bytes_of(changed)), LoadStatus::ok) << "byte " << at;
-    changed[at] = whole;
-  }
+  tests::expect_flips_are_refused(whole_file(), tests::random_flips(bytes, random),
+                                  [&](const std::string& flipped) {
+                                    return library.load(bytes_of(flipped)) != LoadStatus::ok;
+                                  });
   EXPECT_FALSE(library.is_loaded());
-  EXPECT_EQ(library.load(bytes_of(changed)), LoadStatus::ok);
-}
-
-void reseal(std::string& bytes) {
-  const auto seal = database::make_file_header(database::kSelectorFormat,
-                                               bytes_of(bytes).subspan(database::kFileHeaderSize));
-  bytes.replace(0, seal.size(), reinterpret_cast<const char*>(seal.data()), seal.size());
+  EXPECT_EQ(library.load(bytes_of(whole_file())), LoadStatus::ok);
 }
 
 // Damage that the seal cannot see, because who sealed it meant it. The clips' own seal is not
 // looked at for accidents, so what is inside must be kept out by the checks alone.
 TEST(Library, CorruptContentWithAValidSealIsRejectedOrSafe) {
-  const std::string& whole = whole_file();
-  const std::size_t clips = whole.find("FLINCHL");
+  const std::size_t clips = whole_file().find("FLINCHL");
   ASSERT_NE(clips, std::string::npos);
   EXPECT_EQ(clips % 16, 0U) << "the clips are read in place";
-  std::mt19937_64 random(2);
+  const std::size_t clips_in_content = clips - database::kFileHeaderSize;
+  const auto damage = [&](std::string& content, std::mt19937_64& random) {
+    const std::size_t places[] = {random() % content.size(), random() % 400,
+                                  clips_in_content + random() % 400,
+                                  clips_in_content + random() % made_up().library_file.size(),
+                                  content.size() - 1 - random() % 4000};
+    content[places[random() % 5]] = static_cast<char>(random());
+  };
   Workspace workspace;
-  int refused = 0;
-  int loaded = 0;
-  for (int i = 0; i < 1500; ++i) {
-    std::string changed = whole;
-    const std::size_t places[] = {
-        database::kFileHeaderSize + random() % (whole.size() - database::kFileHeaderSize),
-        database::kFileHeaderSize + random() % 400, clips + random() % 400,
-        clips + random() % made_up().library_file.size(), whole.size() - 1 - random() % 4000};
-    changed[places[random() % 5]] = static_cast<char>(random());
-    reseal(changed);
+  const auto reads = [&](const std::string& damaged) {
     Library library;
-    if (library.load(bytes_of(changed)) != LoadStatus::ok) {
-      ++refused;
-      continue;
-    }
-    ++loaded;
-    ASSERT_EQ(workspace.reserve_memory(library.selection_bytes()), LoadStatus::ok);
+    if (library.load(bytes_of(damaged)) != LoadStatus::ok) return false;
+    EXPECT_EQ(workspace.reserve_memory(library.selection_bytes()), LoadStatus::ok);
     const Selection selection = workspace.select(library.selector(), {}, Target::trunk, {});
-    ASSERT_EQ(selection.status, SelectStatus::ok);
-    ASSERT_LT(static_cast<std::size_t>(selection.clip), library.clip_library().clips.size());
-  }
-  EXPECT_GT(refused, 100);
-  EXPECT_GT(loaded, 100);
+    EXPECT_EQ(selection.status, SelectStatus::ok);
+    EXPECT_LT(static_cast<std::size_t>(selection.clip), library.clip_library().clips.size());
+    return true;
+  };
+  const tests::ReadCounts counts =
+      tests::try_damaged_content(database::kSelectorFormat, whole_file(), 1500, 2, damage, reads);
+  EXPECT_GT(counts.refused, 100);
+  EXPECT_GT(counts.read, 100);
 }
 
 TEST(SelectorFile, RefusesToWriteClipsOfAnotherLibrary) {

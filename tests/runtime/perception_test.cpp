@@ -5,17 +5,19 @@
 
 #include <bit>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "features/impact_prediction.h"
 #include "motion/default_character.h"
 #include "tests/scenes/allocation_count.h"
+#include "tests/scenes/not_finite.h"
 
 namespace flinch::runtime {
 namespace {
 
 using features::Threat;
+using tests::kInfinity;
+using tests::kNan;
 
 constexpr int kDraws = 100'000;
 const Eigen::Vector3f kEye(0.123F, -1.77F, 1.671F);
@@ -167,8 +169,6 @@ TEST(Perception, HumansTakeLongerOverMoreChoices) {
 }
 
 TEST(Perception, IgnoresInvalidLimits) {
-  constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
-  constexpr float kInfinity = std::numeric_limits<float>::infinity();
   for (float PerceptionLimits::*member :
        {&PerceptionLimits::reaction_delay_s, &PerceptionLimits::bearing_noise,
         &PerceptionLimits::distance_noise, &PerceptionLimits::heading_noise,
@@ -190,7 +190,6 @@ TEST(Perception, IgnoresInvalidLimits) {
 }
 
 TEST(Perception, PassesNonFiniteThreatsThrough) {
-  constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
   for (int i = 0; i < 3; ++i) {
     Threat threat = thrown();
     threat.velocity[i] = kNan;

@@ -4,11 +4,11 @@
 
 #include <cstddef>
 #include <functional>
-#include <limits>
 #include <vector>
 
 #include "motion/error.h"
 #include "tests/runtime/selector_samples.h"
+#include "tests/scenes/not_finite.h"
 #include "train/fit/selector_writer.h"
 
 namespace flinch::runtime {
@@ -16,9 +16,8 @@ namespace {
 
 using models::Selector;
 using motion::Target;
-
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-constexpr float kNanF = std::numeric_limits<float>::quiet_NaN();
+using tests::kNan;
+using tests::kNanDouble;
 
 using Faults = std::vector<std::function<void(Selector&)>>;
 
@@ -50,13 +49,14 @@ TEST(SelectorFault, OfAnyModelIsNotWritten) {
       {[](Selector& s) { s.idle = 8; }, [](Selector& s) { s.idle = -1; },
        [](Selector& s) { s.clips.clear(); }, [](Selector& s) { s.layout = {}; },
        [](Selector& s) { s.layout = features::feature_set_named("geometry")->layout; },
-       [](Selector& s) { s.scaling.min.pop_back(); }, [](Selector& s) { s.scaling.max[3] = kNan; },
+       [](Selector& s) { s.scaling.min.pop_back(); },
+       [](Selector& s) { s.scaling.max[3] = kNanDouble; },
        [](Selector& s) { s.scaling.min[3] = s.scaling.max[3] + 1; },
-       [](Selector& s) { s.brawn = kNan; }, [](Selector& s) { s.brawn = 1.5; },
+       [](Selector& s) { s.brawn = kNanDouble; }, [](Selector& s) { s.brawn = 1.5; },
        [](Selector& s) { s.clips[2].annotation->target = static_cast<Target>(4); },
        [](Selector& s) { s.clips[2].annotation->degree = static_cast<motion::Degree>(2); },
-       [](Selector& s) { s.clips[2].annotation->direction = kNanF; },
-       [](Selector& s) { s.target_centres[3].z() = kNanF; }});
+       [](Selector& s) { s.clips[2].annotation->direction = kNan; },
+       [](Selector& s) { s.target_centres[3].z() = kNan; }});
 }
 
 TEST(SelectorFault, OfAnSvmIsNotWritten) {
@@ -70,20 +70,20 @@ TEST(SelectorFault, OfAnSvmIsNotWritten) {
                   [](Selector& s) { svm(s).support_vectors.pop_back(); },
                   [](Selector& s) { svm(s).coefficients.pop_back(); },
                   [](Selector& s) { svm(s).machines.pop_back(); },
-                  [](Selector& s) { svm(s).machines[0].rho = kNan; },
+                  [](Selector& s) { svm(s).machines[0].rho = kNanDouble; },
                   [](Selector& s) { svm(s).machines[0].count[0] += 1; },
                   [](Selector& s) { svm(s).vectors.pop_back(); },
                   [](Selector& s) { svm(s).vectors[0] = 65535; },
                   [](Selector& s) { svm(s).vectors[1] = svm(s).vectors[0]; },
                   [](Selector& s) { svm(s).bound.pop_back(); },
-                  [](Selector& s) { svm(s).bound[0] = kNan; },
+                  [](Selector& s) { svm(s).bound[0] = kNanDouble; },
                   [](Selector& s) { svm(s).bound[0] = -1; },
                   [](Selector& s) { svm(s).kernel = static_cast<models::SvmKernel>(2); },
                   [](Selector& s) { svm(s).coefficients[2] = -1; },
                   [](Selector& s) { svm(s).gamma = -1; },
-                  [](Selector& s) { svm(s).coefficients[2] = kNan; },
-                  [](Selector& s) { svm(s).support_vectors[2] = kNanF; },
-                  [](Selector& s) { svm(s).gamma = kNan; },
+                  [](Selector& s) { svm(s).coefficients[2] = kNanDouble; },
+                  [](Selector& s) { svm(s).support_vectors[2] = kNan; },
+                  [](Selector& s) { svm(s).gamma = kNanDouble; },
                   [](Selector& s) { svm(s).degree = -1; }});
 }
 
@@ -100,7 +100,7 @@ TEST(SelectorFault, OfKnnIsNotWritten) {
        [](Selector& s) { knn(s).vote = static_cast<models::KnnVote>(2); },
        [](Selector& s) { knn(s).label[5] = -1; }, [](Selector& s) { knn(s).label.pop_back(); },
        [](Selector& s) { knn(s).label.clear(), knn(s).points.clear(); },
-       [](Selector& s) { knn(s).points[5] = kNanF; }});
+       [](Selector& s) { knn(s).points[5] = kNan; }});
 }
 
 TEST(SelectorFault, OfKnnByCostIsNotWritten) {
@@ -109,7 +109,7 @@ TEST(SelectorFault, OfKnnByCostIsNotWritten) {
       {[](Selector& s) { knn(s).cost.pop_back(); }, [](Selector& s) { knn(s).cost.clear(); },
        [](Selector& s) { knn(s).vote = models::KnnVote::majority; },
        [](Selector& s) { knn(s).k = 65536; }, [](Selector& s) { knn(s).cost_step_ns = 0; },
-       [](Selector& s) { knn(s).cost_step_ns = kNanF; }});
+       [](Selector& s) { knn(s).cost_step_ns = kNan; }});
 }
 
 TEST(SelectorFault, OfANetworkIsNotWritten) {
@@ -122,10 +122,10 @@ TEST(SelectorFault, OfANetworkIsNotWritten) {
                   [](Selector& s) { network(s).member_count = 3; },
                   [](Selector& s) { network(s).member_count = 0; },
                   [](Selector& s) { network(s).weights.pop_back(); },
-                  [](Selector& s) { network(s).weights[7] = kNanF; },
+                  [](Selector& s) { network(s).weights[7] = kNan; },
                   [](Selector& s) { network(s).weights[7] = -2e4F; },
                   [](Selector& s) { network(s).scale_root = 0; },
-                  [](Selector& s) { network(s).mean_root = kNanF; },
+                  [](Selector& s) { network(s).mean_root = kNan; },
                   [](Selector& s) { network(s).variance_ns = -1; }});
 }
 

@@ -3,12 +3,12 @@
 
 #include <random>
 
-#include "database/library/file_header.h"
 #include "models/fit/pairwise_linear_fit.h"
 #include "models/fit/svm_fit.h"
 #include "runtime/selector_file.h"
 #include "tests/models/training_sets.h"
 #include "tests/runtime/selector_samples.h"
+#include "tests/scenes/file_damage.h"
 #include "train/fit/selector_writer.h"
 
 namespace flinch::runtime {
@@ -21,16 +21,13 @@ using motion::Target;
 void expect_every_byte_counts(const Selector& small) {
   const std::string bytes = train::selector_bytes(small);
   Selector untouched = tests::knn_selector();
+  const auto is_refused = [&](const std::string& damaged) {
+    return tests::read(damaged, untouched) != LoadStatus::ok;
+  };
   std::mt19937_64 random(3);
-  for (std::size_t i = 0; i < bytes.size(); ++i) {
-    std::string changed = bytes;
-    changed[i] = static_cast<char>(changed[i] ^ static_cast<char>(1 + random() % 255));
-    ASSERT_NE(tests::read(changed, untouched), LoadStatus::ok) << "byte " << i;
-  }
-  for (std::size_t size = 0; size < bytes.size(); ++size) {
-    ASSERT_NE(tests::read(bytes.substr(0, size), untouched), LoadStatus::ok) << size << " bytes";
-  }
-  EXPECT_NE(tests::read(bytes + '\0', untouched), LoadStatus::ok);
+  tests::expect_flips_are_refused(bytes, tests::random_flips(tests::places(bytes.size()), random),
+                                  is_refused);
+  tests::expect_wrong_sizes_are_refused(bytes, tests::places(bytes.size()), is_refused);
   EXPECT_EQ(train::selector_bytes(untouched), train::selector_bytes(tests::knn_selector()));
 }
 
@@ -52,19 +49,19 @@ TEST(SelectorFileDamage, OtherFileKindsHaveTheirOwnStatus) {
   EXPECT_EQ(tests::read(bytes, selector), LoadStatus::other_version);
 }
 
-/// The bytes of a selector that was sealed properly but whose content differs: every occurrence of
-/// `from` in the content becomes `to`, of the same size.
-std::string resealed_with(std::string bytes, const std::string& from, const std::string& to) {
+/// The file with every occurrence of `from` in its content replaced by `to`, of the same size,
+/// and a header that fits.
+std::string resealed_with(const std::string& file, const std::string& from, const std::string& to) {
   EXPECT_EQ(from.size(), to.size());
+  std::string content = tests::content_of(file);
   std::size_t replaced = 0;
-  for (std::size_t at = bytes.find(from); at != std::string::npos; at = bytes.find(from, at + 1)) {
-    bytes.replace(at, from.size(), to);
+  for (std::size_t at = content.find(from); at != std::string::npos;
+       at = content.find(from, at + 1)) {
+    content.replace(at, from.size(), to);
     ++replaced;
   }
   EXPECT_GT(replaced, 0U) << from;
-  const auto seal = database::make_file_header(
-      database::kSelectorFormat, tests::bytes_of(bytes).subspan(database::kFileHeaderSize));
-  return bytes.replace(0, seal.size(), reinterpret_cast<const char*>(seal.data()), seal.size());
+  return tests::with_header(database::kSelectorFormat, content);
 }
 
 TEST(SelectorFileDamage, AnotherFeatureLayoutHasItsOwnStatus) {
@@ -77,29 +74,22 @@ TEST(SelectorFileDamage, AnotherFeatureLayoutHasItsOwnStatus) {
 // Damage that the seal cannot see, because who sealed it meant it: the verifier and the checks that
 // follow must still keep anything out that would be read beyond its bounds.
 TEST(SelectorFileDamage, CorruptContentWithAValidSealNeverLoadsUnsound) {
+  const auto damage = [](std::string& content, std::mt19937_64& random) {
+    // Half of the changes go to the tables, which stand before and after the long vectors.
+    const std::size_t at = random() % 2 == 0 ? random() % content.size() : random() % 400;
+    content[at] = static_cast<char>(random());
+  };
+  const auto reads = [](const std::string& damaged) {
+    Selector selector;
+    if (tests::read(damaged, selector) != LoadStatus::ok) return false;
+    EXPECT_TRUE(is_sound(selector));
+    EXPECT_LT(models::select(selector, features::FeatureVector{}, Target::trunk), 8);
+    return true;
+  };
   for (const Selector& original : tests::one_of_each()) {
-    const std::string bytes = train::selector_bytes(original);
-    std::mt19937_64 random(4);
-    int refused = 0;
-    for (int i = 0; i < 3000; ++i) {
-      std::string changed = bytes;
-      // Half of the changes go to the tables, which stand before and after the long vectors.
-      const std::size_t content = bytes.size() - database::kFileHeaderSize;
-      const std::size_t at = random() % 2 == 0 ? random() % content : random() % 400;
-      changed[database::kFileHeaderSize + at] = static_cast<char>(random());
-      const auto seal = database::make_file_header(
-          database::kSelectorFormat, tests::bytes_of(changed).subspan(database::kFileHeaderSize));
-      changed.replace(0, seal.size(), reinterpret_cast<const char*>(seal.data()), seal.size());
-      Selector selector;
-      if (tests::read(changed, selector) != LoadStatus::ok) {
-        ++refused;
-        continue;
-      }
-      ASSERT_TRUE(is_sound(selector));
-      features::FeatureVector x{};
-      ASSERT_LT(models::select(selector, x, Target::trunk), 8);
-    }
-    EXPECT_GT(refused, 100);
+    const tests::ReadCounts counts = tests::try_damaged_content(
+        database::kSelectorFormat, train::selector_bytes(original), 3000, 4, damage, reads);
+    EXPECT_GT(counts.refused, 100);
   }
 }
 

@@ -10,6 +10,7 @@
 #include <type_traits>
 
 #include "database/import/file_io.h"
+#include "database/library/file_header.h"
 #include "tests/models/training_sets.h"
 #include "tests/runtime/selector_samples.h"
 #include "train/fit/selector_writer.h"
@@ -17,10 +18,10 @@
 namespace flinch::runtime {
 namespace {
 
+using database::bytes_of;
 using database::LoadStatus;
 using models::Selector;
 using motion::Target;
-using tests::bytes_of;
 using tests::knn_selector;
 using tests::one_of_each;
 using tests::read;

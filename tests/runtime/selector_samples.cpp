@@ -94,12 +94,8 @@ std::vector<Selector> one_of_each() {
           knn_cost_selector(), network_selector(), pairwise_selector()};
 }
 
-std::span<const std::byte> bytes_of(const std::string& text) {
-  return std::as_bytes(std::span(text.data(), text.size()));
-}
-
 database::LoadStatus read(const std::string& bytes, Selector& selector) {
-  return runtime::read_selector(bytes_of(bytes), selector);
+  return runtime::read_selector(database::bytes_of(bytes), selector);
 }
 
 }  // namespace flinch::tests

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstddef>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -23,7 +21,6 @@ models::Selector network_selector();
 models::Selector pairwise_selector();
 std::vector<models::Selector> one_of_each();
 
-std::span<const std::byte> bytes_of(const std::string& text);
 database::LoadStatus read(const std::string& bytes, models::Selector& selector);
 
 }  // namespace flinch::tests

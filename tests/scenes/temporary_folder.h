@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include <filesystem>
+#include <fstream>
 #include <stdexcept>
 #include <string>
 
@@ -25,6 +26,14 @@ class TemporaryFolder {
 
   std::string operator/(const std::string& name) const { return path_ + "/" + name; }
   const std::string& path() const { return path_; }
+
+  /// Writes a file of these bytes, in place of an older one; returns its path.
+  std::string write(const std::string& name, const std::string& bytes) const {
+    std::ofstream file(*this / name, std::ios::binary);
+    file << bytes;
+    if (!file.flush()) throw std::runtime_error("cannot write " + name);
+    return *this / name;
+  }
 
  private:
   std::string path_;

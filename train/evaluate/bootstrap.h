@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -18,6 +19,9 @@ struct Estimate {
   double value = 0;
   Interval interval;
 };
+
+/// Resamples of every interval that the evaluation states.
+inline constexpr std::size_t kResampleCount = 2000;
 
 /// Samples of a sample: indices, drawn with replacement.
 using Resamples = std::vector<std::vector<std::uint32_t>>;

@@ -14,7 +14,6 @@ namespace flinch::train {
 
 namespace {
 
-constexpr std::size_t kResampleCount = 2000;
 constexpr std::array<std::string_view, 2> kPairedReferences{"svm", "knn"};
 
 Ranking single_choice(int clip) {

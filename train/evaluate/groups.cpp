@@ -3,10 +3,10 @@
 
 #include <functional>
 
+#include "train/evaluate/bins.h"
+
 namespace flinch::train {
 namespace {
-
-constexpr std::size_t kResampleCount = 2000;
 
 struct ScenarioGroup {
   std::string group;
@@ -14,19 +14,10 @@ struct ScenarioGroup {
   std::function<bool(const features::Scenario&)> has;
 };
 
-struct Bin {
-  const char* name;
-  float from, to;
-};
-constexpr float kUnbounded = std::numeric_limits<float>::infinity();
 constexpr Bin kSpeedBins[] = {{"less than 14", 0, 14},
                               {"14 to 19", 14, 19},
                               {"19 to 24", 19, 24},
                               {"24 or more", 24, kUnbounded}};
-constexpr Bin kTimeBins[] = {{"less than 0.50", 0, 0.5F},
-                             {"0.50 to 0.75", 0.5F, 0.75F},
-                             {"0.75 to 1.00", 0.75F, 1},
-                             {"1.00 or more", 1, kUnbounded}};
 
 float speed_at_impact(const features::Scenario& scenario) {
   return features::velocity_at(scenario.threat, scenario.time_to_impact_s).norm();
@@ -41,14 +32,12 @@ std::vector<ScenarioGroup> all_groups() {
   }
   for (const Bin& bin : kSpeedBins) {
     groups.push_back({"speed_mps", bin.name, [bin](const auto& scenario) {
-                        const float speed = speed_at_impact(scenario);
-                        return speed >= bin.from && speed < bin.to;
+                        return bin.holds(speed_at_impact(scenario));
                       }});
   }
   for (const Bin& bin : kTimeBins) {
     groups.push_back({"time_to_impact_s", bin.name, [bin](const auto& scenario) {
-                        return scenario.time_to_impact_s >= bin.from &&
-                               scenario.time_to_impact_s < bin.to;
+                        return bin.holds(scenario.time_to_impact_s);
                       }});
   }
   return groups;

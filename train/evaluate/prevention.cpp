@@ -3,8 +3,9 @@
 
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <numbers>
+
+#include "train/evaluate/bins.h"
 
 namespace flinch::train {
 
@@ -59,18 +60,9 @@ std::vector<PreventionRow> prevention_rows(const Store& store, const Labels& lab
       return has_time_to_answer(observation) && sector_of(observation) == sector;
     });
   }
-  struct Bin {
-    const char* name;
-    float from, to;
-  };
-  constexpr Bin kTimeBins[] = {{"less than 0.50", 0, 0.5F},
-                               {"0.50 to 0.75", 0.5F, 0.75F},
-                               {"0.75 to 1.00", 0.75F, 1},
-                               {"1.00 or more", 1, std::numeric_limits<float>::infinity()}};
   for (const Bin& bin : kTimeBins) {
     add("time_to_impact", bin.name, [bin](const Observation& observation) {
-      const float time_s = observation.scenario.time_to_impact_s;
-      return time_s >= bin.from && time_s < bin.to;
+      return bin.holds(observation.scenario.time_to_impact_s);
     });
   }
   return rows;

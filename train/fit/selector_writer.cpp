@@ -123,10 +123,6 @@ void store(FlatBufferBuilder& builder, const models::Selector& selector,
                                       least, most, selector.brawn, centres, kind, model, library));
 }
 
-std::span<const std::byte> bytes_of(std::string_view text) {
-  return std::as_bytes(std::span(text));
-}
-
 }  // namespace
 
 std::string selector_bytes(const models::Selector& selector,
@@ -135,11 +131,12 @@ std::string selector_bytes(const models::Selector& selector,
   store(builder, selector, library_file);
   const std::string_view content(reinterpret_cast<const char*>(builder.GetBufferPointer()),
                                  builder.GetSize());
-  const auto seal = database::make_file_header(database::kSelectorFormat, bytes_of(content));
+  const auto seal =
+      database::make_file_header(database::kSelectorFormat, database::bytes_of(content));
   std::string bytes(reinterpret_cast<const char*>(seal.data()), seal.size());
   bytes.append(content);
   models::Selector read;
-  const database::LoadStatus status = runtime::read_selector(bytes_of(bytes), read);
+  const database::LoadStatus status = runtime::read_selector(database::bytes_of(bytes), read);
   if (status != database::LoadStatus::ok) {
     throw Error("", std::string("the selector cannot be written: read back, it ") +
                         database::message_of(status) + "; check what it was trained on");

@@ -3,12 +3,10 @@
 
 #include <gmock/gmock.h>
 
-#include <filesystem>
-#include <fstream>
-
 #include "motion/default_character.h"
-#include "motion/error.h"
 #include "motion/figure.h"
+#include "tests/scenes/error_of.h"
+#include "tests/scenes/temporary_folder.h"
 
 namespace flinch::database {
 namespace {
@@ -16,24 +14,17 @@ namespace {
 using motion::Role;
 using testing::HasSubstr;
 
-std::string written(const std::string& text) {
-  const std::string name = testing::UnitTest::GetInstance()->current_test_info()->name();
-  const std::string path = testing::TempDir() + "character_" + name + ".toml";
-  std::ofstream(path) << text;
-  return path;
+motion::Physique character_of(const std::string& text) {
+  const tests::TemporaryFolder folder;
+  return read_character(folder.write("character.toml", text));
 }
 
 std::string error_of(const std::string& text) {
-  try {
-    read_character(written(text));
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "no error";
+  return tests::error_of([&] { character_of(text); });
 }
 
 TEST(CharacterToml, AnEmptyFileIsTheDefaultCharacter) {
-  const motion::Physique read = read_character(written(""));
+  const motion::Physique read = character_of("");
   const motion::Physique mean = motion::default_character();
   for (Role role : motion::kRoles) {
     EXPECT_LT((read.skeleton.offset[role] - mean.skeleton.offset[role]).norm(), 1e-5F)
@@ -45,8 +36,8 @@ TEST(CharacterToml, AnEmptyFileIsTheDefaultCharacter) {
 }
 
 TEST(CharacterToml, AppliesHeightMassSexAndProportions) {
-  const motion::Physique read = read_character(
-      written("height_m = 1.62\nmass_kg = 58\nsex = \"female\"\n[proportions]\nlegs = 1.2\n"));
+  const motion::Physique read =
+      character_of("height_m = 1.62\nmass_kg = 58\nsex = \"female\"\n[proportions]\nlegs = 1.2\n");
   EXPECT_NEAR(stature(read.skeleton), 1.62F, 1e-4F);
   EXPECT_EQ(read.mass_kg, 58);
   EXPECT_EQ(read.sex, motion::Sex::female);

@@ -12,6 +12,7 @@
 #include "motion/default_character.h"
 #include "tests/motion/random_motion.h"
 #include "tests/scenes/error_of.h"
+#include "tests/scenes/not_finite.h"
 #include "tests/scenes/synthetic_library.h"
 #include "tests/scenes/temporary_folder.h"
 
@@ -26,6 +27,7 @@ using motion::Role;
 using testing::HasSubstr;
 using tests::error_of;
 using tests::Glb;
+using tests::kNan;
 
 constexpr std::size_t kBodyPart = 0;
 constexpr std::size_t kAccentPart = 1;
@@ -316,7 +318,6 @@ TEST(GltfWriter, SameInputGivesTheSameBytesInMemoryAndInTheFile) {
 }
 
 TEST(GltfWriter, RefusesWhatItCannotWriteAndLeavesNoFile) {
-  constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
   const motion::Physique character = motion::default_character();
   std::mt19937 random(10);
   const motion::Motion motion = random_motion(random, 3);
@@ -337,7 +338,7 @@ TEST(GltfWriter, RefusesWhatItCannotWriteAndLeavesNoFile) {
   broken = motion;
   broken.poses[2].rotation[Role::head].coeffs() *= 1.1F;
   EXPECT_THAT(refusal(character, broken), HasSubstr("pose 2 of the motion"));
-  for (const float rate : {0.0F, -60.0F, kNan, std::numeric_limits<float>::infinity()}) {
+  for (const float rate : {0.0F, -60.0F, kNan, tests::kInfinity}) {
     broken = motion;
     broken.rate_hz = rate;
     EXPECT_THAT(refusal(character, broken), HasSubstr("rate"));

@@ -29,9 +29,7 @@ std::string clip_with(const std::string& lines) {
 }
 
 Manifest manifest_of(const TemporaryFolder& folder, const std::string& text) {
-  const std::string path = folder / "manifest.toml";
-  std::ofstream(path) << text;
-  return read_manifest(path);
+  return read_manifest(folder.write("manifest.toml", text));
 }
 
 constexpr const char* kAnnotated =
@@ -177,7 +175,7 @@ TEST(Import, CutsClipsAndMirrorsTheAnnotatedOnes) {
       "start = 0.2\nend = 0.9\nonset = 0.3\npeak = 0.5\ntarget = \"legs\"\ndirection = -45\n"
       "degree = \"exaggerated\"\n");
   text += "[[clip]]\nname = \"plain\"\nfile = \"a.bvh\"\n";
-  std::ofstream(folder / "m.toml") << text;
+  folder.write("m.toml", text);
   const ImportResult result = import_library({}, folder / "m.toml");
   const ClipLibrary& library = result.library;
   EXPECT_EQ(library.name, "m");
@@ -204,7 +202,7 @@ TEST(Import, RefusesFilesThatAreNotThereAndTimesOutsideThem) {
   const TemporaryFolder folder;
   write_standing(folder / "a.bvh");
   const auto message_for = [&](const std::string& text) {
-    std::ofstream(folder / "m.toml") << text;
+    folder.write("m.toml", text);
     return error_of([&] { import_library({folder.path()}, folder / "m.toml"); });
   };
   EXPECT_THAT(message_for(clip_with("start = 0.5\nend = 1.2\n")),
@@ -221,7 +219,7 @@ TEST(Import, WithoutAManifestTakesEveryFileAndSkipsWhatItCannotUse) {
   const TemporaryFolder folder;
   write_standing(folder / "stand.bvh");
   write_standing(folder / "z_idle.BVH");
-  std::ofstream(folder / "bad.bvh") << "not a BVH file\n";
+  folder.write("bad.bvh", "not a BVH file\n");
   const ImportResult result = import_library({folder.path()}, std::nullopt);
   ASSERT_EQ(result.library.clips.size(), 2U);
   EXPECT_EQ(result.library.clips[0].name, "stand");

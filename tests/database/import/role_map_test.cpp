@@ -4,8 +4,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <fstream>
-
 #include "database/import/role_names.h"
 #include "motion/default_character.h"
 #include "tests/database/import/synthetic_figure.h"
@@ -199,14 +197,13 @@ TEST(RoleMap, RefusesOverridesOfJointsThatAreNotThere) {
 
 TEST(RoleOverrides, ReportTomlErrorsWithTheirLines) {
   const tests::TemporaryFolder folder;
-  const std::string path = folder / "roles.toml";
-  std::ofstream(path) << "[roles]\nhead = \"Kopf\"\n";
+  const std::string path = folder.write("roles.toml", "[roles]\nhead = \"Kopf\"\n");
   EXPECT_EQ(read_role_overrides(path), (RoleOverrides{{Role::head, "Kopf"}}));
-  std::ofstream(path) << "[roles]\n\nhaed = \"Kopf\"\n";
+  folder.write("roles.toml", "[roles]\n\nhaed = \"Kopf\"\n");
   const std::string message = error_of([&] { read_role_overrides(path); });
   EXPECT_THAT(message, HasSubstr("roles.toml:3: [roles] names an unknown role \"haed\""));
   EXPECT_THAT(message, HasSubstr("left_upper_arm"));
-  std::ofstream(path) << "head = \"Kopf\"\n";
+  folder.write("roles.toml", "head = \"Kopf\"\n");
   EXPECT_THAT(error_of([&] { read_role_overrides(path); }), HasSubstr("roles.toml:1: "));
 }
 

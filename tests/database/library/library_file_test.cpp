@@ -6,12 +6,12 @@
 
 #include <algorithm>
 #include <functional>
-#include <limits>
 
-#include "database/import/file_io.h"
 #include "database/import/library_writer.h"
 #include "tests/database/library/random_library.h"
 #include "tests/scenes/error_of.h"
+#include "tests/scenes/file_damage.h"
+#include "tests/scenes/not_finite.h"
 #include "tests/scenes/temporary_folder.h"
 
 namespace flinch::database {
@@ -19,11 +19,9 @@ namespace {
 
 using testing::HasSubstr;
 using testing::StartsWith;
+using tests::kNan;
 using tests::random_library;
-
-std::span<const std::byte> bytes_of(const std::string& text) {
-  return std::as_bytes(std::span(text));
-}
+using tests::with_header;
 
 LoadStatus read(const std::string& bytes, ClipLibrary& library) {
   return read_library(bytes_of(bytes), library);
@@ -112,15 +110,11 @@ TEST(LibraryFile, ReadsUnalignedBytes) {
 }
 
 TEST(LibraryFile, DetectsAnyFlippedBit) {
-  std::string bytes = library_bytes(random_library(3, 2));
+  const std::string bytes = library_bytes(random_library(3, 2));
   ClipLibrary library;
-  for (char& byte : bytes) {
-    for (int bit = 0; bit < 8; ++bit) {
-      byte = static_cast<char>(byte ^ (1 << bit));
-      ASSERT_NE(read(bytes, library), LoadStatus::ok) << &byte - bytes.data() << " bit " << bit;
-      byte = static_cast<char>(byte ^ (1 << bit));
-    }
-  }
+  tests::expect_flips_are_refused(
+      bytes, tests::every_bit(bytes.size()),
+      [&](const std::string& flipped) { return read(flipped, library) != LoadStatus::ok; });
   EXPECT_TRUE(library.clips.empty()) << "a refused file must leave the library as it was";
   EXPECT_EQ(read(bytes, library), LoadStatus::ok);
 }
@@ -128,9 +122,9 @@ TEST(LibraryFile, DetectsAnyFlippedBit) {
 TEST(LibraryFile, DetectsTruncationAndTrailingBytes) {
   const std::string bytes = library_bytes(random_library(3, 2));
   ClipLibrary library;
-  for (std::size_t size = 0; size < bytes.size(); ++size) {
-    ASSERT_NE(read(bytes.substr(0, size), library), LoadStatus::ok) << size;
-  }
+  tests::expect_wrong_sizes_are_refused(
+      bytes, tests::places(bytes.size()),
+      [&](const std::string& wrong) { return read(wrong, library) != LoadStatus::ok; });
   EXPECT_EQ(read(bytes + '\0', library), LoadStatus::damaged);
 }
 
@@ -147,30 +141,23 @@ TEST(LibraryFile, StatusNamesTheProblem) {
   EXPECT_EQ(read(bytes.substr(0, 100), library), LoadStatus::damaged);
 }
 
-/// The content with a seal that fits it: what only the checks behind the seal can refuse.
-std::string sealed(const std::string& content) {
-  const auto seal = make_file_header(kLibraryFormat, bytes_of(content));
-  return std::string(reinterpret_cast<const char*>(seal.data()), seal.size()) + content;
-}
-
 TEST(LibraryFile, CorruptContentWithAValidHeaderLoadsOnlyIfItKeepsTheInvariants) {
-  const std::string content = library_bytes(random_library(4, 2)).substr(kFileHeaderSize);
-  std::mt19937 random(4);
-  int refused = 0;
-  for (int i = 0; i < 20000; ++i) {
-    std::string damaged = content;
-    for (int edit = 0; edit < 1 + i % 3; ++edit) {
-      damaged[random() % damaged.size()] = static_cast<char>(random() % 256);
+  const std::string file = library_bytes(random_library(4, 2));
+  const auto damage = [](std::string& content, std::mt19937_64& random) {
+    for (std::uint64_t edits = 1 + random() % 3; edits > 0; --edits) {
+      content[random() % content.size()] = static_cast<char>(random() % 256);
     }
-    if (i % 10 == 0) damaged.resize(random() % damaged.size());
+    if (random() % 10 == 0) content.resize(random() % content.size());
+  };
+  const auto reads = [](const std::string& damaged) {
     ClipLibrary library;
-    if (read(sealed(damaged), library) != LoadStatus::ok) {
-      ++refused;
-    } else {
-      ASSERT_FALSE(fault_of(library));
-    }
-  }
-  EXPECT_GT(refused, 1000);
+    if (read(damaged, library) != LoadStatus::ok) return false;
+    EXPECT_FALSE(fault_of(library));
+    return true;
+  };
+  const tests::ReadCounts counts =
+      tests::try_damaged_content(kLibraryFormat, file, 20000, 4, damage, reads);
+  EXPECT_GT(counts.refused, 1000);
 }
 
 /// The float's bytes in the content, of which there is one place, replaced by another's.
@@ -189,20 +176,20 @@ std::string with_float(const std::string& content, float what, float with) {
 TEST(LibraryFile, RefusesBrokenInvariantsDespiteAValidHeader) {
   ClipLibrary library = random_library(5, 3);
   library.clips[3].motion.poses[2].root_position.z() = 123.456F;
-  const std::string content = library_bytes(library).substr(kFileHeaderSize);
-  const float nan = std::numeric_limits<float>::quiet_NaN();
+  const std::string content = tests::content_of(library_bytes(library));
   const float mass = library.character.mass_kg;
   const float component = library.clips[0].motion.poses[1].rotation[motion::Role::head].w();
   const float peak = library.clips[0].annotation->peak_s;
   ClipLibrary read_back;
-  EXPECT_EQ(read(sealed(with_float(content, mass, 62)), read_back), LoadStatus::ok);
+  EXPECT_EQ(read(with_header(kLibraryFormat, with_float(content, mass, 62)), read_back),
+            LoadStatus::ok);
   EXPECT_EQ(read_back.character.mass_kg, 62);
   for (const std::string& wrong :
-       {with_float(content, mass, nan), with_float(content, mass, 0),
-        with_float(content, 123.456F, nan), with_float(content, component, component + 0.5F),
-        with_float(content, component, nan), with_float(content, peak, 9),
-        with_float(content, peak, nan)}) {
-    EXPECT_EQ(read(sealed(wrong), read_back), LoadStatus::damaged);
+       {with_float(content, mass, kNan), with_float(content, mass, 0),
+        with_float(content, 123.456F, kNan), with_float(content, component, component + 0.5F),
+        with_float(content, component, kNan), with_float(content, peak, 9),
+        with_float(content, peak, kNan)}) {
+    EXPECT_EQ(read(with_header(kLibraryFormat, wrong), read_back), LoadStatus::damaged);
   }
 }
 
@@ -212,7 +199,6 @@ struct Breakage {
 };
 
 TEST(LibraryFile, RefusesToWriteAnInvalidLibrary) {
-  const float nan = std::numeric_limits<float>::quiet_NaN();
   const Breakage breakages[] = {
       {"no name", [](ClipLibrary& l) { l.name.clear(); }},
       {"clip 2 () has no name", [](ClipLibrary& l) { l.clips[2].name.clear(); }},
@@ -220,12 +206,12 @@ TEST(LibraryFile, RefusesToWriteAnInvalidLibrary) {
       {"rate", [](ClipLibrary& l) { l.rate_hz = 0; }},
       {"another rate", [](ClipLibrary& l) { l.clips[0].motion.rate_hz = 30; }},
       {"mass", [](ClipLibrary& l) { l.character.mass_kg = -1; }},
-      {"skeleton", [&](ClipLibrary& l) { l.character.skeleton.tip[motion::Role::head].x() = nan; }},
+      {"skeleton", [](ClipLibrary& l) { l.character.skeleton.tip[motion::Role::head].x() = kNan; }},
       {"no idle", [](ClipLibrary& l) { l.idle = -1; }},
       {"no idle", [](ClipLibrary& l) { l.idle = 4; }},
       {"no idle", [](ClipLibrary& l) { l.clips.clear(); }},
       {"no poses", [](ClipLibrary& l) { l.clips[3].motion.poses.clear(); }},
-      {"not finite", [&](ClipLibrary& l) { l.clips[3].motion.poses[1].root_position.y() = nan; }},
+      {"not finite", [](ClipLibrary& l) { l.clips[3].motion.poses[1].root_position.y() = kNan; }},
       {"unit",
        [](ClipLibrary& l) { l.clips[3].motion.poses[1].rotation[motion::Role::neck].w() += 2; }},
       {"target", [](ClipLibrary& l) { l.clips[0].annotation->target = motion::Target{4}; }},
@@ -235,7 +221,7 @@ TEST(LibraryFile, RefusesToWriteAnInvalidLibrary) {
       {"eight", [](ClipLibrary& l) { l.clips[0].annotation->direction = 0.1F; }},
       {"eight",
        [](ClipLibrary& l) { l.clips[0].annotation->direction = -std::numbers::pi_v<float>; }},
-      {"eight", [&](ClipLibrary& l) { l.clips[0].annotation->direction = nan; }},
+      {"eight", [](ClipLibrary& l) { l.clips[0].annotation->direction = kNan; }},
       {"onset", [](ClipLibrary& l) { l.clips[0].annotation->onset_s = -0.1F; }},
       {"onset", [](ClipLibrary& l) { l.clips[0].annotation->peak_s = 0; }},
       {"onset", [](ClipLibrary& l) { l.clips[0].annotation->end_s = 0.01F; }},
@@ -255,8 +241,8 @@ TEST(LibraryFile, RefusesToWriteAnInvalidLibrary) {
 TEST(LoadLibrary, NamesTheActualFileKind) {
   const tests::TemporaryFolder folder;
   const auto message_for = [&](const std::string& bytes) {
-    write_file_atomically(folder / "file", bytes);
-    return tests::error_of([&] { load_library(folder / "file"); });
+    const std::string path = folder.write("file", bytes);
+    return tests::error_of([&] { load_library(path); });
   };
   EXPECT_THAT(message_for(""), StartsWith(folder / "file: is an empty file, not a library"));
   EXPECT_THAT(message_for("HIERARCHY\n"), HasSubstr("is a BVH file,"));

@@ -6,7 +6,6 @@
 #include <omp.h>
 
 #include <algorithm>
-#include <limits>
 #include <map>
 #include <random>
 
@@ -14,6 +13,7 @@
 #include "motion/error.h"
 #include "tests/models/fit/held_out.h"
 #include "tests/models/training_sets.h"
+#include "tests/scenes/not_finite.h"
 
 namespace flinch::models {
 namespace {
@@ -81,10 +81,9 @@ TEST(Folds, AreLimitedToEnoughHeldOutObservations) {
 }
 
 TEST(Argmin, IsTheFirstMinimum) {
-  const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(argmin(std::vector<double>{3, 1, 2, 1}), 1U);
-  EXPECT_EQ(argmin(std::vector<double>{nan, 2, nan, 1}), 3U);
-  EXPECT_EQ(argmin(std::vector<double>{nan}), 0U);
+  EXPECT_EQ(argmin(std::vector<double>{tests::kNanDouble, 2, tests::kNanDouble, 1}), 3U);
+  EXPECT_EQ(argmin(std::vector<double>{tests::kNanDouble}), 0U);
 }
 
 /// 1 where the choice is not the label.

@@ -14,6 +14,7 @@
 #include "models/fit/knn_fit.h"
 #include "motion/error.h"
 #include "tests/models/training_sets.h"
+#include "tests/scenes/not_finite.h"
 
 namespace flinch::models {
 namespace {
@@ -105,8 +106,7 @@ TEST(Knn, MatchesBruteForceForAnyNumberOfLeaves) {
 
 TEST(Knn, HandlesAnyQuery) {
   const KnnModel model = random_model(18, 100, 3);
-  const double infinity = std::numeric_limits<double>::infinity();
-  for (const double value : {1e300, -1e300, infinity, std::nan("")}) {
+  for (const double value : {1e300, -1e300, tests::kInfinityDouble, std::nan("")}) {
     EXPECT_EQ(nearest(model, std::vector<double>{0, value, 0}, 5, {}).size(), 5U);
   }
 }

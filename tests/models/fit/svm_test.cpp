@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "models/pair_index.h"
 #include "tests/models/fit/libsvm_oracle.h"
 #include "tests/models/training_sets.h"
 
@@ -145,7 +146,8 @@ TEST(Svm, DecisionValuesMatchLibsvmBitForBit) {
       const std::vector<double> expected = oracle.decisions(point);
       for (std::size_t a = 0; a < 8; ++a) {
         for (std::size_t b = a + 1; b < 8; ++b) {
-          ASSERT_EQ(decision_value(model, point, a, b), expected[model.machine_of(a, b)]);
+          ASSERT_EQ(decision_value(model, point, a, b),
+                    expected[pair_index(a, b, model.label.size())]);
         }
       }
     }

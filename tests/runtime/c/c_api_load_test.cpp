@@ -4,6 +4,7 @@
 #include <string>
 
 #include "tests/runtime/c/c_api_scene.h"
+#include "tests/scenes/file_damage.h"
 
 namespace flinch::runtime {
 namespace {
@@ -28,16 +29,17 @@ TEST(CApiLoad, ReportsWhatIsWrongWithAFile) {
 }
 
 TEST(CApiLoad, RejectsAFileTruncatedOrChangedAnywhere) {
-  std::string file = selector_file();
+  const std::string& file = selector_file();
   flinch_library* library = nullptr;
-  const std::size_t step = file.size() / 40;
-  for (std::size_t at = 0; at < file.size(); at += at < 64 ? 1 : step) {
-    EXPECT_LT(flinch_library_load_memory(file.data(), at, &library), 0) << "cut at " << at;
-    file[at] = static_cast<char>(file[at] ^ 0x10);
-    EXPECT_LT(flinch_library_load_memory(file.data(), file.size(), &library), 0) << "byte " << at;
-    file[at] = static_cast<char>(file[at] ^ 0x10);
-    ASSERT_EQ(library, nullptr);
-  }
+  const auto is_refused = [&](const std::string& damaged) {
+    return flinch_library_load_memory(damaged.data(), damaged.size(), &library) < 0 &&
+           library == nullptr;
+  };
+  const std::vector<std::size_t> places = tests::places(file.size(), file.size() / 40, 64);
+  tests::expect_wrong_sizes_are_refused(file, places, is_refused);
+  std::vector<tests::Flip> flips;
+  for (const std::size_t byte : places) flips.push_back({byte, 0x10});
+  tests::expect_flips_are_refused(file, flips, is_refused);
   flinch_library_free(load(file));
 }
 

@@ -6,19 +6,16 @@
 #include <algorithm>
 #include <cstring>
 #include <functional>
-#include <limits>
 #include <string>
 
 #include "database/author/authored_library.h"
 #include "motion/default_character.h"
 #include "runtime/c/flinch.h"
 #include "tests/runtime/made_up_selector.h"
+#include "tests/scenes/not_finite.h"
 
 // What tests of the C interface begin with.
 namespace flinch::tests {
-
-inline constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
-inline constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 inline const std::string& selector_file() {
   static const std::string kFile =

@@ -22,25 +22,6 @@ constexpr float kRate = 120;         // Hz, of measuring
 constexpr float kOnGround = 0.005F;  // m
 constexpr float kFrame = 1.0F / 60;  // s, of velocities
 
-std::vector<Eigen::Vector3f> sole_points(const runtime::Sole& sole, const JointFrames& frames,
-                                         Side side) {
-  const motion::FootRoles roles = motion::roles_of(side);
-  std::vector<Eigen::Vector3f> points;
-  for (const auto& [role, outline] :
-       {std::pair{roles.foot, &sole.foot}, {roles.toes, &sole.toes}}) {
-    for (const Eigen::Vector3f& point : *outline) {
-      points.push_back(frames.position[role] + frames.orientation[role] * point);
-    }
-  }
-  return points;
-}
-
-float lowest(const std::vector<Eigen::Vector3f>& points) {
-  float z = 1;
-  for (const Eigen::Vector3f& point : points) z = std::min(z, point.z());
-  return z;
-}
-
 // How far a point is inside the sole of a foot, seen from above, m.
 float margin_in_sole(const PreparedLibrary& library, const JointFrames& frames, Side side,
                      const Eigen::Vector3f& point) {
@@ -99,19 +80,16 @@ struct Standing {
 };
 
 Standing standing_of(const PreparedLibrary& library, const JointFrames& frames) {
-  const Eigen::Vector3f centre = motion::centre_of_mass(library.body_model, frames);
   Standing standing;
-  float nearest = 1e9F;
   for (Side side : motion::kSides) {
     const std::size_t i = motion::index_of(side);
-    standing.points[i] = sole_points(library.soles[i], frames, side);
-    standing.stands[i] = lowest(standing.points[i]) <= kOnGround;
-    const float distance = (motion::foot_pose(frames, side).ankle - centre).head<2>().norm();
-    if (standing.stands[i] && distance < nearest) {
-      nearest = distance;
-      standing.support = side;
-    }
+    standing.points[i] = motion::sole_points(library.soles[i], frames, side);
+    standing.stands[i] = motion::lowest_z(standing.points[i]) <= kOnGround;
   }
+  standing.support = motion::support_foot(
+      motion::centre_of_mass(library.body_model, frames),
+      [&](Side side) { return standing.stands[motion::index_of(side)]; },
+      [&](Side side) { return motion::foot_pose(frames, side).ankle; });
   return standing;
 }
 
@@ -140,7 +118,8 @@ void measure_feet(const Response& r, ResponseQuality& quality) {
     for (Side side : motion::kSides) {
       const std::size_t i = motion::index_of(side);
       tracks[i].follow(standing.points[i], standing.support == side);
-      quality.below_ground_m = std::max(quality.below_ground_m, -lowest(standing.points[i]));
+      quality.below_ground_m =
+          std::max(quality.below_ground_m, -motion::lowest_z(standing.points[i]));
       const bool leaves = stood[i] && !standing.stands[i] && standing.stands[1 - i];
       const bool first = side != r.support && time_s < r.peak_s && quality.lift_margin_m == 1;
       const bool home = r.feet[i].return_lift_m > 0 && time_s > r.feet[i].return_step.begin_s;

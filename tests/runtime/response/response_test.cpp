@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 #include <random>
 
 #include "database/author/authored_library.h"
@@ -16,6 +15,7 @@
 #include "tests/motion/random_motion.h"
 #include "tests/runtime/response/response_quality.h"
 #include "tests/scenes/allocation_count.h"
+#include "tests/scenes/not_finite.h"
 
 namespace flinch::runtime {
 namespace {
@@ -25,6 +25,8 @@ using motion::Role;
 using motion::Side;
 using tests::allocation_count;
 using tests::distance;
+using tests::kInfinity;
+using tests::kNan;
 
 const database::ClipLibrary& authored() {
   static const database::ClipLibrary library =
@@ -272,8 +274,6 @@ TEST(Response, OfTheIdleClipIsTheIdlePose) {
 }
 
 TEST(Response, OfBadInputIsInvalidAndSafe) {
-  constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
-  constexpr float kInfinity = std::numeric_limits<float>::infinity();
   const database::ClipLibrary library = authored();
   features::CharacterState lost = kState;
   lost.position.x() = kNan;
@@ -305,8 +305,7 @@ TEST(Response, OfBadInputIsInvalidAndSafe) {
 
 TEST(Response, TreatsInvalidTimesAsZero) {
   const Response response = make_response(prepared(), kState, kDuck, 0.5F);
-  for (float t :
-       {-1.0F, std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
+  for (float t : {-1.0F, kNan, kInfinity}) {
     EXPECT_EQ(distance(pose_at(response, t), pose_at(response, 0)), 0);
   }
 }

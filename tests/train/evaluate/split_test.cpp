@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "motion/error.h"
+#include "tests/scenes/error_of.h"
 #include "tests/train/evaluate/comparison.h"
 
 namespace flinch::train {
@@ -13,12 +14,7 @@ namespace {
 using testing::HasSubstr;
 
 std::string refusal_of(const Store& training, const Store& test) {
-  try {
-    require_independent(training, test, "test.flinchobs");
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "";
+  return tests::error_of([&] { require_independent(training, test, "test.flinchobs"); });
 }
 
 TEST(TrainTestSplit, HoldsOutEveryFourthScenario) {

@@ -40,10 +40,8 @@ TEST(LibsvmExport, LibsvmToolsChooseAsTheSelectorDoes) {
         train_selector(store.header, store.observations, cost_model, Method::svm, 1);
     const auto& svm = std::get<models::SvmModel>(training.selector.model);
     const features::Scaling scaling = scaling_of(store.header, store.observations);
-    std::ofstream(folder / "train")
-        << libsvm_text(store, label(store.observations, cost_model), scaling);
-    std::ofstream(folder / "test")
-        << libsvm_text(test, label(test.observations, cost_model), scaling);
+    folder.write("train", libsvm_text(store, label(store.observations, cost_model), scaling));
+    folder.write("test", libsvm_text(test, label(test.observations, cost_model), scaling));
     ASSERT_TRUE(succeeds("svm-train" + svm_train_options(svm) + (folder / "train") + ' ' +
                          (folder / "model")));
     ASSERT_TRUE(succeeds("svm-predict " + (folder / "test") + " " + (folder / "model") + " " +

@@ -8,6 +8,7 @@
 
 #include "motion/error.h"
 #include "runtime/response/response.h"
+#include "tests/scenes/error_of.h"
 #include "tests/train/simulate/local_messenger.h"
 #include "tests/train/store/made_up_store.h"
 #include "train/store/store_trials.h"
@@ -138,12 +139,8 @@ TEST(MemoryPlan, RejectsTooLittleMemoryNamingTheMinimum) {
   const MemoryPlan plan = plan_memory(setup, std::uint64_t{1} << 30, 2);
   EXPECT_TRUE(plan.keeps_all());
   EXPECT_EQ(plan.response_count, setup.responses.count());
-  try {
-    plan_memory(setup, 1 << 20, 2);
-    FAIL() << "a mebibyte was enough";
-  } catch (const Error& error) {
-    EXPECT_THAT(error.what(), testing::HasSubstr("--memory 96M"));
-  }
+  EXPECT_THAT(tests::error_of([&] { plan_memory(setup, 1 << 20, 2); }),
+              testing::HasSubstr("--memory 96M"));
   EXPECT_NO_THROW(plan_memory(setup, 96 << 20, 2));
 }
 
@@ -199,7 +196,7 @@ class SimulateStore : public testing::Test {
 
   std::string whole() {
     EXPECT_TRUE(simulate_store(setup_, folder_ / "whole", run_of(setup_, kWanted, 2)));
-    return bytes_of(folder_ / "whole");
+    return read_file(folder_ / "whole");
   }
 
   /// Works as process `rank` until process 0 sends it home.
@@ -227,7 +224,7 @@ TEST_F(SimulateStore, ResumedRunGivesTheBytesOfAnUninterruptedRun) {
   stop = false;
   run.report = [](const SimulationProgress&) {};
   ASSERT_TRUE(simulate_store(setup_, folder_ / "stopped", run));
-  EXPECT_TRUE(bytes_of(folder_ / "stopped") == whole());
+  EXPECT_TRUE(read_file(folder_ / "stopped") == whole());
 }
 
 TEST_F(SimulateStore, DoesNotDependOnTheNumberOfProcesses) {
@@ -243,7 +240,7 @@ TEST_F(SimulateStore, DoesNotDependOnTheNumberOfProcesses) {
   run.report = [&last](const SimulationProgress& progress) { last = progress; };
   ASSERT_TRUE(simulate_store(setup_, folder_ / "crew", run));
   EXPECT_EQ(last.scenarios, kWanted.count);
-  EXPECT_TRUE(bytes_of(folder_ / "crew") == whole());
+  EXPECT_TRUE(read_file(folder_ / "crew") == whole());
 }
 
 TEST_F(SimulateStore, AFinishedStoreStopsTheWorkers) {

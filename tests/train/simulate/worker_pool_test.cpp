@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "motion/error.h"
+#include "tests/scenes/error_of.h"
 #include "tests/train/simulate/local_messenger.h"
 #include "train/simulate/scenario_scheduler.h"
 
@@ -101,12 +102,7 @@ TEST(WorkerPool, ReportsAFailureWithItsReason) {
     if (worker == 2) throw Error("real.flinchlib", "is gone");
     return done_of(range);
   };
-  try {
-    run(50'000, 2, fails);
-    FAIL() << "nothing was told";
-  } catch (const Error& error) {
-    EXPECT_STREQ(error.what(), "process 2: real.flinchlib: is gone");
-  }
+  EXPECT_EQ(tests::error_of([&] { run(50'000, 2, fails); }), "process 2: real.flinchlib: is gone");
 }
 
 TEST(WorkerPool, RejectsAWorkerOfAnotherRun) {

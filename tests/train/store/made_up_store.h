@@ -2,11 +2,10 @@
 #pragma once
 
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <span>
 #include <string>
 
+#include "database/import/file_io.h"
 #include "database/import/library_writer.h"
 #include "database/library/file_header.h"
 #include "features/random.h"
@@ -17,12 +16,8 @@
 
 namespace flinch::train {
 
+using database::read_file;
 using tests::TemporaryFolder;
-
-inline std::string bytes_of(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
 
 /// Says what a store of the synthetic library would, with round numbers.
 inline StoreHeader made_up_header() {

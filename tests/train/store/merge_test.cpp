@@ -7,6 +7,7 @@
 #include <functional>
 
 #include "motion/error.h"
+#include "tests/scenes/error_of.h"
 #include "tests/train/store/made_up_store.h"
 
 namespace flinch::train {
@@ -32,12 +33,7 @@ class Merge : public testing::Test {
 
   /// What a merge that must fail says; it leaves nothing under the name.
   std::string refusal(const std::vector<std::string>& paths) {
-    std::string message;
-    try {
-      merge_stores(paths, folder_ / "out");
-    } catch (const Error& error) {
-      message = error.what();
-    }
+    const std::string message = tests::error_of([&] { merge_stores(paths, folder_ / "out"); });
     EXPECT_FALSE(std::filesystem::exists(folder_ / "out"));
     return message;
   }
@@ -47,7 +43,7 @@ class Merge : public testing::Test {
 };
 
 TEST_F(Merge, GivesTheBytesOfOneStoreOfAllScenarios) {
-  const std::string whole = bytes_of(make("whole", {0, kCount}));
+  const std::string whole = read_file(make("whole", {0, kCount}));
   const std::string a = make("a", {0, 25});
   const std::string b = make("b", {25, 15});
   const std::string c = make("c", {40, 20});
@@ -57,16 +53,16 @@ TEST_F(Merge, GivesTheBytesOfOneStoreOfAllScenarios) {
       {a, b, c}, {c, a, b}, {c, over, a}, {over, inner, c, b, a}, {a, a, c, over}};
   for (const auto& paths : ways) {
     merge_stores(paths, folder_ / "out");
-    EXPECT_TRUE(bytes_of(folder_ / "out") == whole);
+    EXPECT_TRUE(read_file(folder_ / "out") == whole);
     std::filesystem::remove(folder_ / "out");
   }
   merge_stores(std::vector{a, over, c}, a);
-  EXPECT_TRUE(bytes_of(a) == whole) << "into one of them";
+  EXPECT_TRUE(read_file(a) == whole) << "into one of them";
   EXPECT_FALSE(std::filesystem::exists(a + ".partial"));
 }
 
 TEST_F(Merge, ResumesAfterAnInterruption) {
-  const std::string whole = bytes_of(make("whole", {10, 50}));
+  const std::string whole = read_file(make("whole", {10, 50}));
   const std::string a = make("a", {10, 20});
   const std::string b = make("b", {30, 30});
   {
@@ -74,7 +70,7 @@ TEST_F(Merge, ResumesAfterAnInterruption) {
     writer.append(made_up_observations(header_, 25, 35));
   }
   merge_stores(std::vector{a, b}, folder_ / "out");
-  EXPECT_TRUE(bytes_of(folder_ / "out") == whole);
+  EXPECT_TRUE(read_file(folder_ / "out") == whole);
 }
 
 TEST_F(Merge, NamesTheScenarioOnWhichStoresDisagree) {

@@ -8,9 +8,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <functional>
-
 #include "motion/error.h"
+#include "tests/scenes/error_of.h"
+#include "tests/scenes/file_damage.h"
 #include "tests/train/store/made_up_store.h"
 #include "train/store/sqlite.h"
 #include "train/store/store_trials.h"
@@ -20,17 +20,9 @@ namespace {
 
 using testing::HasSubstr;
 using testing::Not;
+using tests::error_of;
 
 constexpr ScenarioRange kWanted{0, 200};  // more than any test appends
-
-std::string message_of(const std::function<void()>& action) {
-  try {
-    action();
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "";
-}
 
 void write_store(const std::string& path, const StoreHeader& header, std::uint64_t count) {
   StoreWriter writer(path, header, {0, count});
@@ -91,7 +83,7 @@ TEST(Store, HasTheSameBytesWhereverItIsInterrupted) {
       EXPECT_FALSE(std::filesystem::exists(path)) << "nothing stands under the final name yet";
     }
     write_store(path, header, 70);
-    EXPECT_TRUE(bytes_of(path) == bytes_of(folder / "whole")) << "stopped after " << stop;
+    EXPECT_TRUE(read_file(path) == read_file(folder / "whole")) << "stopped after " << stop;
     EXPECT_FALSE(std::filesystem::exists(path + ".partial"));
   }
 }
@@ -113,8 +105,7 @@ TEST(Store, KeepsCommittedScenariosWhenKilledDuringATransaction) {
   int status = 0;
   ASSERT_EQ(waitpid(child, &status, WUNTRACED), child);
   ASSERT_TRUE(WIFSTOPPED(status));
-  EXPECT_THAT(message_of([&] { StoreWriter(path, header, kWanted); }),
-              HasSubstr("another process"));
+  EXPECT_THAT(error_of([&] { StoreWriter(path, header, kWanted); }), HasSubstr("another process"));
   kill(child, SIGKILL);
   waitpid(child, &status, 0);
   {
@@ -122,7 +113,7 @@ TEST(Store, KeepsCommittedScenariosWhenKilledDuringATransaction) {
     EXPECT_EQ(writer.count(), 16U);
   }
   write_store(path, header, 32);
-  EXPECT_TRUE(bytes_of(path) == bytes_of(folder / "whole"));
+  EXPECT_TRUE(read_file(path) == read_file(folder / "whole"));
 }
 
 TEST(Store, AnExtendedStoreHasTheSameBytes) {
@@ -131,7 +122,7 @@ TEST(Store, AnExtendedStoreHasTheSameBytes) {
   write_store(folder / "whole", header, 50);
   write_store(folder / "grown", header, 21);
   write_store(folder / "grown", header, 50);
-  EXPECT_TRUE(bytes_of(folder / "grown") == bytes_of(folder / "whole"));
+  EXPECT_TRUE(read_file(folder / "grown") == read_file(folder / "whole"));
 }
 
 TEST(Store, OfAnotherRunIsRejectedAndUnchanged) {
@@ -139,51 +130,47 @@ TEST(Store, OfAnotherRunIsRejectedAndUnchanged) {
   const StoreHeader header = made_up_header();
   const std::string path = folder / "a.flinchobs";
   write_store(path, header, 10);
-  const std::string before = bytes_of(path);
+  const std::string before = read_file(path);
   StoreHeader other = header;
   other.library_hash = 1;
-  EXPECT_THAT(message_of([&] { StoreWriter(path, other, kWanted); }), HasSubstr("another library"));
+  EXPECT_THAT(error_of([&] { StoreWriter(path, other, kWanted); }), HasSubstr("another library"));
   other = header;
   other.seed = 6;
-  EXPECT_THAT(message_of([&] { StoreWriter(path, other, kWanted); }), HasSubstr("--seed 5"));
+  EXPECT_THAT(error_of([&] { StoreWriter(path, other, kWanted); }), HasSubstr("--seed 5"));
   other = header;
   other.distribution = "{}";
-  EXPECT_THAT(message_of([&] { StoreWriter(path, other, kWanted); }),
+  EXPECT_THAT(error_of([&] { StoreWriter(path, other, kWanted); }),
               HasSubstr("scenario distribution"));
   other = header;
   other.simulation = "{}";
-  EXPECT_THAT(message_of([&] { StoreWriter(path, other, kWanted); }),
+  EXPECT_THAT(error_of([&] { StoreWriter(path, other, kWanted); }),
               HasSubstr("another simulation"));
-  EXPECT_TRUE(bytes_of(path) == before);
+  EXPECT_TRUE(read_file(path) == before);
 }
 
 TEST(Store, RejectsOtherFilesByName) {
   const TemporaryFolder folder;
-  const auto write = [&](const std::string& name, const std::string& bytes) {
-    std::ofstream(folder / name, std::ios::binary) << bytes;
-    return folder / name;
-  };
-  EXPECT_THAT(message_of([&] { read_store(folder / "none"); }),
+  EXPECT_THAT(error_of([&] { read_store(folder / "none"); }),
               HasSubstr("none: cannot be read: No such file"));
-  EXPECT_THAT(message_of([&] { read_store(write("empty", "")); }), HasSubstr("empty"));
-  EXPECT_THAT(message_of([&] { read_store(write("text", "HIERARCHY")); }),
+  EXPECT_THAT(error_of([&] { read_store(folder.write("empty", "")); }), HasSubstr("empty"));
+  EXPECT_THAT(error_of([&] { read_store(folder.write("text", "HIERARCHY")); }),
               HasSubstr("not a store"));
   {
     Database database(folder / "other.db", Database::Mode::create);
     database.execute("CREATE TABLE t(x)");
   }
-  EXPECT_THAT(message_of([&] { read_store(folder / "other.db"); }), HasSubstr("not a store"));
+  EXPECT_THAT(error_of([&] { read_store(folder / "other.db"); }), HasSubstr("not a store"));
   write_store(folder / "a", made_up_header(), 30);
-  const std::string whole = bytes_of(folder / "a");
+  const std::string whole = read_file(folder / "a");
   for (const std::size_t length : {100UL, 5000UL, whole.size() / 2, whole.size() - 1}) {
     const std::string message =
-        message_of([&] { read_store(write("cut", whole.substr(0, length))); });
+        error_of([&] { read_store(folder.write("cut", whole.substr(0, length))); });
     EXPECT_THAT(message, HasSubstr("cut: ")) << length;
     EXPECT_THAT(message, Not(HasSubstr("\n"))) << length;
   }
   Database database(folder / "a", Database::Mode::write);
   database.execute("PRAGMA user_version = 99");
-  EXPECT_THAT(message_of([&] { read_store(folder / "a"); }), HasSubstr("format 99"));
+  EXPECT_THAT(error_of([&] { read_store(folder / "a"); }), HasSubstr("format 99"));
 }
 
 TEST(Store, RejectsDamagedRows) {
@@ -205,7 +192,7 @@ TEST(Store, RejectsDamagedRows) {
     std::filesystem::remove(path);
     write_store(path, made_up_header(), 5);
     Database(path, Database::Mode::write).execute(damage);
-    EXPECT_THAT(message_of([&] { read_store(path); }), HasSubstr("damaged")) << damage;
+    EXPECT_THAT(error_of([&] { read_store(path); }), HasSubstr("damaged")) << damage;
   }
 }
 
@@ -214,7 +201,7 @@ TEST(Store, NamesAMissingScenario) {
   write_store(folder / "a", made_up_header(), 5);
   Database(folder / "a", Database::Mode::write)
       .execute("DELETE FROM observation WHERE number IN (2, 3)");
-  EXPECT_THAT(message_of([&] { read_store(folder / "a"); }),
+  EXPECT_THAT(error_of([&] { read_store(folder / "a"); }),
               HasSubstr("a: the store lacks scenarios 2 to 3"));
 }
 
@@ -225,7 +212,7 @@ std::string content_of(const std::string& path) {
     content.append(reinterpret_cast<const char*>(values.data()),
                    values.size() * sizeof *values.data());
   };
-  const std::string message = message_of([&] {
+  const std::string message = error_of([&] {
     const Store store = read_store(path);
     content = store.header.distribution + store.header.simulation + store.header.library_name;
     add(store.header.library_file);
@@ -243,17 +230,16 @@ std::string content_of(const std::string& path) {
 TEST(Store, AChangedByteIsDetectedOrWithoutEffect) {
   const TemporaryFolder folder;
   write_store(folder / "whole", made_up_header(), 60);
-  const std::string whole = bytes_of(folder / "whole");
+  const std::string whole = read_file(folder / "whole");
   const std::string content = content_of(folder / "whole");
   ASSERT_NE(content, "refused");
   features::Random random(3, features::RandomStream::baseline, 0);
-  std::size_t refused = 0;
   // The library has tests of its own: half of the flips hit the file's ends, and half an
   // observation, of which the trials and some hundred bytes before them are.
   const std::size_t ends = 50'000;
   ASSERT_GT(whole.size(), 2 * ends);
+  std::vector<tests::Flip> flips;
   for (int flip = 0; flip < 400; ++flip) {
-    std::string flipped = whole;
     std::size_t place = random.index(2 * ends);
     if (place >= ends) place += whole.size() - 2 * ends;
     if (flip % 2 == 0) {
@@ -263,13 +249,14 @@ TEST(Store, AChangedByteIsDetectedOrWithoutEffect) {
       ASSERT_NE(place, std::string::npos);
       place += random.index(100 + trials.size()) - 100;
     }
-    char& byte = flipped[place];
-    byte = static_cast<char>(byte ^ (1 << random.index(8)));
-    std::ofstream(folder / "flipped", std::ios::binary) << flipped;
-    const std::string found = content_of(folder / "flipped");
-    refused += found == "refused" ? 1U : 0U;
-    EXPECT_TRUE(found == "refused" || found == content) << place;
+    flips.push_back({place, 1 << random.index(8)});
   }
+  std::size_t refused = 0;
+  tests::for_each_flip(whole, flips, [&](const std::string& flipped, const tests::Flip& flip) {
+    const std::string found = content_of(folder.write("flipped", flipped));
+    refused += found == "refused" ? 1U : 0U;
+    EXPECT_TRUE(found == "refused" || found == content) << flip.byte;
+  });
   EXPECT_GT(refused, 200U);
 }
 
@@ -288,8 +275,8 @@ TEST(Store, HasTheSameBytesInAnyOrderOfWriting) {
   fill(folder / "in-order", {{30, 40}});
   fill(folder / "backwards", {{50, 20}, {40, 10}, {30, 10}});
   fill(folder / "mixed", {{41, 1}, {31, 9}, {42, 28}, {30, 1}, {40, 1}});
-  EXPECT_TRUE(bytes_of(folder / "backwards") == bytes_of(folder / "in-order"));
-  EXPECT_TRUE(bytes_of(folder / "mixed") == bytes_of(folder / "in-order"));
+  EXPECT_TRUE(read_file(folder / "backwards") == read_file(folder / "in-order"));
+  EXPECT_TRUE(read_file(folder / "mixed") == read_file(folder / "in-order"));
   const StoreSummary summary = summarise_store(folder / "mixed");
   EXPECT_EQ(summary.range, wanted);
   EXPECT_TRUE(summary.holds({35, 5}));
@@ -309,11 +296,11 @@ TEST(Store, KnowsItsMissingScenariosAfterAnInterruption) {
     other.trials[1].impulse[motion::Body::head] += 1;
     EXPECT_FALSE(writer.holds(other));
     EXPECT_FALSE(writer.holds(made_up_observation(header, 20)));
-    EXPECT_THAT(message_of([&] { writer.append(made_up_observations(header, 19, 21)); }),
+    EXPECT_THAT(error_of([&] { writer.append(made_up_observations(header, 19, 21)); }),
                 HasSubstr("not missing"));
-    EXPECT_THAT(message_of([&] { writer.append(made_up_observations(header, 39, 41)); }),
+    EXPECT_THAT(error_of([&] { writer.append(made_up_observations(header, 39, 41)); }),
                 HasSubstr("not missing"));
-    EXPECT_THAT(message_of([&] { writer.finish(); }), HasSubstr("lacks scenarios 10 to 14"));
+    EXPECT_THAT(error_of([&] { writer.finish(); }), HasSubstr("lacks scenarios 10 to 14"));
   }
   EXPECT_FALSE(std::filesystem::exists(folder / "a"));
   const std::vector<ScenarioRange> expected{{5, 10}, {20, 10}, {31, 9}};
@@ -327,9 +314,9 @@ TEST(Store, RejectsInvalidRanges) {
   for (const ScenarioRange& range :
        {ScenarioRange{last, 2}, ScenarioRange{~std::uint64_t{0}, 1},
         ScenarioRange{kScenarioNumberEnd, 1}, ScenarioRange{1, ~std::uint64_t{0}}})
-    EXPECT_THAT(message_of([&] { StoreWriter(folder / "a", header, range); }),
+    EXPECT_THAT(error_of([&] { StoreWriter(folder / "a", header, range); }),
                 HasSubstr("go past the last, 9223372036854775807"));
-  EXPECT_THAT(message_of([&] {
+  EXPECT_THAT(error_of([&] {
                 StoreWriter(folder / "a", header, {3, 0});
               }),
               HasSubstr("no scenario"));
@@ -341,15 +328,15 @@ TEST(Store, RejectsARangeThatOmitsStoredScenarios) {
   const TemporaryFolder folder;
   const StoreHeader header = made_up_header();
   write_store(folder / "a", header, 20);
-  const std::string before = bytes_of(folder / "a");
-  EXPECT_THAT(message_of([&] {
+  const std::string before = read_file(folder / "a");
+  EXPECT_THAT(error_of([&] {
                 StoreWriter(folder / "a", header, {10, 30});
               }),
               HasSubstr("a: holds scenarios 0 to 19"));
   EXPECT_FALSE(std::filesystem::exists(folder / "a.partial"));
-  EXPECT_TRUE(bytes_of(folder / "a") == before);
+  EXPECT_TRUE(read_file(folder / "a") == before);
   { StoreWriter(folder / "b", header, {0, 20}).append(made_up_observations(header, 0, 20)); }
-  EXPECT_THAT(message_of([&] {
+  EXPECT_THAT(error_of([&] {
                 StoreWriter(folder / "b", header, {0, 10});
               }),
               HasSubstr("b.partial: holds scenarios 0 to 19"));
@@ -370,7 +357,7 @@ TEST(Store, LosesNothingWhenTheDiskFillsWhileFinishing) {
     rlimit small = before;
     small.rlim_cur = std::filesystem::file_size(writer.partial_path()) / 2;
     ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &small), 0);
-    const std::string message = message_of([&] { writer.finish(); });
+    const std::string message = error_of([&] { writer.finish(); });
     ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &before), 0);
     EXPECT_THAT(message, HasSubstr("make room"));
   }
@@ -378,7 +365,7 @@ TEST(Store, LosesNothingWhenTheDiskFillsWhileFinishing) {
   EXPECT_FALSE(std::filesystem::exists(path + ".partial-copy"));
   EXPECT_EQ(StoreWriter(path, header, {0, 64}).count(), 64U);
   write_store(path, header, 64);
-  EXPECT_TRUE(bytes_of(path) == bytes_of(folder / "whole"));
+  EXPECT_TRUE(read_file(path) == read_file(folder / "whole"));
 }
 
 TEST(Store, ReportsAFullDiskAndKeepsCommittedScenarios) {
@@ -397,7 +384,7 @@ TEST(Store, ReportsAFullDiskAndKeepsCommittedScenarios) {
     small.rlim_cur = std::filesystem::file_size(writer.partial_path());
     ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &small), 0);
     const std::string message =
-        message_of([&] { writer.append(made_up_observations(header, 16, 160)); });
+        error_of([&] { writer.append(made_up_observations(header, 16, 160)); });
     ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &before), 0);
     EXPECT_THAT(message, HasSubstr("full.partial: "));
     EXPECT_THAT(message, HasSubstr("make room"));
@@ -405,7 +392,7 @@ TEST(Store, ReportsAFullDiskAndKeepsCommittedScenarios) {
   EXPECT_FALSE(std::filesystem::exists(path));
   EXPECT_EQ(StoreWriter(path, header, kWanted).count(), 16U);
   write_store(path, header, 160);
-  EXPECT_TRUE(bytes_of(path) == bytes_of(folder / "whole"));
+  EXPECT_TRUE(read_file(path) == read_file(folder / "whole"));
 }
 
 TEST(Sqlite, ReportsAFullDatabaseAsAFullDisk) {
@@ -413,7 +400,7 @@ TEST(Sqlite, ReportsAFullDatabaseAsAFullDisk) {
   Database database(folder / "small", Database::Mode::create);
   database.execute("CREATE TABLE t(x)");
   database.execute("PRAGMA max_page_count = 3");
-  const std::string message = message_of([&] {
+  const std::string message = error_of([&] {
     Transaction transaction(database);
     database.execute("INSERT INTO t VALUES(zeroblob(100000))");
     transaction.commit();

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <limits>
+
+namespace flinch::tests {
+
+/// What no reader or job may take for a number.
+inline constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+inline constexpr float kInfinity = std::numeric_limits<float>::infinity();
+inline constexpr double kNanDouble = std::numeric_limits<double>::quiet_NaN();
+inline constexpr double kInfinityDouble = std::numeric_limits<double>::infinity();
+
+}  // namespace flinch::tests
