@@ -8,7 +8,7 @@
 
 namespace flinch::motion {
 
-/// The enumerator whose name stands at its place in `names`, if there is one.
+/// Returns the enumerator whose name is at the same index in `names`; nothing for an unknown name.
 template <class Enum, std::size_t size>
 std::optional<Enum> enum_named(const std::array<std::string_view, size>& names,
                                std::string_view name) {
