@@ -25,14 +25,14 @@ using motion::radians;
 using motion::Role;
 using motion::Side;
 
-// Peak speeds that people reach, degrees a second.
-// Neck: large fast head turns, 700 (Zangemeister, Jones and Stark 1981).
-// Trunk: pelvis against upper torso when throwing, 500 (Fleisig et al. 1999).
-// Elbow: 2300 and shoulder, without its rotation about its length, 1500 when throwing (the same).
-// Clavicle: a fifth of the shoulder's. Wrist: 2000 when throwing (Debicki et al. 2004).
-// Hip 1000, knee 1500, ankle 1000 when kicking (Lees and Nolan 1998). Toes as the ankle.
+// Peak speeds that people reach, degrees per second. Neck: large fast head turns, 700
+// (Zangemeister, Jones and Stark 1981). Trunk: pelvis against upper torso when throwing, 500
+// (Fleisig et al. 1999). When throwing (the same): elbow 2300; shoulder 1500, without rotation
+// about the arm's length. Clavicle: a fifth of the shoulder's. Wrist: 2000 when throwing (Debicki
+// et al. 2004). Hip 1000, knee 1500, ankle 1000 when kicking (Lees and Nolan 1998). Toes: as the
+// ankle.
 struct SpeedRow {
-  std::string_view part;  // of the joint's name
+  std::string_view part;  // substring of the joint's name
   float dps;
 };
 constexpr std::array<SpeedRow, 10> kSpeeds{{{"trunk", 500},
@@ -82,7 +82,7 @@ void measure_hands(const motion::Figure& figure, const FramesOfClip& frames, Cli
   }
 }
 
-// The points of a sole in the world, those of the foot before those of the toes.
+// Returns the points of a sole in the world, those of the foot before those of the toes.
 std::vector<Eigen::Vector3f> sole_points(const motion::SoleOutline& sole, const JointFrames& frames,
                                          Side side) {
   std::vector<Eigen::Vector3f> points;
@@ -102,7 +102,7 @@ float lowest(const std::vector<Eigen::Vector3f>& points) {
   return z;
 }
 
-// The foot on the ground that is nearer to the centre of mass; none in a jump.
+// Returns the foot on the ground that is nearer to the centre of mass; nothing in a jump.
 std::optional<Side> support_foot(const motion::Figure& figure, const JointFrames& frames,
                                  const motion::PerSide<std::vector<Eigen::Vector3f>>& soles) {
   const Eigen::Vector3f centre = motion::centre_of_mass(figure.bodies, frames);
@@ -119,7 +119,7 @@ std::optional<Side> support_foot(const motion::Figure& figure, const JointFrames
   return support;
 }
 
-// Every point of a sole remembers where it came to the ground and slips from there until it leaves.
+// Stores where each sole point touches the ground, and measures its slip from there until it lifts.
 void measure_feet(const motion::Figure& figure, const FramesOfClip& frames, ClipQuality& quality) {
   const motion::PerSide<motion::SoleOutline> outlines{
       motion::sole_outline(figure.skeleton(), Side::left),
