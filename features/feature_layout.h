@@ -11,21 +11,21 @@
 
 namespace flinch::features {
 
-/// Which components a vector has, in its order: what travels with a selector by their names. Any
-/// of those in kFeatureNames and kGeometryNames, none of them twice.
+/// Names and order of a feature vector's components; stored with a selector. Any subset of
+/// kFeatureNames and kGeometryNames, each at most once.
 class Layout {
  public:
-  /// Empty.
+  /// Makes an empty layout.
   Layout() = default;
 
-  /// The layout with these names. None for a name that this build does not compute, one that is
-  /// there twice, or no name at all.
+  /// Returns the layout with these names. Returns nothing for a name that this build does not
+  /// compute, a repeated name, or an empty list.
   static std::optional<Layout> of(std::span<const std::string> names) noexcept;
 
   int size() const { return size_; }
   std::string_view name(int component) const;
   std::vector<std::string> names() const;
-  /// Whether it has a component that geometry_of() computes.
+  /// Returns whether it has a component that geometry_of() computes.
   bool has_geometry() const;
 
   bool operator==(const Layout&) const = default;
@@ -35,41 +35,42 @@ class Layout {
                                 const Geometry& geometry);
 
   int size_ = 0;
-  /// Places in kFeatureNames followed by kGeometryNames; 0 beyond the size.
+  /// Indices into kFeatureNames followed by kGeometryNames; 0 beyond the size.
   std::array<std::uint8_t, kMaxFeatures> component_{};
 };
 
-/// A layout that has a name of its own.
+/// A named layout.
 struct FeatureSet {
   std::string_view name;
-  std::string_view summary;  ///< what it states, for people
+  std::string_view summary;  ///< what it contains, for people
   Layout layout;
 };
 
-/// "paper": Zordan et al.'s; "geometry": how the threat meets the body; "both". The first is the
-/// default, chosen by the study in docs/selectors.md.
+/// Returns the named layouts: "paper", the features of Zordan et al.; "geometry", how the threat
+/// meets the body; and "both". The first one is the default, chosen by the study in
+/// docs/selectors.md.
 std::span<const FeatureSet> feature_sets();
-/// Null for a name that no set has.
+/// Returns the set with that name; null if there is none.
 const FeatureSet* feature_set_named(std::string_view name);
 
-/// Components that say one thing together, such as where the contact is: what a study leaves out
-/// one at a time.
+/// Components that describe one thing together, such as the contact point. Ablation studies leave
+/// out one group at a time.
 struct FeatureGroup {
   std::string_view name;
   std::vector<std::string_view> components;
 };
 std::span<const FeatureGroup> feature_groups();
-/// A layout without the components of a group; the same if it has none of them.
+/// Returns the layout without the components of a group; unchanged if it has none of them.
 Layout without(const Layout& layout, const FeatureGroup& group);
 
-/// The components of a scenario in a layout's order, 0 beyond its size. The same bits in training
-/// and in the game. At most a few microseconds; allocates nothing. What overflows for absurd
-/// numbers is 0.
+/// Returns the components of a scenario in the layout's order, 0 beyond its size. The bits are the
+/// same in training and in the game. Takes a few microseconds at most; allocates nothing.
+/// Components that overflow for extreme input are 0.
 FeatureVector feature_vector(const Layout& layout, const Scenario& scenario,
                              const IdlingFigure& figure);
 
-/// The same of a character that stands still at the origin, facing X, with its targets there. For
-/// tools: allocates.
+/// The same for a character that stands still at the origin, facing X, with these target centres.
+/// For tools: allocates.
 FeatureVector feature_vector(const Layout& layout, const Scenario& scenario,
                              const TargetCentres& centres);
 

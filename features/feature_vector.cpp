@@ -17,7 +17,8 @@ Features features_of(const Scenario& scenario, const motion::Motion& idle) {
 
   const Threat& threat = scenario.threat;
   const Eigen::Vector3f position = to_character * (threat.position - origin);
-  const Eigen::Vector3f heading = to_character * threat.velocity.normalized();  // 0 stays 0
+  // a zero vector stays zero
+  const Eigen::Vector3f heading = to_character * threat.velocity.normalized();
   const Eigen::Vector3f ahead = to_character * (then.root_position - origin);
   const float ahead_facing = motion::facing(then) - state.facing;
   const auto is_target = [&](motion::Target target) {

@@ -15,7 +15,7 @@ Eigen::Vector3d FreeFlight::velocity_at(double time_s) const {
   return velocity - gravity_mps2 * time_s * Eigen::Vector3d::UnitZ();
 }
 
-// z + v t - g t^2 / 2 = r + touch; the later root is the falling one.
+// z + v t - g t^2 / 2 = r + touch; at the later root the ball falls.
 std::optional<double> time_of_bounce(const FreeFlight& ball, double horizon_s, double touch_m) {
   const double height = ball.position.z() - ball.radius - touch_m;
   const double rise = ball.velocity.z();

@@ -17,7 +17,8 @@ struct FreeFlight {
   Eigen::Vector3d velocity_at(double time_s) const;
 };
 
-/// The first time in [0, horizon_s] at which the ball comes within touch_m of the ground, falling.
+/// Returns the first time in [0, horizon_s] at which the falling ball comes within touch_m of the
+/// ground.
 std::optional<double> time_of_bounce(const FreeFlight& ball, double horizon_s, double touch_m);
 
 }  // namespace flinch::features

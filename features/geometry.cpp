@@ -4,26 +4,26 @@
 namespace flinch::features {
 namespace {
 
-/// A path near the contact: a straight line through `point`. Character's frame.
+/// The path near the contact: a straight line through `point`. Character's frame.
 struct Path {
   Eigen::Vector3f point;
   Eigen::Vector3f direction;  ///< unit or 0
-  Eigen::Vector3f side;       ///< unit, level, to the left of the direction
-  Eigen::Vector3f up;         ///< unit or 0, across both
+  Eigen::Vector3f side;       ///< unit, horizontal, to the left of the direction
+  Eigen::Vector3f up;         ///< unit or 0, perpendicular to both
 };
 
 Path make_path(const Eigen::Vector3f& point, const Eigen::Vector3f& velocity) {
   Path path;
   path.point = point;
-  path.direction = velocity.normalized();  // 0 stays 0
+  path.direction = velocity.normalized();  // a zero vector stays zero
   const Eigen::Vector3f level = Eigen::Vector3f::UnitZ().cross(path.direction);
-  constexpr float kSteep = 1e-4F;  // straight up or down any side will do
+  constexpr float kSteep = 1e-4F;  // for a vertical path any side will do
   path.side = level.norm() > kSteep ? level.normalized() : Eigen::Vector3f::UnitY();
   path.up = path.direction.cross(path.side);
   return path;
 }
 
-/// Where the path is nearest to `centre`, from it.
+/// Vector from `centre` to the nearest point of the path.
 Eigen::Vector3f closest_approach(const Path& path, const Eigen::Vector3f& centre) {
   const Eigen::Vector3f offset = path.point - centre;
   return offset - offset.dot(path.direction) * path.direction;

@@ -16,9 +16,9 @@ using motion::Body;
 using motion::Target;
 
 constexpr double kContactTolerance_m = 1e-3;  // m
-/// Nearer than this to the sphere about the figure, its bodies are looked at.
+/// Within this distance of the figure's bounding sphere, its bodies are tested.
 constexpr double kNearDistance_m = 0.05;  // m
-/// A path that comes no nearer than by this to another target is aimed at the one that it strikes.
+/// The struck target is the aimed-at one unless the path passes another nearer by more than this.
 constexpr double kStruckTargetMargin_m = 0.05;  // m
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
@@ -42,22 +42,22 @@ bool is_valid_input(const Threat& threat, const CollisionFigure& figure, const M
          is_within(bounds.max_speed_mps, kMaxSurfaceSpeed_mps);
 }
 
-// A gap to a convex outline is convex along a straight line, so while the ball closes at c = -n·v
-// now, its surface moves at up to u and gravity bends the path by g s^2 / 2, the gap after s is at
-// least
+// The gap to a convex outline is a convex function along a straight line. The ball approaches at c
+// = -n·v now, the outline's surface moves at up to u, and gravity bends the path by g s^2 / 2, so
+// the gap after a time s is at least
 //
-//     gap - (c + u) s - g s^2 / 2,
+// gap - (c + u) s - g s^2 / 2,
 //
 // which is not negative up to its positive root. (Conservative advancement, Mirtich 1996, with the
-// closing speed in place of the speed.)
+// approach speed in place of the total speed.)
 double safe_step(double gap, double closing_mps, double gravity_mps2) {
   const double root = std::sqrt(closing_mps * closing_mps + 2 * gravity_mps2 * gap);
   if (closing_mps > 0) return 2 * gap / (closing_mps + root);
   return gravity_mps2 > 0 ? (root - closing_mps) / gravity_mps2 : kInfinity;
 }
 
-// Where (x - c) . v = 0, by Newton's method, whose derivative is v^2 + (x - c) . a; bounded from
-// below where the fall bends the path towards c.
+// Solves (x - c) . v = 0 by Newton's method, whose derivative is v^2 + (x - c) . a. The derivative
+// is bounded from below where the fall bends the path towards c.
 double time_nearest(const FreeFlight& ball, const Eigen::Vector3d& centre, double time_s) {
   constexpr int kIterations = 4;
   const Eigen::Vector3d fall(0, 0, -ball.gravity_mps2);
@@ -71,7 +71,7 @@ double time_nearest(const FreeFlight& ball, const Eigen::Vector3d& centre, doubl
   return time_s;
 }
 
-/// A ball on its way to a figure.
+/// Searches for the impact of a ball on a figure.
 class ImpactSearch {
  public:
   ImpactSearch(const FreeFlight& ball, const CollisionFigure& figure, const PredictedMotion& ahead)
@@ -97,7 +97,7 @@ class ImpactSearch {
   }
 
  private:
-  /// How long the ball stays outside of the sphere about the figure; 0 near it.
+  /// Returns how long the ball stays outside the figure's bounding sphere; 0 near it.
   double step_outside(double time_s) const {
     const Eigen::Vector3d offset = ball_.position_at(time_s) - pelvis_centre_;
     const double distance = offset.norm();
@@ -109,7 +109,8 @@ class ImpactSearch {
     return safe_step(gap, closing_mps, ball_.gravity_mps2);
   }
 
-  /// Finds the nearest body. Returns how long none can be touched; NaN for a pose that is none.
+  /// Finds the nearest body. Returns the time in which no body can be touched; NaN for an invalid
+  /// pose.
   double update_nearest_body(double time_s) {
     const MotionBounds& bounds = ahead_.bounds();
     if (!has_outlines_ || bounds.max_speed_mps > 0) place_bodies(time_s);
@@ -125,8 +126,8 @@ class ImpactSearch {
         nearest_ = near;
         nearest_body_ = body;
       }
-      // Half of kContactTolerance_m may be skipped too: it keeps a ball that glides past from
-      // taking for ever.
+      // Half of kContactTolerance_m may be skipped too. Without that, a ball that passes close by
+      // would take a very large number of steps.
       const double closing_mps =
           static_cast<double>(bounds.max_speed_mps) - near.normal.dot(velocity);
       step_s = std::min(step_s, safe_step(std::max(near.gap - 0.5 * kContactTolerance_m, 0.0),
@@ -157,7 +158,7 @@ class ImpactSearch {
     return impact;
   }
 
-  /// Which target the threat is aimed at, and when it would be there.
+  /// Sets the target that the threat is aimed at, and the time to impact.
   void aim(PredictedImpact& impact) const {
     const double touch_s = static_cast<double>(impact.touch_s);
     double min_distance = kInfinity;
@@ -173,7 +174,7 @@ class ImpactSearch {
       time_s = nearest_s;
       impact.aimed_at = target;
     }
-    // The centre where it will be then.
+    // The target's centre at that time.
     if (ahead_.bounds().max_speed_mps > 0) {
       const motion::JointFrames then = frames_at(time_s);
       time_s = time_nearest(
@@ -193,7 +194,7 @@ class ImpactSearch {
   Body nearest_body_{};
 };
 
-/// The farthest that the surface can be from the pelvis' joint: all bones in one line.
+/// Upper bound on the distance from the pelvis joint to the surface: all bones in one line.
 float reach_of(const motion::Skeleton& skeleton, const motion::BodyModel& model) {
   motion::PerRole<float> from_pelvis;
   for (motion::Role role : motion::kRoles) {

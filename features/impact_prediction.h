@@ -5,74 +5,74 @@
 
 namespace flinch::features {
 
-/// What a threat comes to.
+/// Result of an impact prediction.
 enum class Outcome : std::uint8_t {
-  unusable,  ///< the input cannot be predicted from
+  unusable,  ///< the input does not allow a prediction
   miss,
   impact,
-  touching,  ///< it touches or overlaps the figure already: impact now
+  touching,  ///< it already touches or overlaps the figure: the impact is now
 };
 /// "unusable", "miss", "impact" or "touching".
 std::string_view name_of(Outcome outcome);
 
-/// The impact that a threat makes on a figure that does not answer it. All but the outcome counts
-/// only for `impact` and `touching`.
+/// The impact of a threat on a figure that does not respond to it. Fields other than the outcome
+/// are valid only for `impact` and `touching`.
 struct PredictedImpact {
   Outcome outcome = Outcome::unusable;
-  /// When the surfaces first touch, s from now; 0 for `touching`.
+  /// Time until the surfaces first touch, s from now; 0 for `touching`.
   float touch_s = 0;
-  /// When the threat's centre would come nearest to the centre of the target `aimed_at`, if it flew
-  /// on: the time to impact that scenarios have and selectors are trained on. At least touch_s.
+  /// Time until the threat's centre is nearest to the centre of the target `aimed_at`, if it flies
+  /// on: the time to impact that scenarios hold and selectors are trained on. At least touch_s.
   float time_to_impact_s = 0;
-  motion::Body body = motion::Body::head;        ///< that is struck first
+  motion::Body body = motion::Body::head;        ///< the body that is struck first
   motion::Target struck = motion::Target::head;  ///< target_of(body)
-  /// The target whose centre the threat's path comes nearest to, that which it strikes if another
-  /// is nearer by no more than 5 cm: what scenarios call the target. Not always what is struck:
-  /// arms hang before pelvis and legs.
+  /// The target whose centre the threat's path passes nearest to; but the struck one where another
+  /// is nearer by 5 cm or less. This is what scenarios call the target. It need not be the struck
+  /// one: arms hang in front of pelvis and legs.
   motion::Target aimed_at = motion::Target::head;
   Eigen::Vector3f point = Eigen::Vector3f::Zero();    ///< on the body's surface, world, m
   Eigen::Vector3f normal = Eigen::Vector3f::UnitZ();  ///< unit, from the body to the threat, world
 };
 
-/// A figure for predict_impact: what depends on neither threat nor pose. Refers to skeleton and
-/// model, which must outlive it.
+/// A figure for predict_impact: everything that depends on neither threat nor pose. Refers to
+/// skeleton and model, which must outlive it.
 struct CollisionFigure {
   const motion::Skeleton* skeleton = nullptr;
   const motion::BodyModel* model = nullptr;
-  float reach_m = 0;  ///< no pose has a point of the surface farther from the pelvis' joint
+  float reach_m = 0;  ///< max distance of a surface point from the pelvis joint, over all poses
 };
 CollisionFigure make_collision_figure(const motion::Skeleton& skeleton,
                                       const motion::BodyModel& model);
 
 struct PredictionOptions {
-  float horizon_s = 2;            ///< later impacts are not looked for; at most kMaxHorizon_s
-  float gravity_mps2 = kGravity;  ///< 0 for what flies or rolls straight on
+  float horizon_s = 2;            ///< later impacts are not searched for; at most kMaxHorizon_s
+  float gravity_mps2 = kGravity;  ///< 0 for threats that fly or roll in a straight line
 };
 
-/// Inputs beyond these are unusable: no figure of ours meets them, and sums lose their digits.
+/// Inputs beyond these limits are unusable: no real scene reaches them, and sums lose precision.
 inline constexpr float kMaxHorizon_s = 100;  ///< s
-inline constexpr float kMaxExtent = 1e6F;  ///< of a position, m, a velocity, m/s, a gravity, m/s²
+inline constexpr float kMaxExtent = 1e6F;  ///< of a position, m, a velocity, m/s, and gravity, m/s²
 inline constexpr float kMaxSurfaceSpeed_mps = 100;  ///< m/s
 
-/// When, where and on what a falling ball strikes the figure in `ahead`: by swept sphere against
-/// its capsules and boxes, within a millimetre: a ball that passes within that of a surface counts
-/// as touching it. A ball that meets the ground first misses.
+/// Predicts when, where and on which body a falling ball strikes the figure in `ahead`. Sweeps the
+/// sphere against the figure's capsules and boxes, to within a millimetre: a ball that passes a
+/// surface within that distance counts as touching it. A ball that meets the ground first misses.
 ///
-/// Unusable: numbers that are not finite or beyond the bounds above, a radius, gravity or horizon
-/// below 0, poses that are not finite. Allocates nothing, throws nothing unless `ahead` does. A
-/// miss by more than the figure's reach costs a fraction of a microsecond, all else a few
+/// Unusable: numbers that are not finite or exceed the limits above, a negative radius, gravity or
+/// horizon, poses that are not finite. Allocates nothing; throws only what `ahead` throws. A miss
+/// by more than the figure's reach takes a fraction of a microsecond, anything else a few
 /// evaluations of `ahead`.
 PredictedImpact predict_impact(const Threat& threat, const CollisionFigure& figure,
                                const PredictedMotion& ahead, const PredictionOptions& options = {});
 
-/// Of a character that idles. `bounds` is that of the idle clip (motion_bounds_of). A clip without
-/// poses or a state that is not finite is unusable.
+/// The same for a character that idles. `bounds` is that of the idle clip (motion_bounds_of). A
+/// clip without poses or a state that is not finite is unusable.
 PredictedImpact predict_impact(const Threat& threat, const CollisionFigure& figure,
                                const motion::Motion& idle, const MotionBounds& bounds,
                                const CharacterState& state,
                                const PredictionOptions& options = {}) noexcept;
 
-/// Of a character that holds a pose (world).
+/// The same for a character that holds a pose (world).
 PredictedImpact predict_impact(const Threat& threat, const CollisionFigure& figure,
                                const motion::Pose& held,
                                const PredictionOptions& options = {}) noexcept;

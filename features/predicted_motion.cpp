@@ -9,7 +9,7 @@
 namespace flinch::features {
 namespace {
 
-// A point's way between two poses is longer than the line, and its speed not even.
+// Between two poses a point follows an arc, longer than the chord and at uneven speed.
 constexpr float kSpeedMargin = 1.25F;
 
 struct BoundingBox {
@@ -26,8 +26,8 @@ BoundingBox pelvis_bounding_box(const motion::Motion& motion) {
   return box;
 }
 
-/// The farthest that a point of the surface moves from one to the other: with its centre, and with
-/// its turn about that.
+/// Upper bound on the displacement of a surface point from one shape to the other: that of the
+/// centre plus that by rotation about the centre.
 double max_displacement(const motion::CollisionShape& from, const motion::CollisionShape& to) {
   const Eigen::Quaterniond turn = to.orientation * from.orientation.conjugate();
   return (to.centre - from.centre).norm() + motion::rotation_vector(turn).norm() * to.reach();

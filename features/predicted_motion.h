@@ -5,24 +5,25 @@
 
 namespace flinch::features {
 
-/// What bounds the poses of a figure over some time: what lets a sweep skip.
+/// Bounds on the poses of a figure over some time, with which a sweep skips empty intervals.
 struct MotionBounds {
-  /// A sphere that the pelvis' joint does not leave, m.
+  /// A sphere that the pelvis joint does not leave, m.
   Eigen::Vector3f pelvis_centre = Eigen::Vector3f::Zero();
   float radius = 0;
-  float max_speed_mps = 0;  ///< of any point of the figure's surface; 0: it holds still
+  float max_speed_mps = 0;  ///< of any point of the figure's surface; 0: it does not move
 };
 
-/// How a figure sways that goes to and fro in `motion`, in the frame of the motion. For load time:
-/// a few microseconds a pose. `motion` has at least one pose. Allocates nothing.
+/// Returns the bounds of a figure that plays `motion` back and forth, in the frame of the motion.
+/// For load time: takes a few microseconds per pose. `motion` has at least one pose. Allocates
+/// nothing.
 MotionBounds motion_bounds_of(const motion::Skeleton& skeleton, const motion::BodyModel& model,
                               const motion::Motion& motion);
 
-/// The sway of an idling character where it stands, world, from that of its idle clip.
+/// Returns the bounds of an idling character where it stands, world, from those of its idle clip.
 MotionBounds placed(const MotionBounds& bounds, const CharacterState& state);
 
-/// Where a figure will be: any function of the time from now, s, that gives its pose in the world,
-/// with the sway that the function keeps to. Refers to the function, which must outlive it.
+/// Predicted poses of a figure: any function from the time after now, s, to the pose in the world,
+/// with the bounds that these poses respect. Refers to the function, which must outlive it.
 class PredictedMotion {
  public:
   template <class PoseAt>

@@ -56,7 +56,7 @@ double Random::normal() {
 }
 
 std::uint64_t Random::index(std::uint64_t count) {
-  // Draws below 2^64 mod count would favour the low indices: draw again.
+  // Draws below 2^64 mod count would favour low indices, so they are rejected.
   const std::uint64_t reject_below = (0 - count) % count;
   std::uint64_t draw = bits();
   while (draw < reject_below) draw = bits();

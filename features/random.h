@@ -6,13 +6,13 @@
 
 namespace flinch::features {
 
-/// Philox4x32-10 of Salmon, Moraes, Dror and Shaw (2011), "Parallel random numbers: as easy as
-/// 1, 2, 3": a keyed bijection of 128-bit counters whose outputs pass for random. No state: the
-/// same counter and key give the same four words anywhere.
+/// Philox4x32-10 of Salmon, Moraes, Dror and Shaw (2011), "Parallel random numbers: as easy as 1,
+/// 2, 3": a keyed bijection of 128-bit counters with random-looking output. Stateless: the same
+/// counter and key give the same four words on every machine.
 std::array<std::uint32_t, 4> philox4x32(std::array<std::uint32_t, 4> counter,
                                         std::array<std::uint32_t, 2> key);
 
-/// What numbers are drawn for. Draws for one purpose do not disturb those for another.
+/// Purpose of a stream of random numbers. Draws from one stream do not affect the others.
 enum class RandomStream : std::uint32_t {
   scenario,
   baseline,
@@ -23,22 +23,23 @@ enum class RandomStream : std::uint32_t {
   noise
 };
 
-/// The numbers of one (seed, stream, substream), in order. For scenarios the stream is the
-/// scenario's number, so that a scenario does not depend on which others are drawn, or by whom.
-/// Uses no distribution of the standard library, whose results differ between implementations.
+/// The random numbers of one (seed, stream, substream), in order. Scenarios use their number as the
+/// substream, so that a scenario does not depend on which others are drawn, or by which thread.
+/// Uses no distributions of the standard library, whose results differ between implementations.
 class Random {
  public:
   Random(std::uint64_t seed, RandomStream stream, std::uint64_t substream);
 
-  /// Uniform over all 64 bits.
+  /// Returns 64 uniformly random bits.
   std::uint64_t bits();
-  /// Uniform in [0, 1): the upper 53 bits as a fraction, so every value is exact.
+  /// Returns a number uniform in [0, 1): the upper 53 bits as a fraction, so every value is exact.
   double uniform();
-  /// Uniform in [min, max).
+  /// Returns a number uniform in [min, max).
   double uniform(double min, double max);
-  /// Normally distributed with mean 0 and standard deviation 1, from two uniform draws.
+  /// Returns a normally distributed number with mean 0 and standard deviation 1, from two uniform
+  /// draws.
   double normal();
-  /// Uniform in [0, count), without bias; count is positive.
+  /// Returns an index uniform in [0, count), without bias. `count` is positive.
   std::uint64_t index(std::uint64_t count);
 
  private:

@@ -25,8 +25,8 @@ Threat advanced(const Threat& threat, float time_s) {
   return later;
 }
 
-// At the impact the threat is at p_T with v_T = -speed u, u the unit vector to where it comes from.
-// Run back by T under the fall a = (0, 0, -g):
+// At the impact the threat is at p_T with v_T = -speed u, where u is the unit vector to where it
+// comes from. Going back by T under the acceleration a = (0, 0, -g):
 //   v_0 = v_T - a T,   p_0 = p_T - v_0 T - a T^2 / 2
 Threat threat_from_description(const ThreatDescription& approach,
                                const Eigen::Vector3f& impact_point, float facing) {

@@ -29,7 +29,7 @@ int nearest_annotation(std::span<const ClipSummary> clips, int idle, motion::Tar
   return best;
 }
 
-// Reducing 64 bits by the few clips of a library favours none by more than one in 2^50.
+// Reducing 64 bits to the few clips of a library favours none of them by more than 2^-50.
 int random_allowed(std::span<const ClipSummary> clips, int idle, motion::Target threatened,
                    std::uint64_t draw) {
   const ClipMask allowed = allowed_clips(clips, idle, threatened);

@@ -6,12 +6,12 @@
 
 namespace flinch::models {
 
-/// Which clips are allowed, by the library's index.
+/// Whether each clip is allowed, by its index in the library.
 using ClipMask = std::pmr::vector<bool>;
 
-/// Where a selection takes its result and all that it needs on the way from. What it takes depends
-/// on the model and on which clips are allowed alone, never on the threat, so that whoever may not
-/// allocate measures it beforehand (see runtime/workspace.h).
+/// Memory resource for a selection's result and scratch space. The amount allocated depends only on
+/// the model and on the allowed clips, never on the threat, so a caller that may not allocate can
+/// measure it beforehand (see runtime/workspace.h).
 using MemoryResource = std::pmr::memory_resource*;
 
 }  // namespace flinch::models

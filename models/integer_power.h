@@ -3,8 +3,8 @@
 
 namespace flinch::models {
 
-/// base^exponent by repeated squaring: the very multiplications that libsvm does. 1 where the
-/// exponent is not positive.
+/// Returns base^exponent by repeated squaring, with the same sequence of multiplications as libsvm.
+/// Returns 1 where the exponent is not positive.
 template <typename Number>
 Number integer_power(Number base, int exponent, Number one) {
   Number result = one;

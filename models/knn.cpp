@@ -13,8 +13,8 @@ namespace {
 constexpr auto kLeaf = static_cast<std::size_t>(KnnLeaves::kLeafSize);
 using Lanes = Eigen::Array<float, KnnLeaves::kLeafSize, 1>;
 
-/// Distances to kLeafSize points or boxes, four at a time so that the sums stay in registers; each
-/// is summed from the first feature to the last.
+/// Computes distances to kLeafSize points or boxes, four at a time so that the sums stay in
+/// registers. Each distance is summed from the first feature to the last.
 template <typename Difference>
 Lanes sums_of_squares(std::size_t feature_count, const Difference& difference) {
   using Four = Eigen::Array4f;
@@ -34,15 +34,16 @@ Lanes sums_of_squares(std::size_t feature_count, const Difference& difference) {
   return sums;
 }
 
-/// Squared distances from the query to each of a leaf's points.
+/// Squared distances between the query and each of a leaf's points.
 Lanes distances_to_points(std::span<const float> query, const float* points) {
   return sums_of_squares(query.size(), [&](std::size_t feature, std::size_t at) {
     return Eigen::Array4f(query[feature] - Eigen::Map<const Eigen::Array4f>(points + at));
   });
 }
 
-/// Squared distances from the query to kLeafSize boxes. Rounding keeps order, and the sums go as
-/// those to points do: so none is above the distance to any point in its box, to the bit.
+/// Squared distances between the query and kLeafSize boxes. Rounding is monotonic, and the sums are
+/// computed in the same order as those to points, so no distance exceeds that to any point in the
+/// box, to the bit.
 Lanes distances_to_boxes(std::span<const float> query, const float* lower, const float* upper) {
   return sums_of_squares(query.size(), [&](std::size_t feature, std::size_t at) {
     return Eigen::Array4f((Eigen::Map<const Eigen::Array4f>(lower + at) - query[feature])
@@ -51,7 +52,7 @@ Lanes distances_to_boxes(std::span<const float> query, const float* lower, const
   });
 }
 
-/// To the box about each leaf.
+/// Squared distances to each leaf's box.
 std::pmr::vector<float> distances_to_leaves(const KnnLeaves& leaves, std::span<const float> query,
                                             MemoryResource memory) {
   std::pmr::vector<float> distances(memory);
@@ -65,7 +66,7 @@ std::pmr::vector<float> distances_to_leaves(const KnnLeaves& leaves, std::span<c
   return distances;
 }
 
-/// The nearest so far, as a heap with the farthest on top.
+/// Keeps the nearest so far, as a heap with the farthest on top.
 void push_bounded(const Neighbour& next, std::size_t max_count,
                   std::pmr::vector<Neighbour>& found) {
   if (found.size() == max_count) {
@@ -90,9 +91,10 @@ float squared_distance(std::span<const float> a, const float* b) {
   return sum;
 }
 
-// First the few leaves with the nearest boxes, so that the k-th neighbour is soon near; then, as
-// they stand, the others whose box is no farther than that. At the very same distance one may still
-// hold an observation of lower index. (A heap of leaves costs more than the visits that it saves.)
+// The few leaves with the nearest boxes are visited first, so that the distance of the k-th
+// neighbour is small early; then, in storage order, the others whose box is no farther than that. A
+// leaf at exactly that distance may still hold an observation of lower index. (A heap of leaves
+// costs more than the visits that it saves.)
 std::pmr::vector<Neighbour> nearest(const KnnModel& model, std::span<const double> scaled, int k,
                                     const ClipMask& allowed_clips, MemoryResource memory) {
   constexpr int kNearestLeaves = 4;
@@ -148,7 +150,7 @@ std::pmr::vector<Candidate> count_votes(std::span<const Neighbour> neighbours,
   struct Tally {
     int clip;
     double votes;
-    std::size_t place;  // in the order of each clip's nearest neighbour
+    std::size_t place;  // rank of the clip by its nearest neighbour
   };
   std::pmr::vector<Tally> tallies(memory);
   tallies.reserve(neighbours.size());
@@ -177,7 +179,7 @@ std::pmr::vector<Candidate> count_votes(std::span<const Neighbour> neighbours,
   return candidates;
 }
 
-// Sums of whole steps, which no order of neighbours changes.
+// Sums of integer steps, which do not depend on the order of neighbours.
 std::pmr::vector<Candidate> average_costs(std::span<const Neighbour> neighbours,
                                           const KnnModel& model, const ClipMask& allowed_clips,
                                           MemoryResource memory) {

@@ -13,7 +13,7 @@ namespace {
 constexpr auto kLeaf = static_cast<std::size_t>(KnnLeaves::kLeafSize);
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
-/// The points as rows, and how to compare them.
+/// The points as rows, with their comparison.
 struct Rows {
   std::span<const float> values;
   std::size_t feature_count;
@@ -23,7 +23,7 @@ struct Rows {
   }
 };
 
-/// The feature over which these observations spread most, the first of equals.
+/// Returns the feature with the largest spread over these observations, the first of equals.
 std::size_t widest_feature(const Rows& rows, std::span<const int> observations) {
   std::size_t widest = 0;
   float max_spread = -1;
@@ -42,8 +42,9 @@ std::size_t widest_feature(const Rows& rows, std::span<const int> observations) 
   return widest;
 }
 
-/// Puts near observations together: halves them at a whole number of leaves along the feature over
-/// which they spread most, and so on in either half (Friedman, Bentley and Finkel 1977).
+/// Orders the points so that near ones are adjacent: splits them at a multiple of the leaf size
+/// along the feature with the largest spread, then each half likewise (Friedman, Bentley and Finkel
+/// 1977).
 void arrange(const Rows& rows, std::span<int> observations) {
   if (observations.size() <= kLeaf) {
     return;

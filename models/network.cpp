@@ -11,8 +11,8 @@ namespace {
 using Block = Eigen::Array<float, kNetworkBlock, 1>;
 using Half = Eigen::Array<float, kNetworkBlock / 2, 1>;
 
-/// out = max(0, biases + weights in), a block of units at a time. Each unit's sum goes from the
-/// first input to the last, whatever instructions the compiler finds.
+/// out = max(0, biases + weights in), one block of units at a time. Each unit's sum runs from the
+/// first input to the last, whatever instructions the compiler selects.
 void hidden_layer(std::span<const float> in, const float* weights, const float* biases,
                   std::span<float> out) {
   for (std::size_t unit = 0; unit < out.size(); unit += kNetworkBlock) {
@@ -25,11 +25,12 @@ void hidden_layer(std::span<const float> in, const float* weights, const float* 
   }
 }
 
-/// Outputs that are computed side by side: one sum waits for each of its additions, four do not.
+/// Outputs that are computed side by side: the additions of one sum depend on each other, those of
+/// four sums do not.
 constexpr std::size_t kOutputsAtOnce = 4;
 
-/// sums[k] += bias[k] + weights[k] . in. Each of these products has eight partial sums, added from
-/// the first to the last: the same order everywhere, and whichever outputs stand beside it.
+/// sums[k] += bias[k] + weights[k] . in. Each product has eight partial sums, added from the first
+/// to the last: the order is the same on every machine and for any grouping of outputs.
 void add_outputs(std::span<const float> in, const std::array<const float*, kOutputsAtOnce>& weights,
                  const std::array<float, kOutputsAtOnce>& bias,
                  std::array<float, kOutputsAtOnce>& sums) {
@@ -67,7 +68,7 @@ std::pmr::vector<Candidate> expected_costs(const NetworkModel& model,
   std::transform(scaled.begin(), scaled.end(), inputs.begin(), network_input);
   std::pmr::vector<float> first(shape.hidden(), memory);
   std::pmr::vector<float> second(shape.hidden(), memory);
-  // In groups of kOutputsAtOnce; the last group repeats an output where too few are left.
+  // Groups of kOutputsAtOnce; the last group repeats an output where too few are left.
   using Group = std::array<float, kOutputsAtOnce>;
   std::pmr::vector<Group> sums((outputs.size() + kOutputsAtOnce - 1) / kOutputsAtOnce, Group{},
                                memory);
@@ -99,7 +100,8 @@ std::pmr::vector<Candidate> expected_costs(const NetworkModel& model,
     roots.push_back({model.mean_root + scale * sums[i / kOutputsAtOnce][i % kOutputsAtOnce],
                      model.clip[outputs[i]]});
   }
-  // By the root, which still tells apart what is expected to cost nothing or less.
+  // Sorted by the square root, which still distinguishes clips whose expected cost is zero or
+  // below.
   const std::size_t count = std::min(max_count, roots.size());
   const auto end = roots.begin() + static_cast<std::ptrdiff_t>(count);
   std::partial_sort(roots.begin(), end, roots.end(), [](const Root& a, const Root& b) {

@@ -10,12 +10,12 @@
 
 namespace flinch::models {
 
-/// The sizes of one member of a NetworkModel, and where its weights stand in its block: of each
-/// layer the weights and then the biases. A hidden layer's weights go by the unit that they come
-/// from, the output's by the clip that they go to.
+/// Sizes of one member network of a NetworkModel, and the layout of its block of weights: for each
+/// layer the weights, then the biases. A hidden layer's weights are ordered by input unit, those of
+/// the output layer by clip.
 struct NetworkShape {
   int feature_count = 0;
-  int hidden_count = 0;  ///< of units in either hidden layer; a multiple of kNetworkBlock
+  int hidden_count = 0;  ///< units in each hidden layer; a multiple of kNetworkBlock
   int output_count = 0;
 
   std::size_t features() const { return static_cast<std::size_t>(feature_count); }
@@ -29,23 +29,23 @@ struct NetworkShape {
   std::size_t weight_count() const { return output_biases() + outputs(); }
 };
 
-/// How many units are computed at once.
+/// Number of units that are computed at once.
 inline constexpr int kNetworkBlock = 16;
 
-/// No weight is larger: whatever the file, whatever the threat, every sum stays finite.
+/// Largest absolute weight. With this limit every sum is finite, for any file and any threat.
 inline constexpr float kMaxNetworkWeight = 1e4F;
 
-/// What every clip is expected to cost, by a few small networks (two hidden layers of rectified
-/// units) whose answers are averaged. They answer with the square root of the cost, standardised:
-/// costs differ by orders of magnitude, and it is among the small ones that the choice is made.
+/// Predicts the cost of every clip with a few small networks (two hidden layers of rectified units)
+/// whose outputs are averaged. They predict the standardised square root of the cost: costs differ
+/// by orders of magnitude, and the choice is made among the small ones.
 struct NetworkModel {
   int feature_count = 0;
   int hidden_count = 0;
   int member_count = 0;
-  std::vector<int> clip;  ///< clip index of each output, rising
-  float mean_root = 0;    ///< of the square roots of the costs, N·s
-  float scale_root = 1;   ///< their standard deviation
-  float variance_ns = 0;  ///< by which the mean of a cost is above the square of its root's mean
+  std::vector<int> clip;  ///< clip index of each output, ascending
+  float mean_root = 0;    ///< mean square root of the costs; costs in N·s
+  float scale_root = 1;   ///< standard deviation of the square roots
+  float variance_ns = 0;  ///< by how much a mean cost exceeds the square of its mean square root
   std::vector<float> weights;  ///< the members' blocks, one after another
 
   NetworkShape shape() const {
@@ -53,15 +53,15 @@ struct NetworkModel {
   }
 };
 
-/// Scaled features as the networks take them: far beyond what they were fitted to, [-1, 1], nothing
-/// is known, so nothing goes beyond [-2, 2].
+/// Converts a scaled feature for the networks. They were fitted in [-1, 1] and are unreliable far
+/// outside, so values are clamped to [-2, 2].
 inline float network_input(double scaled) {
-  // Not std::clamp, which lets through what is not a number.
+  // Not std::clamp, which lets NaN through.
   return scaled > -2 ? (scaled < 2 ? static_cast<float>(scaled) : 2.0F) : -2.0F;
 }
 
-/// The allowed clips that the model knows, by rising expected cost; ties by the lower index; at
-/// most the first `max_count`. `scaled` has feature_count values.
+/// Returns the allowed clips that the model knows, sorted by ascending expected cost, ties by the
+/// lower index; at most the first `max_count`. `scaled` has feature_count values.
 std::pmr::vector<Candidate> expected_costs(const NetworkModel& model,
                                            std::span<const double> scaled,
                                            const ClipMask& allowed_clips,

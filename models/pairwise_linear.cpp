@@ -15,12 +15,12 @@ namespace {
 constexpr int kOne = 1 << PairwiseModel::kTermBits;
 
 std::int32_t in_units(double scaled) {
-  // Not std::clamp, which lets through what is not a number.
+  // Not std::clamp, which lets NaN through.
   const double bounded = scaled > -2 ? (scaled < 2 ? scaled : 2) : -2;
   return static_cast<std::int32_t>(std::lround(bounded * kOne));
 }
 
-/// The product of two numbers in units, rounded to whole ones.
+/// Product of two fixed-point numbers, rounded to fixed point.
 std::int16_t product(std::int32_t a, std::int32_t b) {
   return static_cast<std::int16_t>((a * b + kOne / 2) >> PairwiseModel::kTermBits);
 }

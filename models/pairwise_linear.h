@@ -11,51 +11,51 @@
 
 namespace flinch::models {
 
-/// A linear machine for each pair of clips, on the products of features: with z = (1, x) the terms
-/// are z_i z_j of i <= j. Whichever clip wins most of its pairs is chosen.
+/// One linear machine per pair of clips, on products of features: with z = (1, x), the terms are
+/// z_i z_j for i <= j. The clip that wins most of its pairs is chosen.
 ///
-/// A machine only says who wins, so its weights matter up to a factor, and they and the terms are
-/// whole numbers: every sum is exact, whatever its order and whatever instructions the compiler
-/// finds.
+/// A machine only says which clip wins, so its weights may have any positive scale. Weights and
+/// terms are integers: every sum is exact, whatever the order of additions and whatever
+/// instructions the compiler selects.
 struct PairwiseModel {
   int feature_count = 0;
-  std::vector<int> clip;  ///< clip index of each class, rising
-  /// Which machine decides between classes (0,1), (0,2), …, (1,2), …; kNone where nothing is known
-  /// of them, and the first wins.
+  std::vector<int> clip;  ///< clip index of each class, ascending
+  /// Index of the machine for the class pairs (0,1), (0,2), …, (1,2), …; kNone where there is no
+  /// data on a pair, which the first class then wins.
   std::vector<int> machine;
-  /// One row of row_size() a machine, in the order of the terms, with any numbers behind them. For
-  /// the first class where the sum is 0 or above.
+  /// One row of row_size() per machine: one weight per term, in the order of the terms, then
+  /// padding with arbitrary numbers. The first class wins where the sum is 0 or more.
   std::vector<std::int16_t> weights;
 
   static constexpr int kNone = -1;
-  /// Terms are in units of 1/1024, and as features count within [-2, 2], none is beyond 4.
+  /// Terms are in units of 1/1024. Features are clamped to [-2, 2], so no term exceeds 4.
   static constexpr int kTermBits = 10;
   static constexpr int kMaxTerm = 4 << kTermBits;
-  /// The sizes of a machine's weights add up to no more, so that a sum has room in 32 bits.
+  /// Upper bound on the sum of a machine's absolute weights, so that every sum fits into 32 bits.
   static constexpr std::int32_t kMaxWeightSum = 0x7FFF'FFFF / kMaxTerm;
 
   static std::size_t term_count(std::size_t feature_count) {
     return (feature_count + 1) * (feature_count + 2) / 2;
   }
-  /// Whole vectors of numbers, whatever a processor's are.
+  /// Number of terms, rounded up to a multiple of 16 so that rows fill whole SIMD vectors.
   static std::size_t row_size(std::size_t feature_count) {
     return (term_count(feature_count) + 15) / 16 * 16;
   }
   std::size_t row_size() const { return row_size(static_cast<std::size_t>(feature_count)); }
 };
 
-/// The terms of scaled features, kMaxFeatures at the most, then zeros: `terms` has row_size() of
-/// them. Far beyond what machines were fitted to, [-1, 1], nothing is known, so nothing goes beyond
-/// [-2, 2].
+/// Computes the terms of at most kMaxFeatures scaled features, then zeros; `terms` has row_size()
+/// elements. Machines were fitted in [-1, 1] and are unreliable far outside, so features are
+/// clamped to [-2, 2].
 void expand(std::span<const double> scaled, std::span<std::int16_t> terms);
 
-/// Whether class a < b wins against b.
+/// Returns whether class a < b wins against b.
 bool beats(const PairwiseModel& model, std::span<const std::int16_t> terms, std::size_t a,
            std::size_t b);
 
-/// The best `max_count` of the allowed clips that the model knows, by falling share of the pairs
-/// won, ties by the lower index; as many pairs are decided as that takes. `scaled` has
-/// feature_count values.
+/// Returns the best `max_count` of the allowed clips that the model knows, sorted by descending
+/// share of pairs won, ties by the lower index. Decides only as many pairs as that takes. `scaled`
+/// has feature_count values.
 std::pmr::vector<Candidate> rank(const PairwiseModel& model, std::span<const double> scaled,
                                  const ClipMask& allowed_clips, std::size_t max_count,
                                  MemoryResource memory = std::pmr::get_default_resource());

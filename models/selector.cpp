@@ -42,7 +42,7 @@ std::pmr::vector<Candidate> candidates(const SvmModel& model, std::span<const do
 std::pmr::vector<Candidate> candidates(const KnnModel& model, std::span<const double> scaled,
                                        const ClipMask& allowed_clips, int idle,
                                        MemoryResource memory) {
-  // What a clip cost is known on observations whose label is not allowed, too.
+  // No mask here: an observation holds costs of allowed clips even where its label is not allowed.
   if (model.vote == KnnVote::cost) {
     auto averages = average_costs(nearest(model, scaled, model.k, ClipMask(memory), memory), model,
                                   allowed_clips, memory);

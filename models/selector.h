@@ -20,37 +20,40 @@
 
 namespace flinch::models {
 
-/// What a selector knows of one clip of its library.
+/// What a selector stores about one clip of its library.
 struct ClipSummary {
   std::string name;
-  /// Of an anticipation; none for clips that no threat allows.
+  /// Annotation of an anticipation; none for clips that are never allowed for a threat.
   std::optional<motion::Annotation> annotation;
 };
 
 /// Everything needed to classify: a model with its layout and scaling, and the clips that it
-/// chooses from. Selector and library belong together by `library_hash`.
+/// chooses from. `library_hash` identifies the library that a selector belongs to.
 struct Selector {
   std::uint64_t library_hash = 0;
-  std::vector<ClipSummary> clips;  ///< by the library's index
+  std::vector<ClipSummary> clips;  ///< by index in the library
   int idle = 0;                    ///< the library's idle clip: always allowed
-  features::Layout layout;         ///< of the features that it is asked with
+  features::Layout layout;         ///< of the features that it takes
   features::Scaling scaling;
   std::variant<SvmModel, KnnModel, NetworkModel, PairwiseModel> model;
-  double brawn = 0.1;  ///< that its labels were made with
-  /// Centres of the targets of the idling character, by Target, in the frame of the features, m:
-  /// where a threat described without a character aims.
+  double brawn = 0.1;  ///< used for the labels that it was fitted to
+  /// Centres of the idling character's targets, by Target, in the frame of the features, m. A
+  /// threat described without a character is aimed at them.
   std::array<Eigen::Vector3f, motion::kTargetCount> target_centres{
       Eigen::Vector3f::Zero(), Eigen::Vector3f::Zero(), Eigen::Vector3f::Zero(),
       Eigen::Vector3f::Zero()};
 };
 
-/// The allowed clips that the model votes among, best first. An SVM's are all its classes, ranked
-/// by votes, ties by the model's class order; those of pairwise machines the first `max_count` of
-/// all their clips, ranked by votes, ties by the lower index; a KNN's are its neighbours' labels,
-/// ranked by votes, ties by the nearer neighbour. None of these expects a cost. A network's are all
-/// its clips, and those of a KNN that averages costs all that were tried on its neighbours, ranked
-/// by expected cost, with no votes. Where the model knows no allowed clip the idle clip is the last
-/// resort, with neither: never empty. `scaled` has the model's feature_count values.
+/// Returns the allowed clips that the model ranks, best first.
+/// - SVM: all its classes, by votes, ties by the model's class order.
+/// - Pairwise machines: the first `max_count` of all their clips, by votes, ties by the lower
+/// index.
+/// - KNN: its neighbours' labels, by votes, ties by the nearer neighbour.
+/// - Network: all its clips, by expected cost, without votes.
+/// - KNN that averages costs: all clips tried on its neighbours, by expected cost, without votes.
+/// The first three predict no cost. Where the model knows no allowed clip, the result is the idle
+/// clip alone, with neither votes nor cost; it is never empty. `scaled` has the model's
+/// feature_count values.
 std::pmr::vector<Candidate> candidates(const SvmModel& model, std::span<const double> scaled,
                                        const ClipMask& allowed_clips, int idle,
                                        MemoryResource memory = std::pmr::get_default_resource(),
@@ -67,18 +70,18 @@ std::pmr::vector<Candidate> candidates(const PairwiseModel& model, std::span<con
                                        MemoryResource memory = std::pmr::get_default_resource(),
                                        std::size_t max_count = kNoLimit);
 
-/// The candidates of the selector's model, the first `max_count` of them and at least one: the
-/// fewer are asked for, the fewer pairs an SVM or a model of pairwise machines has to decide. `x`
-/// is in the selector's layout and not scaled.
+/// Returns the first `max_count` (at least one) candidates of the selector's model. The fewer are
+/// requested, the fewer pairs an SVM or a pairwise model has to decide. `x` is in the selector's
+/// layout and not scaled.
 std::pmr::vector<Candidate> candidates(const Selector& selector, const features::FeatureVector& x,
                                        motion::Target threatened,
                                        MemoryResource memory = std::pmr::get_default_resource(),
                                        std::size_t max_count = kNoLimit);
 
-/// The first of the candidates, in less time than all of them take.
+/// Returns the first candidate, in less time than it takes to rank all of them.
 int select(const Selector& selector, const features::FeatureVector& x, motion::Target threatened);
 
-/// Which clips are allowed for a threat at this target, by index; the idle clip always is.
+/// Returns which clips are allowed for a threat at this target, by index. The idle clip always is.
 ClipMask allowed_clips(std::span<const ClipSummary> clips, int idle, motion::Target threatened,
                        MemoryResource memory = std::pmr::get_default_resource());
 

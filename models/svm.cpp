@@ -11,7 +11,7 @@
 namespace flinch::models {
 namespace {
 
-/// K(scaled, vector): the very operations that libsvm does, in its order.
+/// K(scaled, vector), with the same operations in the same order as libsvm.
 double kernel(const SvmModel& model, std::span<const double> scaled, std::size_t vector) {
   double sum = 0;
   if (model.kernel == SvmKernel::polynomial) {
@@ -64,8 +64,8 @@ void update_derived(SvmModel& model) {
   }
 }
 
-// libsvm adds the terms of i's vectors by rising index, then those of j's. The free vectors and
-// those at the bound are merged back into that order.
+// libsvm adds the terms of i's vectors by ascending index, then those of j's. Here the free and the
+// bounded vectors are merged back into that order.
 double decision_value(const SvmModel& model, std::span<const double> scaled, std::size_t i,
                       std::size_t j) {
   const SvmMachine& machine = model.machines[pair_index(i, j, model.label.size())];

@@ -18,45 +18,46 @@ enum class SvmKernel : std::uint8_t {
   rbf,         ///< K(u, v) = exp(-gamma |u - v|^2)
 };
 
-/// What decides between classes i < j: for i where
+/// One binary machine for classes i < j. It votes for i where
 ///   sum of a K(x, v) over i's vectors - sum of a K(x, v) over j's vectors > rho,
-/// for j elsewhere, with a > 0 the vector's coefficient in this machine. Vectors whose coefficient
-/// is the class's bound need no number of their own.
+/// and for j otherwise, where a > 0 is the vector's coefficient in this machine. The coefficients
+/// of bounded vectors all equal the class's bound and are not stored.
 struct SvmMachine {
   double rho = 0;
-  /// How many of the model's `vectors` are i's free ones, i's at the bound, j's free ones and j's
-  /// at the bound; they stand there in this order, and each of the four by rising index.
+  /// Number of entries in the model's `vectors` for i's free vectors, i's bounded ones, j's free
+  /// ones and j's bounded ones. They are stored in this order, each group by ascending index.
   std::array<std::uint16_t, 4> count{};
 
-  // What follows from all machines: see update_derived().
-  std::uint32_t first_vector = 0;       ///< in the model's `vectors`
-  std::uint32_t first_coefficient = 0;  ///< in the model's `coefficients`
+  // Derived from all machines: see update_derived().
+  std::uint32_t first_vector = 0;       ///< index into the model's `vectors`
+  std::uint32_t first_coefficient = 0;  ///< index into the model's `coefficients`
   double weight = 0;                    ///< sum of its coefficients
 };
 
-/// A C-SVC with one machine for each pair of classes, as libsvm trains it. Vectors are floats; what
-/// is added up is double, so that decision_value() is libsvm's own, to the bit.
+/// A C-SVC with one machine per pair of classes, as libsvm trains it. Vectors are floats, sums are
+/// double, so that decision_value() returns libsvm's own value to the bit.
 ///
-/// Vectors of one class stand together, classes in the order of `label`.
+/// Vectors of one class are contiguous, with classes in the order of `label`.
 struct SvmModel {
   SvmKernel kernel = SvmKernel::polynomial;
-  int degree = 3;    ///< of a polynomial kernel, and coef0 too
+  int degree = 3;    ///< of a polynomial kernel; so is coef0
   double gamma = 1;  ///< not negative
   double coef0 = 0;
-  double cost = 1;  ///< C that it was trained with, for the record
+  double cost = 1;  ///< C used for training, for the record
   int feature_count = 0;
   std::vector<int> label;             ///< clip index of each class, in the model's class order
   std::vector<int> vectors_of_class;  ///< number of support vectors of each class
-  std::vector<double> bound;          ///< the largest coefficient of each class: C times its weight
-  /// One row of row_size() values a vector: its features, filled up with zeros to whole kLanes.
+  std::vector<double> bound;  ///< largest coefficient of each class: C times the class weight
+  /// One row of row_size() values per vector: its features, padded with zeros to a multiple of
+  /// kLanes.
   std::vector<float> support_vectors;
   std::vector<SvmMachine> machines;    ///< of the classes (0,1), (0,2), …, (1,2), …
-  std::vector<std::uint16_t> vectors;  ///< index within their class; machine after machine
-  std::vector<double> coefficients;    ///< of the free vectors; machine after machine
+  std::vector<std::uint16_t> vectors;  ///< index within the class, machine by machine
+  std::vector<double> coefficients;    ///< of the free vectors, machine by machine
 
-  // What follows from the above: see update_derived().
+  // Derived from the members above: see update_derived().
   std::vector<int> first_of_class{};  ///< index of each class's first vector
-  double largest_norm = 0;            ///< of a support vector
+  double largest_norm = 0;            ///< of all support vectors
 
   static constexpr std::size_t kLanes = 4;
 
@@ -73,31 +74,31 @@ struct SvmModel {
   }
 };
 
-/// Sets what follows from a model's other members. They fit together: sizes agree, and no index
-/// lies beyond its class.
+/// Computes the derived members from the others. These must be consistent: sizes agree, and every
+/// index is within its class.
 void update_derived(SvmModel& model);
 
-/// The decision value of the machine of classes i < j: to the bit what libsvm computes of the same
-/// numbers where no kernel value overflows. `scaled` has feature_count values.
+/// Returns the decision value of the machine for classes i < j, identical to libsvm's to the bit
+/// wherever no kernel value overflows. `scaled` has feature_count values.
 double decision_value(const SvmModel& model, std::span<const double> scaled, std::size_t i,
                       std::size_t j);
 
-/// A class with the votes that it got.
+/// A class and the number of its votes.
 struct RankedClass {
-  std::size_t index = 0;  ///< in the model's order
+  std::size_t index = 0;  ///< in the model's class order
   int votes = 0;
 };
 
-/// The allowed classes by the votes of the machines of pairs of allowed classes, most votes first,
-/// ties by the lower index (svm_predict's rule): the first `max_count` of them. Machines are asked
-/// only as far as that needs. They are asked in float, and in double by decision_value() where
-/// float cannot tell, so that every vote is libsvm's. `scaled` has feature_count values, `allowed`
-/// class_count.
+/// Returns the first `max_count` allowed classes by the votes of the machines for pairs of allowed
+/// classes: most votes first, ties by the lower index (svm_predict's rule). Evaluates only the
+/// machines that this needs. They are evaluated in float, and in double by decision_value() where
+/// float precision cannot decide, so that every vote equals libsvm's. `scaled` has feature_count
+/// values, `allowed` class_count.
 std::pmr::vector<RankedClass> rank(const SvmModel& model, std::span<const double> scaled,
                                    std::span<const char> allowed, std::size_t max_count = kNoLimit,
                                    MemoryResource memory = std::pmr::get_default_resource());
 
-/// The class index with the most votes among all classes, the lowest on a tie.
+/// Returns the index of the class with the most votes among all classes, the lowest on a tie.
 int predict(const SvmModel& model, std::span<const double> scaled);
 
 }  // namespace flinch::models

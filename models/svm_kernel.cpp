@@ -21,26 +21,26 @@ double norm(std::span<const double> values) {
   return std::sqrt(sum);
 }
 
-// How far a kernel value that is computed in float may lie from the one in double, whichever vector
-// it is of; n features, u = 2^-24 the unit roundoff.
+// Upper bound on the difference between a kernel value computed in float and in double, over all
+// vectors; n features, u = 2^-24 is the unit roundoff.
 //
-// Polynomial, with B = gamma |x| max|v| + |coef0|: the dot product of n terms, x rounded to float,
-// is off by (n + 1) u |x| |v| at most in whichever order they are added, gamma and coef0 rounded
-// and applied add 4 u B. A base off by (n + 5) u B and one rounding a multiplication make
-// ((1 + (n + 6) u)^degree - 1) B^degree.
+// Polynomial, with B = gamma |x| max|v| + |coef0|: the dot product of n terms, with x rounded to
+// float, has an error of at most (n + 1) u |x| |v| in any order of addition; rounding and applying
+// gamma and coef0 add 4 u B. With an error of (n + 5) u B in the base and one rounding per
+// multiplication, the error is at most ((1 + (n + 6) u)^degree - 1) B^degree.
 //
-// RBF, with t = gamma |x - v|^2: the sum of squares is off by (n + 4) u of itself, by gamma's
-// rounding and product 2 u more, and by 2 u |x| |x - v| for the rounding of x. The exponential
-// turns the first into (n + 6) u t e^-t <= (n + 6) u / e, the second into 2 u sqrt(gamma) |x|
-// sqrt(t) e^-t <= 0.86 u sqrt(gamma) |x|; its own error is a few u.
+// RBF, with t = gamma |x - v|^2: the sum of squares has a relative error of (n + 4) u, plus 2 u for
+// gamma's rounding and product, plus an absolute one of 2 u |x| |x - v| for the rounding of x. The
+// exponential turns the first into (n + 6) u t e^-t <= (n + 6) u / e, and the last into 2 u
+// sqrt(gamma) |x| sqrt(t) e^-t <= 0.86 u sqrt(gamma) |x|; its own error is a few u.
 //
-// A tenth is added for what is of second order in u, and what underflow may lose; sums of such
-// values in double add less than the tenth. Infinite where float might overflow.
+// A tenth is added for terms of second order in u and for underflow; summing such values in double
+// adds less than that tenth. Infinite where float might overflow.
 double kernel_error(const SvmModel& model, std::span<const double> scaled) {
   constexpr double kUnit = 0x1p-24;
   constexpr double kUnderflow = 16 * double{std::numeric_limits<float>::min()};
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  constexpr double kSafe = 1e15;  // its square is a float
+  constexpr double kSafe = 1e15;  // its square fits into a float
   const auto n = static_cast<double>(scaled.size());
   if (!(norm(scaled) < kSafe && model.largest_norm < kSafe)) return kInfinity;
   if (model.kernel == SvmKernel::polynomial) {
@@ -53,11 +53,11 @@ double kernel_error(const SvmModel& model, std::span<const double> scaled) {
   return 1.1 * kUnit * t + kUnderflow;
 }
 
-/// So many vectors are evaluated at once.
+/// Number of vectors that are evaluated at once.
 constexpr std::size_t kRows = 8;
 using RowValues = Eigen::Array<float, kRows, 1>;
 
-/// The sums of term(x, v) over the point's values x and those v of each row.
+/// Sums of term(x, v) over the point's values x and the values v of each row.
 template <typename Term>
 RowValues sums_of(std::span<const float> point, const std::array<const float*, kRows>& rows,
                   const Term& term) {
@@ -113,7 +113,7 @@ KernelValues::KernelValues(const SvmModel& model, std::span<const double> scaled
   }
 }
 
-/// Of the vectors from begin to end; the last one fills up the rows.
+/// Evaluates the vectors from begin to end; the last vector is repeated to fill the rows.
 void KernelValues::evaluate(std::size_t begin, std::size_t end, float* values) const {
   for (; begin < end; begin += kRows, values += kRows) {
     std::array<const float*, kRows> rows{};

@@ -10,18 +10,18 @@
 
 namespace flinch::models {
 
-/// The kernel's values of one point and the vectors of some classes of a model, in float.
+/// Kernel values, in float, of one point and the support vectors of some classes of a model.
 class KernelValues {
  public:
-  /// `scaled` has the model's feature_count values. The model outlives this.
+  /// `scaled` has the model's feature_count values. The model must outlive this object.
   KernelValues(const SvmModel& model, std::span<const double> scaled,
                std::span<const std::size_t> classes, MemoryResource memory);
 
-  /// How far a value may lie from the one that double gives, whichever vector it is of. Infinite
-  /// where float might overflow.
+  /// Upper bound on the difference between any value and the one computed in double. Infinite where
+  /// float might overflow.
   double error() const { return error_; }
 
-  /// The values of one of the classes, by index in the class.
+  /// Returns the values of one class, by index in the class.
   const float* of_class(std::size_t one) const { return value_.data() + first_of_class_[one]; }
 
  private:
@@ -29,9 +29,10 @@ class KernelValues {
 
   const SvmModel& model_;
   double error_;
-  std::pmr::vector<float> x_;  ///< the point, filled up with zeros as the model's vectors are
-  std::pmr::vector<std::size_t> first_of_class_;  ///< in `value_`, of the asked classes alone
-  /// The asked classes' one after the other, so that those of a mask stay in the first cache.
+  std::pmr::vector<float> x_;  ///< the point, padded with zeros like the model's vectors
+  /// index into `value_`, for the requested classes only
+  std::pmr::vector<std::size_t> first_of_class_;
+  /// Values of the requested classes, contiguous so that those of a mask fit into the L1 cache.
   std::pmr::vector<float> value_;
 };
 

@@ -20,14 +20,14 @@ std::pmr::vector<std::size_t> classes_of(std::span<const char> allowed, MemoryRe
   return classes;
 }
 
-/// What the machines of some classes say of one point.
+/// Decisions of the machines of some classes for one point.
 class PairDecisions {
  public:
   PairDecisions(const SvmModel& model, std::span<const double> scaled,
                 std::span<const std::size_t> classes, MemoryResource memory)
       : model_(model), scaled_(scaled), kernel_(model, scaled, classes, memory) {}
 
-  /// Whether class i < j is preferred to j.
+  /// Returns whether class i < j is preferred to j.
   bool is_first_preferred(std::size_t i, std::size_t j) const {
     const SvmMachine& machine = model_.machines[pair_index(i, j, model_.label.size())];
     const std::uint16_t* vector = model_.vectors.data() + machine.first_vector;
@@ -35,13 +35,14 @@ class PairDecisions {
     const double first = kernel_sum(i, machine.count[0], machine.count[1], vector, coefficient);
     const double second = kernel_sum(j, machine.count[2], machine.count[3], vector, coefficient);
     const double value = first - second - machine.rho;
-    // Not a number is beyond no bound either.
+    // NaN fails this comparison, so it too is decided in double.
     if (std::abs(value) > machine.weight * kernel_.error()) return value > 0;
     return decision_value(model_, scaled_, i, j) > 0;
   }
 
  private:
-  /// sum of a K over one side's vectors, the free ones first; moves on to the other side's.
+  /// Sum of a K over one side's vectors, the free ones first; advances the pointers to the other
+  /// side's.
   double kernel_sum(std::size_t one, std::uint16_t free_count, std::uint16_t bound_count,
                     const std::uint16_t*& vector, const double*& coefficient) const {
     const float* kernel = kernel_.of_class(one);

@@ -10,13 +10,14 @@
 
 namespace flinch::models {
 
-/// Max-wins voting among `count` players of whom each meets each other once: who wins most games
-/// comes first, ties by the lower number. A game is asked for only when the order of those who are
-/// asked for depends on it; what comes out is what playing all games would give.
+/// Max-wins voting among `count` players, each of which meets every other once. Players are ranked
+/// by wins, ties by the lower number. A game is played only when the order of the requested players
+/// depends on it; the ranking equals that after all games.
 ///
-/// `beats(a, b)`, for a < b, says whether a wins against b. Called once a pair at the most: after a
-/// knock-out, who has lost least so far plays who has lost least of the others, until nobody can
-/// get past. 2 count - 3 games at the most tell the champion where one wins all of its own.
+/// `beats(a, b)`, for a < b, returns whether a wins against b. It is called at most once per pair.
+/// After a knock-out round, the player with the fewest losses plays the other with the fewest
+/// losses until no rival can overtake the leader. Where one player wins all of its games, at most 2
+/// count - 3 games determine it.
 template <typename Beats>
 class Tournament {
  public:
@@ -25,24 +26,24 @@ class Tournament {
     std::size_t wins = 0;
   };
 
-  /// Takes count ints and count^2 bytes of the memory; count is below 2^14.
+  /// Allocates count ints and count^2 bytes from the resource; count is below 2^14.
   Tournament(std::size_t count, Beats beats, MemoryResource memory)
       : beats_(std::move(beats)), standing_(count, memory), played_(count * count, memory) {
     for (std::size_t player = 0; player < count; ++player) {
       standing_[player] = static_cast<int>(player);
       played_[player * count + player] = 1;
     }
-    // A knock-out: afterwards all but one have lost.
+    // A knock-out round: afterwards all players but one have lost at least once.
     for (std::size_t champion = 0, next = 1; next < count; ++next) {
       if (!wins_against(champion, next)) champion = next;
     }
   }
 
-  /// Who comes after those that it gave before; to be asked count times at the most.
+  /// Returns the next player in the ranking. Call it at most count times.
   Standing next() {
     std::size_t best = player_of(first());
     for (int rival = first_not_met_by(best); rival < kOut; rival = first_not_met_by(best)) {
-      // Losses only grow, so who does not lose stays first.
+      // Losses only grow, so a leader that does not lose stays first.
       if (!wins_against(best, player_of(rival))) best = player_of(first());
     }
     const int losses = standing_[best] / kLoss;
@@ -63,8 +64,8 @@ class Tournament {
     return lowest;
   }
 
-  /// The strongest opponents come first: against them most games are decided that decide anything.
-  /// kOut or above where there is none left.
+  /// The strongest opponents come first, because games against them decide the most. Returns kOut
+  /// or more where no opponent is left.
   int first_not_met_by(std::size_t player) const {
     const char* met = &played_[player * count()];
     int lowest = kOut;
@@ -74,7 +75,7 @@ class Tournament {
     return lowest;
   }
 
-  /// Plays a game that has not been played.
+  /// Plays a game that has not been played yet.
   bool wins_against(std::size_t player, std::size_t other) {
     const bool wins = player < other ? beats_(player, other) : !beats_(other, player);
     standing_[wins ? other : player] += kLoss;
@@ -83,10 +84,11 @@ class Tournament {
   }
 
   Beats beats_;
-  /// Of each player kLoss for every loss, plus the number, so that the least comes first, ties by
-  /// the lower number; plus kOut once it has been given.
+  /// Sort key of each player: kLoss per loss, plus the player's number, so that the minimum is the
+  /// leader, ties by the lower number; plus kOut once next() has returned the player.
   std::pmr::vector<int> standing_;
-  std::pmr::vector<char> played_;  ///< count() rows of one a player, who has met itself
+  /// count() rows, one per player; a player counts as having met itself
+  std::pmr::vector<char> played_;
 };
 
 }  // namespace flinch::models

@@ -11,7 +11,7 @@ namespace flinch::motion {
 
 namespace {
 
-// The outline's frame in the world.
+// Frame of the outline in the world.
 struct ShapeFrame {
   Eigen::Vector3f centre;
   Eigen::Quaternionf orientation;
@@ -55,7 +55,7 @@ float distance_to(const Figure& figure, const JointFrames& frames, Body body,
   return (local.cwiseAbs() - shape.half_extents).cwiseMax(0).norm();
 }
 
-// A convex set's distance is convex along a segment, so a ternary search finds its least.
+// The distance to a convex set is convex along a segment, so ternary search finds its minimum.
 float distance_between(const Figure& figure, const JointFrames& frames, Body body,
                        const Capsule& capsule) {
   constexpr int kRounds = 28;  // (2/3)^28 of a metre is about 1e-5 m
@@ -84,8 +84,8 @@ float distance_to_figure(const Figure& figure, const JointFrames& frames,
   return min_distance;
 }
 
-// Where a ray leaves a box is where it leaves the first of its three slabs; it meets the box if it
-// does not enter a slab after that.
+// A ray leaves a box where it first leaves one of the three slabs; it meets the box only if it
+// enters all slabs before that.
 float clearance_along(const Figure& figure, const JointFrames& frames, const Eigen::Vector3f& point,
                       const Eigen::Vector3f& direction) {
   float farthest = 0;

@@ -5,36 +5,36 @@
 
 namespace flinch::motion {
 
-/// A segment with a radius, world, m.
+/// A segment with a radius: a cylinder with round caps. World, m.
 struct Capsule {
   Eigen::Vector3f from;
   Eigen::Vector3f to;
   float radius = 0;
 };
 
-/// A body as a capsule along its longest axis: exact for capsules; of a box, the thickest that
-/// its thinnest side holds.
+/// Returns a capsule along the body's longest axis: exact for capsules; for a box, the thickest one
+/// that fits inside it.
 Capsule capsule_of(const Figure& figure, const JointFrames& frames, Body body);
 
-/// Distance of a point from a body's outline, m; 0 inside.
+/// Distance between a point and a body's outline, m; 0 inside.
 float distance_to(const Figure& figure, const JointFrames& frames, Body body,
                   const Eigen::Vector3f& point);
 
-/// Distance between a capsule and a body's outline, m, exact to 1e-5; negative, down to the
-/// capsule's radius, where they overlap.
+/// Distance between a capsule and a body's outline, m, exact to 1e-5. Negative where they overlap,
+/// but never below minus the capsule's radius.
 float distance_between(const Figure& figure, const JointFrames& frames, Body body,
                        const Capsule& capsule);
 
-/// Distance of a point from the nearest body, m.
+/// Distance between a point and the nearest body, m.
 float distance_to_figure(const Figure& figure, const JointFrames& frames,
                          const Eigen::Vector3f& point);
 
-/// How far along `direction` (unit) the line from `point` leaves head, trunk and pelvis for good,
-/// m; 0 where it meets none of them ahead. A capsule counts as its bounding box.
+/// Distance along `direction` (unit) from `point` to where the ray last leaves head, trunk and
+/// pelvis, m; 0 where it meets none of them. A capsule counts as its bounding box.
 float clearance_along(const Figure& figure, const JointFrames& frames, const Eigen::Vector3f& point,
                       const Eigen::Vector3f& direction);
 
-/// Head, neck, chest, abdomen and pelvis: what hands protect and may not pass through.
+/// Head, neck, chest, abdomen and pelvis: what hands protect and must not pass through.
 inline constexpr std::array<Body, 5> kCoreBodies{Body::head, Body::neck, Body::chest, Body::abdomen,
                                                  Body::pelvis};
 

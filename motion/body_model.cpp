@@ -12,9 +12,9 @@
 namespace flinch::motion {
 namespace {
 
-// Widths and depths that bone lengths do not give, as fractions of the stature. Breadths of chest
-// and hips, the head's height and the foot's breadth: Drillis and Contini (1966), "Body segment
-// parameters". The rest are estimates from mean adults.
+// Widths and depths that bone lengths do not determine, as fractions of the stature. Breadths of
+// chest and hips, head height and foot breadth are from Drillis and Contini (1966), "Body segment
+// parameters". The others are estimates for mean adults.
 constexpr float kHeadHeight = 0.130F;  // chin to crown
 constexpr float kChestBreadth = 0.174F;
 constexpr float kChestDepth = 0.140F;
@@ -25,26 +25,26 @@ constexpr float kPelvisDepth = 0.130F;
 constexpr float kPelvisBelowHips = 0.030F;
 constexpr float kChinAboveNeck = 0.010F;
 
-// Estimates from mean adults, as fractions of the part's own length.
+// Estimates for mean adults, as fractions of the body part's own length.
 constexpr float kHeadRadius = 0.382F;  // geometric mean of half breadth and half length
-constexpr float kHeadForward = 0.05F;  // the skull's middle lies before the joint at its base
+constexpr float kHeadForward = 0.05F;  // the skull's middle is in front of the joint at its base
 constexpr float kHandBreadth = 0.45F;
 constexpr float kHandThickness = 0.15F;
 constexpr float kFootBreadth = 0.362F;  // 0.055 / 0.152 of the stature
-constexpr float kFootHeight = 0.6F;     // of the ankle's height: the foot falls off to the toes
+constexpr float kFootHeight = 0.6F;     // of the ankle's height: the foot slopes down to the toes
 
 constexpr float kLimbDensity = 1060;         // kg/m^3, of muscle
-constexpr float kMaxRadiusToLength = 0.45F;  // a capsule's radius over its length, so it stays one
-constexpr float kClearance = 0.95F;          // of the room that neighbours leave a part
-constexpr float kMinExtent = 0.005F;         // m, where a skeleton's bone has no length
+constexpr float kMaxRadiusToLength = 0.45F;  // radius / length below 0.5 keeps it a capsule
+constexpr float kClearance = 0.95F;          // fraction used of the space between neighbours
+constexpr float kMinExtent = 0.005F;         // m, for bones of zero length
 
-// De Leva takes head and neck together. A head without the neck of a man of 75 kg weighs 4.4 kg
-// (within the range that Yoganandan et al. 2009, "Physical properties of the human head", J.
-// Biomechanics 42(9), review); the same share of head and neck is taken for women.
+// De Leva treats head and neck as one segment. The head alone of a man of 75 kg weighs 4.4 kg
+// (within the range reviewed by Yoganandan et al. 2009, "Physical properties of the human head", J.
+// Biomechanics 42(9)); the same share of head and neck is used for women.
 constexpr float kHeadShare = 4.4F / 75 / 0.0694F;
 
-// The rest pose, in which all frames are parallel to the world's, so that a point less the joint's
-// position is the point in the joint's frame.
+// The rest pose. All joint frames are parallel to the world's there, so a point minus the joint's
+// position is that point in the joint's frame.
 struct RestGeometry {
   PerRole<Eigen::Vector3f> joint;
   Eigen::Vector3f middle_of_hips;
@@ -68,12 +68,14 @@ Eigen::Vector3f point_along(const Eigen::Vector3f& near_end, const Eigen::Vector
 
 Eigen::Quaternionf rotation_onto_line(const Eigen::Vector3f& from_axis,
                                       const Eigen::Vector3f& to_line) {
-  const float sense = from_axis.dot(to_line) < 0 ? -1.0F : 1.0F;  // outlines have no sense
+  // an outline's axis has no direction
+  const float sense = from_axis.dot(to_line) < 0 ? -1.0F : 1.0F;
   return rotation_between<float>(from_axis, sense * to_line);
 }
 
-// Radius of the capsule of whole length L that holds the mass at limb density, solved by fixed
-// point iteration:  V = pi r^2 (L - 2 r / 3).
+// Radius of the capsule of overall length L that holds the mass at limb density, by fixed-point
+// iteration:
+//   V = pi r^2 (L - 2 r / 3).
 float capsule_radius(float mass_kg, float length_m) {
   const float volume = mass_kg / kLimbDensity;
   const float max_radius = kMaxRadiusToLength * length_m;
@@ -85,7 +87,7 @@ float capsule_radius(float mass_kg, float length_m) {
   return radius;
 }
 
-// From the joint to the far end, caps within.
+// A capsule from the joint to the far end, which includes its caps.
 Shape limb_capsule(const Eigen::Vector3f& far_end, float mass_kg,
                    float max_radius = std::numeric_limits<float>::infinity()) {
   const float length = std::max(far_end.norm(), 2 * kMinExtent);
@@ -134,7 +136,7 @@ void set_trunk(BodyModel& model, const RestGeometry& rest, const de_leva::Table&
                   std::min(kChestBreadth * stature, kClearance * between_shoulders))};
 }
 
-// An upright capsule from the chin to the crown about the skull, which lies before its joint.
+// An upright capsule around the skull from chin to crown, in front of its joint.
 Shape head_capsule(const RestGeometry& rest) {
   const Eigen::Vector3f& joint = rest.joint[Role::head];
   const float above_neck =
@@ -148,7 +150,7 @@ Shape head_capsule(const RestGeometry& rest) {
   return shape;
 }
 
-// The neck's centre is its middle; the head's is where both together have de Leva's centre:
+// The neck's centre of mass is in its middle. The head's is where the two together have de Leva's:
 //   m c = m_head c_head + m_neck c_neck
 void set_head_and_neck(BodyModel& model, const RestGeometry& rest, const de_leva::Table& table,
                        float mass_kg) {
@@ -166,7 +168,7 @@ void set_head_and_neck(BodyModel& model, const RestGeometry& rest, const de_leva
   model[Body::head] = {head_mass, head_centre - head, head_capsule(rest)};
 }
 
-// A flat box from wrist to fingertips, palm down in the rest pose.
+// A flat box from wrist to fingertips; the palm faces down in the rest pose.
 Shape hand_box(const Eigen::Vector3f& fingertip) {
   const float length = std::max(fingertip.norm(), 2 * kMinExtent);
   Shape shape;
@@ -195,7 +197,7 @@ void set_arm(BodyModel& model, const Skeleton& skeleton, const de_leva::Table& t
                  hand_box(fingertip)};
 }
 
-// A box on the ground from the heel to the tip of the toes, which carry no body of their own.
+// A box on the ground from the heel to the tip of the toes; the toes have no body of their own.
 BodyProperties foot_properties(const Skeleton& skeleton, const de_leva::Segment& segment,
                                Side side) {
   const FootDimensions foot = measure_foot(skeleton, side);
@@ -250,7 +252,7 @@ BodyModel make_body_model(const Physique& character) {
   set_leg(model, skeleton, rest, table, mass_kg, Body::right_thigh, Body::right_shin,
           Body::right_foot, Side::right);
 
-  // Until here the masses are percentages; the table's are rounded and need not add up to 100.
+  // So far the masses are percentages from the table, rounded, so they may not add up to 100.
   float sum = 0;
   for (const BodyProperties& body : model) sum += body.mass_kg;
   for (BodyProperties& body : model) body.mass_kg *= mass_kg / sum;

@@ -16,7 +16,7 @@ constexpr std::array<std::string_view, kTargetCount> kTargetNames{"head", "trunk
 constexpr std::array<std::string_view, 2> kDegreeNames{"mild", "exaggerated"};
 constexpr std::array<std::string_view, 3> kPurposeNames{"anticipation", "idle", "push"};
 
-/// A time of a motion: past the pose of this index by a part of the way to the next.
+/// A time in a motion: the index of a pose, and the fraction of the interval to the next pose.
 struct Place {
   std::size_t index;
   float weight;

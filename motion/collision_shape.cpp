@@ -6,7 +6,7 @@
 namespace flinch::motion {
 namespace {
 
-/// The Z axis turned, to the bits of Eigen's product without the terms that are nothing.
+/// The rotated Z axis, to the bits of Eigen's product, without the terms that are zero.
 Eigen::Vector3d axis_of(const CollisionShape& capsule) {
   const Eigen::Quaterniond& q = capsule.orientation;
   return {q.w() * (2 * q.y()) + q.z() * (2 * q.x()), q.w() * (-2 * q.x()) + q.z() * (2 * q.y()),
@@ -20,7 +20,7 @@ Eigen::Vector3d nearest_on_axis(const Eigen::Vector3d& centre, const CollisionSh
   return capsule.centre + along * axis;
 }
 
-/// From the nearest point of a capsule's axis.
+/// Measured from the nearest point on a capsule's axis.
 Clearance capsule_clearance(const Eigen::Vector3d& centre, double radius,
                             const CollisionShape& capsule) {
   const Eigen::Vector3d nearest = nearest_on_axis(centre, capsule);
@@ -33,7 +33,7 @@ Clearance capsule_clearance(const Eigen::Vector3d& centre, double radius,
   return result;
 }
 
-/// Where a point is in a box's own axes, and the point of the box that is nearest to it.
+/// A point in a box's own axes, and the point of the box that is nearest to it.
 struct InBox {
   InBox(const Eigen::Vector3d& point, const CollisionShape& box)
       : local(box.orientation.conjugate() * (point - box.centre)),
@@ -45,12 +45,12 @@ struct InBox {
   double distance;
 };
 
-/// From inside, the way out through the nearest face, and which that is: 0 or below.
+/// For a point inside: the gap (at most 0) to the nearest face, and which face that is.
 double way_out(const InBox& in, const CollisionShape& box, int& face) {
   return -(box.half_extents - in.local.cwiseAbs()).minCoeff(&face);
 }
 
-/// From the nearest point of a box; from inside, through the nearest face.
+/// Measured from the nearest point of a box; from inside, through the nearest face.
 Clearance box_clearance(const Eigen::Vector3d& centre, double radius, const CollisionShape& box) {
   InBox in(centre, box);
   Eigen::Vector3d normal = in.local - in.nearest;

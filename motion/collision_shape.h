@@ -5,7 +5,7 @@
 
 namespace flinch::motion {
 
-/// A body's outline for contact, in double and wherever it is.
+/// A body's outline for contact, in double precision, in any frame.
 struct CollisionShape {
   Shape::Kind kind = Shape::Kind::capsule;
   double radius = 0;                                                ///< of a capsule, m
@@ -14,27 +14,27 @@ struct CollisionShape {
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();                 ///< m
   Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();  ///< unit
 
-  /// How far the farthest point that can touch is moved by a turn about the centre, m.
+  /// Largest displacement of the surface per radian of rotation about the centre, m.
   double reach() const;
 };
 
-/// In the frame of the shape: of its body's joint.
+/// Returns the shape in the frame of its body's joint.
 CollisionShape collision_shape_of(const Shape& shape);
 
-/// Those of a figure's bodies where its joints are, world.
+/// Returns the shapes of all bodies of a figure with these joint frames, world.
 PerBody<CollisionShape> collision_shapes_of(const BodyModel& model, const JointFrames& frames);
 
-/// Where a ball and an outline are closest.
+/// The closest points of a ball and an outline.
 struct Clearance {
   double gap = 0;                                     ///< m, negative where they overlap
   Eigen::Vector3d point = Eigen::Vector3d::Zero();    ///< on the outline's surface
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< unit, from the outline to the ball
 };
 
-/// How near a ball is to an outline.
+/// Returns the gap between a ball and an outline, with the closest point and the normal.
 Clearance clearance(const Eigen::Vector3d& ball_centre, double ball_radius,
                     const CollisionShape& outline);
-/// Its gap alone, the same bits in half the time.
+/// Returns only the gap of clearance(), to the same bits, in half the time.
 double gap(const Eigen::Vector3d& ball_centre, double ball_radius, const CollisionShape& outline);
 
 }  // namespace flinch::motion

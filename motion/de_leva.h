@@ -11,7 +11,7 @@ struct Segment {
   float centre_percent;  ///< of the segment's length, from its near (cranial or proximal) end
 };
 
-/// Segment masses and the places of their centres for one sex: de Leva, P. (1996), "Adjustments to
+/// Segment masses and centres of mass for one sex: de Leva, P. (1996), "Adjustments to
 /// Zatsiorsky-Seluyanov's segment inertia parameters", Journal of Biomechanics 29(9), 1223-1230,
 /// table 4 and its alternative end points.
 struct Table {

@@ -7,9 +7,9 @@ namespace {
 constexpr float kStature = 1.75F;  // m
 constexpr float kMass = 75;        // kg
 
-// Fractions of the stature. Drillis and Contini: hip, knee, ankle, foot. De Leva, of 1.741 m: arm
-// segments; navel and xiphion from his mid-hip upwards. The rest are estimates that agree with
-// both.
+// Fractions of the stature. From Drillis and Contini: hip, knee, ankle, foot. From de Leva, stature
+// 1.741 m: arm segments; navel and xiphion, measured up from the mid-hip. The others are estimates
+// that agree with both.
 constexpr float kPelvisHeight = 0.550F;
 constexpr float kHipHeight = 0.530F;
 constexpr float kHalfBetweenHips = 0.050F;

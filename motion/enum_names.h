@@ -8,13 +8,13 @@
 
 namespace flinch::motion {
 
-/// The name that stands at the enumerator's place in `names`.
+/// Returns the enumerator's name: the one at its index in `names`.
 template <class Enum, std::size_t size>
 constexpr std::string_view name_of(const std::array<std::string_view, size>& names, Enum value) {
   return names[static_cast<std::size_t>(value)];
 }
 
-/// The enumerator whose name stands at its place in `names`, if there is one.
+/// Returns the enumerator whose name is at the same index in `names`; nothing for an unknown name.
 template <class Enum, std::size_t size>
 std::optional<Enum> enum_named(const std::array<std::string_view, size>& names,
                                std::string_view name) {

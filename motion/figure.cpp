@@ -67,7 +67,7 @@ Pose with_feet(const Skeleton& skeleton, const Pose& pose, const PerSide<FootPos
   return result;
 }
 
-// The angle between the parts of pole and elbow across the line from shoulder to wrist.
+// The angle between the components of pole and elbow perpendicular to the shoulder-wrist line.
 float swivel_of(const JointFrames& frames, Side side, const Eigen::Vector3f& pole) {
   const LimbRoles roles = roles_of(arm_of(side));
   const Eigen::Vector3f line =
@@ -77,8 +77,8 @@ float swivel_of(const JointFrames& frames, Side side, const Eigen::Vector3f& pol
   return sign_of(side) * std::atan2(line.dot(zero.cross(elbow)), zero.dot(elbow));
 }
 
-// On the left: the arm of the T-pose is brought down about x, then raised sideways about x and
-// forward about -y. Elbows bend about -z.
+// For the left arm: from the T-pose it is lowered about x, then raised sideways about x and forward
+// about -y. Elbows bend about -z.
 void set_arm(Pose& pose, Side side, const ArmAngles& angles) {
   const Eigen::Quaternionf upper =
       rotation_about(Eigen::Vector3f::UnitY(), -angles.flexion) *

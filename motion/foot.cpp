@@ -32,7 +32,7 @@ float min_height(std::span<const Eigen::Vector3f> points, const Eigen::Quaternio
 
 FootDimensions measure_foot(const Skeleton& skeleton, Side side) {
   constexpr float kHeelShare = 0.25F;  // of the foot's length, behind the ankle
-  constexpr float kMinLength = 0.01F;  // m, of a skeleton without toes
+  constexpr float kMinLength = 0.01F;  // m, for a skeleton without toes
   const FootRoles roles = roles_of(side);
   const JointFrames rest = forward_kinematics(skeleton, rest_pose(skeleton));
   const Eigen::Vector3f toe_tip = skeleton.offset[roles.toes] + skeleton.tip[roles.toes];

@@ -13,7 +13,7 @@ float ease_in_ease_out(float s) {
 
 namespace {
 
-// q and -q are one rotation: which of them makes the shorter arc.
+// q and -q are the same rotation: returns the sign of `to` that gives the shorter arc.
 float shorter_sign(const Eigen::Quaternionf& from, const Eigen::Quaternionf& to) {
   return from.dot(to) < 0 ? -1.0F : 1.0F;
 }
@@ -70,7 +70,8 @@ Signs operator*(const Signs& a, const Signs& b) {
 
 Pose blend_along(const Pose& from, const Pose& to, float weight, const Signs& signs,
                  std::span<const Role> roles) {
-  constexpr float kWholeTurn = -0.95F;  // cosine of half the arc: beyond, the arc has no direction
+  // cosine of half the arc; below it the arc's direction is undefined
+  constexpr float kWholeTurn = -0.95F;
   Pose result;
   result.root_position = (1 - weight) * from.root_position + weight * to.root_position;
   for (Role role : roles) {
@@ -83,7 +84,7 @@ Pose blend_along(const Pose& from, const Pose& to, float weight, const Signs& si
   return result;
 }
 
-// The stored signs mean nothing, so each rotation takes the sign nearest to its own start.
+// Stored signs are arbitrary, so each rotation takes the sign that is nearest to its own start.
 Pose blend_along_initial_arc(const Pose& from, const Pose& to, float weight,
                              const Pose& from_at_start, const Pose& to_at_start) {
   return blend_along(from, to, weight,

@@ -11,37 +11,41 @@
 namespace flinch::motion {
 namespace {
 
-// Ranges in degrees about x, y, z of the reference. Signs on the left side: an arm (+Y) rises with
-// +x and comes forward with -z; a leg (-Z) comes forward with -y and goes outward with +x; a trunk
-// (+Z) bows with +y and bends to the right with +x.
+// Ranges in degrees about x, y and z of the reference. Signs for the left side: an arm (+Y) rises
+// with +x and comes forward with -z; a leg (-Z) comes forward with -y and goes outward with +x; a
+// trunk (+Z) bends forward with +y and to the right with +x.
 struct LimitsRow {
   std::string_view name;
   Role from;
   Role to;
-  float reference_z;  // turn about z of the reference from the rest pose
+  float reference_z;  // rotation about z from the rest pose to the reference
   int axis;           // of the twist: 0 x, 1 y, 2 z
   Eigen::Vector3f min;
   Eigen::Vector3f max;
 };
 
 // Sources.
-// Trunk, thoracic and lumbar spine together: flexion 105, extension 60, bending 40, rotation 40
-//   (Kapandji, The Physiology of the Joints, volume 3).
+//
+// Trunk (thoracic and lumbar spine together): flexion 105, extension 60, bending 40, rotation 40
+// (Kapandji, The Physiology of the Joints, volume 3).
 // Neck: flexion 50, extension 60, bending 45, rotation 80 (AMA Guides to the Evaluation of
-//   Permanent Impairment, 5th edition, chapter 15).
+// Permanent Impairment, 5th edition, chapter 15).
 // Clavicle: elevation 45 (35 in Hermens' table 3.2), depression 10, protraction 30, retraction 25,
-//   rotation 50 (Inman, Saunders and Abbott 1944; Ludewig et al. 2009).
-// Shoulder of chest and upper arm together, from an arm held 45 degrees forward of sideways: the
-//   Academy's abduction 180, flexion 180, extension 60, horizontal flexion 135, rotation 70 inward
-//   and 90 outward (from this reference 135 with the arm down; and 30 of extension takes 108 down).
-// Elbow: flexion 150, turning of the forearm 80 each way counted at the wrist or the elbow.
+// rotation 50 (Inman, Saunders and Abbott 1944; Ludewig et al. 2009).
+// Shoulder (upper arm relative to the chest), measured from an arm 45 degrees forward of sideways:
+// the Academy's abduction 180, flexion 180, extension 60, horizontal flexion 135, rotation 70
+// inward and 90 outward (from this reference 135 with the arm down; extension by 30 makes it 108
+// down).
+// Elbow: flexion 150, forearm rotation 80 each way, whether it is counted at the wrist or the
+// elbow.
 // Wrist: flexion 80, extension 70, radial 20, ulnar 30, pronation and supination 80.
 // Hip: flexion 120, extension 30, abduction 45, adduction 30, rotation 45 each way.
-// Knee: flexion 135, and 150 in a crouch; up to 30 of rotation where it is bent.
+// Knee: flexion 135, or 150 in a crouch; rotation up to 30 where it is bent.
 // Ankle: plantar flexion 50, inversion 35, eversion 20, and the dorsiflexion of a loaded foot, 40
-//   (weight-bearing lunge, Bennell et al. 1998; the Academy's 20 is of a hanging foot).
+// (weight-bearing lunge, Bennell et al. 1998; the Academy's 20 is for an unloaded foot).
 // Toes: extension 70, flexion 45.
-// All without a name: American Academy of Orthopaedic Surgeons, Joint Motion (1965).
+//
+// Rows without a source: American Academy of Orthopaedic Surgeons, Joint Motion (1965).
 std::array<LimitsRow, 2> middle_rows() {
   return {{
       {"trunk", Role::pelvis, Role::chest, 0, 2, {-40, -60, -40}, {40, 105, 40}},

@@ -14,17 +14,18 @@ Eigen::Vector3f rejection_from(const Eigen::Vector3f& vector, const Eigen::Vecto
   return vector - vector.dot(line) * line;
 }
 
-// Any fixed direction square to the line.
+// An arbitrary but fixed direction perpendicular to the line.
 Eigen::Vector3f any_perpendicular_to(const Eigen::Vector3f& line) {
   const Eigen::Vector3f axis =
       std::abs(line.x()) < 0.9F ? Eigen::Vector3f::UnitX() : Eigen::Vector3f::UnitZ();
   return rejection_from(axis, line).normalized();
 }
 
-// The direction, square to the line from upper joint to end, in which the middle joint sticks out.
-// A bent limb's middle joint shows it. A straight limb's does not, and a hyperextended one's shows
-// the opposite, so there it is the way that the hinge bends, line x hinge; in between one goes over
-// into the other, so that a limb which straightens does not spin about its length.
+// Returns the direction, perpendicular to the line from upper joint to end, in which the middle
+// joint lies. In a bent limb the middle joint shows it. In a straight limb it does not, and in a
+// hyperextended one it shows the opposite; there the direction is the one in which the hinge bends,
+// line x hinge. Between the two the result is interpolated, so that a limb that straightens does
+// not spin about its length.
 Eigen::Vector3f bending_direction(const Eigen::Vector3f& to_middle, const Eigen::Vector3f& to_end,
                                   const Eigen::Vector3f& hinge) {
   constexpr float kStraight =
@@ -43,7 +44,7 @@ Eigen::Vector3f bending_direction(const Eigen::Vector3f& to_middle, const Eigen:
   return ((1 - weight) * by_hinge + weight * off_line.normalized()).normalized();
 }
 
-// The rotation that takes the orthonormal pair `line`, `square` to the other.
+// The rotation that takes the orthonormal pair `line`, `perpendicular` to the other pair.
 Eigen::Quaternionf rotation_between_pairs(const Eigen::Vector3f& line,
                                           const Eigen::Vector3f& perpendicular,
                                           const Eigen::Vector3f& to_line,
@@ -55,7 +56,7 @@ Eigen::Quaternionf rotation_between_pairs(const Eigen::Vector3f& line,
   return Eigen::Quaternionf(to * from.transpose()).normalized();
 }
 
-// How far a limb of bones a and b is bent: the angle between their parts square to the hinge.
+// Bend of a limb with bones a and b: the angle between their components perpendicular to the hinge.
 float bend_angle(const Eigen::Vector3f& a, const Eigen::Vector3f& b, const Eigen::Vector3f& hinge) {
   const Eigen::Vector3f a_perpendicular = rejection_from(a, hinge);
   const Eigen::Vector3f b_perpendicular = rejection_from(b, hinge);
@@ -63,13 +64,13 @@ float bend_angle(const Eigen::Vector3f& a, const Eigen::Vector3f& b, const Eigen
                     a_perpendicular.dot(b_perpendicular));
 }
 
-// How far a hinge must turn to bring the limb's end to a distance from its upper joint.
+// The hinge angle that brings the limb's end to a given distance from its upper joint.
 //
-// With the bones a (upper) and b (lower) split into parts along the hinge and square to it, and
-// beta the angle from the square part of a to that of the turned b,
+// Split the bones a (upper) and b (lower) into components along the hinge (h) and perpendicular to
+// it (s), and let beta be the angle from a_s to the rotated b_s. Then
 //     d^2 = |a|^2 + |b|^2 + 2 a_h b_h + 2 |a_s| |b_s| cos(beta).
-// beta is 0 for a straight limb and beta = angle + beta_rest, where beta_rest is what the bones
-// already make at rest. Where beta need not be clamped, the end is at the distance.
+// beta is 0 for a straight limb, and beta = angle + beta_rest, where beta_rest is the angle between
+// the bones at rest. Where beta need not be clamped, the end is at the distance.
 struct HingeBend {
   float angle;    // of the lower joint's rotation
   bool in_reach;  // false: beta had to be clamped to the limits
@@ -82,7 +83,7 @@ HingeBend bend_for_distance(const Eigen::Vector3f& a, const Eigen::Vector3f& b,
   const Eigen::Vector3f b_perpendicular = rejection_from(b, hinge);
   const float along = a.dot(hinge) * b.dot(hinge);
   const float product = a_perpendicular.norm() * b_perpendicular.norm();
-  if (product <= 0) return {0, false};  // a bone of no length bends nothing
+  if (product <= 0) return {0, false};  // a bone of zero length
 
   const float rigid = a.squaredNorm() + b.squaredNorm() + 2 * along;
   const float cosine = (distance * distance - rigid) / (2 * product);
@@ -94,8 +95,8 @@ HingeBend bend_for_distance(const Eigen::Vector3f& a, const Eigen::Vector3f& b,
   return {bend - rest_bend, std::abs(found - distance) <= kReachTolerance};
 }
 
-// The axis about which a limb bends: square to its bones where it is bent, and its hinge where it
-// is so straight that they say little, going over in between.
+// The axis about which a limb bends: perpendicular to its bones where it is bent, its hinge where
+// it is too straight for the bones to define one, and interpolated in between.
 Eigen::Vector3f bending_axis(const Eigen::Vector3f& upper_bone, const Eigen::Vector3f& lower_bone,
                              const Eigen::Vector3f& hinge) {
   constexpr float kStraight = 0.03F;  // sine of the bend

@@ -5,12 +5,12 @@
 
 namespace flinch::motion {
 
-/// The pose seen in a mirror in the character's X-Z plane: y changes sign, left and right change
+/// Returns the pose mirrored in the character's X-Z plane: y changes sign, left and right exchange
 /// roles. Exact: mirroring twice gives the same bits.
 Pose mirrored(const Pose& pose);
 
-/// The mirrored clip, with its name suffixed "_mirrored", its direction's sign changed (180 degrees
-/// stays) and `mirrored_from` set.
+/// Returns the mirrored clip: "_mirrored" is appended to its name, its direction changes sign (180
+/// degrees stays), and `mirrored_from` is set.
 Clip mirrored(const Clip& clip);
 
 }  // namespace flinch::motion

@@ -3,8 +3,8 @@
 
 namespace flinch::motion {
 
-// Not in the header: for opposite directions Eigen asks a singular value decomposition, which takes
-// the compiler ten seconds.
+// Not in the header: for opposite directions Eigen uses a singular value decomposition, which costs
+// ten seconds of compile time.
 template <typename Scalar>
 Eigen::Quaternion<Scalar> rotation_between(const Eigen::Vector3<Scalar>& from,
                                            const Eigen::Vector3<Scalar>& to) {

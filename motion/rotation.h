@@ -16,38 +16,39 @@ constexpr float degrees(float radians) {
   return radians * 180 / std::numbers::pi_v<float>;
 }
 
-/// The same angle in [-pi, pi], radians.
+/// Returns the equivalent angle in [-pi, pi], radians.
 inline float wrapped_to_pi(float angle) {
   return std::remainder(angle, 2 * std::numbers::pi_v<float>);
 }
 
-/// Which way a direction points on the ground, radians counter-clockwise from the world's X axis.
+/// Returns the yaw of a direction, radians counter-clockwise from the world's X axis.
 inline float yaw_of(const Eigen::Vector3f& direction) {
   return std::atan2(direction.y(), direction.x());
 }
-/// The same of the X axis of what is turned so.
+/// Returns the yaw of an orientation's X axis.
 inline float yaw_of(const Eigen::Quaternionf& orientation) {
   return yaw_of(Eigen::Vector3f(orientation * Eigen::Vector3f::UnitX()));
 }
 
-/// The rotation by `angle` radians about a unit axis.
+/// Returns the rotation by `angle` radians about a unit axis.
 inline Eigen::Quaternionf rotation_about(const Eigen::Vector3f& axis, float angle) {
   return Eigen::Quaternionf(Eigen::AngleAxisf(angle, axis));
 }
 
-/// The rotation by the shortest way that takes one direction to the other; they need not be unit.
-/// Opposite ones take a half turn about any axis across them. For floats and doubles.
+/// Returns the shortest rotation that takes direction `from` to direction `to`; they need not be
+/// unit. For opposite directions it is a half turn about an arbitrary perpendicular axis. For
+/// floats and doubles.
 template <typename Scalar>
 Eigen::Quaternion<Scalar> rotation_between(const Eigen::Vector3<Scalar>& from,
                                            const Eigen::Vector3<Scalar>& to);
 
-/// A rotation seen in a mirror in the X-Z plane: how the right side does what the left does. The
-/// axis is mirrored and the sense of rotation turns round.
+/// Returns the rotation mirrored in the X-Z plane, which exchanges left and right: the axis is
+/// mirrored and the direction of rotation is reversed.
 inline Eigen::Quaternionf mirrored(const Eigen::Quaternionf& rotation) {
   return {rotation.w(), -rotation.x(), rotation.y(), -rotation.z()};
 }
 
-/// The rotation vector (axis times angle in [0, pi]) of a unit quaternion, radians.
+/// Returns the rotation vector (axis times angle in [0, pi]) of a unit quaternion, radians.
 template <typename Scalar>
 Eigen::Vector3<Scalar> rotation_vector(const Eigen::Quaternion<Scalar>& rotation) {
   const Scalar sine = rotation.vec().norm();
@@ -57,7 +58,7 @@ Eigen::Vector3<Scalar> rotation_vector(const Eigen::Quaternion<Scalar>& rotation
   return (rotation.w() < 0 ? -angle : angle) / sine * rotation.vec();
 }
 
-/// The rotation of a rotation vector: the inverse.
+/// Returns the rotation that has this rotation vector: the inverse of rotation_vector().
 template <typename Scalar>
 Eigen::Quaternion<Scalar> rotation_from_vector(const Eigen::Vector3<Scalar>& vector) {
   const Scalar angle = vector.norm();
@@ -65,7 +66,7 @@ Eigen::Quaternion<Scalar> rotation_from_vector(const Eigen::Vector3<Scalar>& vec
   return Eigen::Quaternion<Scalar>(Eigen::AngleAxis<Scalar>(angle, vector / angle));
 }
 
-/// A rotation as a swing across a unit axis after a twist about it.
+/// A rotation split into a twist about a unit axis, followed by a swing about a perpendicular one.
 template <typename Scalar>
 struct SwingTwist {
   Eigen::Quaternion<Scalar> swing;
@@ -78,7 +79,7 @@ SwingTwist<Scalar> decompose_swing_twist(const Eigen::Quaternion<Scalar>& rotati
   Eigen::Quaternion<Scalar> twist(rotation.w(), along * axis.x(), along * axis.y(),
                                   along * axis.z());
   const Scalar norm = twist.norm();
-  // A swing by half a turn leaves no twist to speak of.
+  // A swing by half a turn leaves the twist undefined.
   if (norm < 8 * std::numeric_limits<Scalar>::epsilon()) {
     return {rotation, Eigen::Quaternion<Scalar>::Identity()};
   }
@@ -86,7 +87,7 @@ SwingTwist<Scalar> decompose_swing_twist(const Eigen::Quaternion<Scalar>& rotati
   return {rotation * twist.conjugate(), twist};
 }
 
-/// The sum of the swing's rotation vector, which is across the axis, and the twist's, which is
+/// Returns the sum of the swing's rotation vector, perpendicular to the axis, and the twist's,
 /// along it. Radians.
 template <typename Scalar>
 Eigen::Vector3<Scalar> swing_twist_vector(const Eigen::Quaternion<Scalar>& rotation,
@@ -95,7 +96,7 @@ Eigen::Vector3<Scalar> swing_twist_vector(const Eigen::Quaternion<Scalar>& rotat
   return rotation_vector(swing) + rotation_vector(twist);
 }
 
-/// The rotation that has these angles: the inverse.
+/// Returns the rotation that has these angles: the inverse of swing_twist_vector().
 template <typename Scalar>
 Eigen::Quaternion<Scalar> rotation_from_swing_twist(const Eigen::Vector3<Scalar>& angles,
                                                     const Eigen::Vector3<Scalar>& axis) {

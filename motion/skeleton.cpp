@@ -53,8 +53,8 @@ float facing(const Pose& pose) {
   return yaw_of(pose.rotation[Role::pelvis]);
 }
 
-// |q|^2 - 1 is 2 (|q| - 1) near 1. A comparison with NaN is false, so this also finds numbers that
-// are not finite. Most poses are sound: all rotations are looked at, without a branch for each.
+// |q|^2 - 1 is 2 (|q| - 1) near 1. Comparisons with NaN are false, so this also finds numbers that
+// are not finite. Most poses are sound, so all rotations are checked without a branch for each.
 bool is_sound(const Pose& pose, float unit_tolerance) noexcept {
   bool sound = pose.root_position.allFinite();
   for (const Eigen::Quaternionf& rotation : pose.rotation) {

@@ -10,10 +10,10 @@
 namespace flinch::motion {
 namespace {
 
-// The left sole's outline: forward from the heel's end and leftward of the line from heel to toe
-// tip, as fractions of the foot's length, counter-clockwise. Drawn after mean adult footprints
-// (breadth of the heel 0.25 and of the ball 0.38 of the length, the ball's outer joint behind its
-// inner one).
+// Outline of the left sole: coordinates forward from the heel's end and to the left of the line
+// from heel to toe tip, as fractions of the foot's length, counter-clockwise. Shaped after mean
+// adult footprints (breadth of the heel 0.25 and of the ball 0.38 of the length, the ball's outer
+// joint behind its inner one).
 struct SolePoint {
   float forward;
   float left;
@@ -77,7 +77,7 @@ std::vector<Eigen::Vector2f> convex_hull(std::vector<Eigen::Vector2f> points) {
   for (const Eigen::Vector2f& point : points) add(point, 1);
   const std::size_t lower = hull.size();
   for (auto point = points.rbegin() + 1; point != points.rend(); ++point) add(*point, lower);
-  hull.pop_back();  // the first point again
+  hull.pop_back();  // repeats the first point
   return hull;
 }
 

@@ -15,8 +15,8 @@ struct SoleOutline {
   std::vector<Eigen::Vector3f> toes;  ///< ball to tip, in the toes' frame
 };
 
-/// The sole of a skeleton's foot, scaled from a mean adult footprint to its foot length (see
-/// measure_foot). Flat on the ground in the rest pose.
+/// Returns the sole of a skeleton's foot: a mean adult footprint scaled to the foot's length (see
+/// measure_foot). It is flat on the ground in the rest pose.
 SoleOutline sole_outline(const Skeleton& skeleton, Side side);
 /// Of both feet.
 PerSide<SoleOutline> sole_outlines(const Skeleton& skeleton);
@@ -46,17 +46,18 @@ std::optional<Side> support_foot(const Eigen::Vector3f& centre, Stands stands, A
   return support;
 }
 
-/// The convex hull of points, counter-clockwise, without repeated or collinear ones.
+/// Returns the convex hull of points, counter-clockwise, without repeated or collinear points.
 std::vector<Eigen::Vector2f> convex_hull(std::vector<Eigen::Vector2f> points);
 
-/// The convex hull on the ground of all sole points that are within `tolerance_m` of it,
+/// Returns the convex hull, on the ground, of all sole points within `tolerance_m` of the ground:
 /// counter-clockwise, world x and y, m, without repeated or collinear points. Empty when no foot
 /// touches. For offline use: allocates.
 std::vector<Eigen::Vector2f> support_polygon(const Skeleton& skeleton, const JointFrames& frames,
                                              float tolerance_m = 0.03F);
 
-/// Distance of a point to the nearest edge of a convex counter-clockwise polygon, m: positive
-/// inside, negative outside, also of a polygon of one or two points; minus infinity for none.
+/// Distance between a point and the nearest edge of a convex counter-clockwise polygon, m: positive
+/// inside, negative outside and for a polygon of one or two points; minus infinity for an empty
+/// one.
 float signed_distance_inside(const std::vector<Eigen::Vector2f>& polygon,
                              const Eigen::Vector2f& point);
 

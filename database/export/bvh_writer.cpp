@@ -19,7 +19,7 @@ using motion::Role;
 constexpr double kUnitsPerMetre = 100;
 constexpr double kDegrees = 180 / std::numbers::pi;
 
-// Six decimals, and no sign on a zero. The longest finite float in centimetres has 41 digits.
+// Six decimals, without a sign on zero. The longest finite float in centimetres has 41 digits.
 void append(double number, std::string& text) {
   std::array<char, 64> digits{};
   const char* end = std::to_chars(digits.data(), digits.data() + digits.size(), number,
@@ -40,8 +40,8 @@ Eigen::Vector3d in_file(const Eigen::Vector3f& metres) {
   return kUnitsPerMetre * to_y_up(Eigen::Vector3d(metres.cast<double>()));
 }
 
-// A joint and all that hangs from it. The roles' order is that of the recursion, so the columns of
-// the frames follow them.
+// Appends a joint and its descendants. Roles are in the order of this recursion, so the columns of
+// the frames match it.
 void append_joint(const motion::Skeleton& skeleton, Role joint, const std::string& indent,
                   std::string& text) {
   const bool is_root = !motion::parent_of(joint);
@@ -74,7 +74,7 @@ void append_frame(const motion::Pose& pose, motion::PerRole<Eigen::Vector3d>& an
     angles[role] = euler_zxy(to_y_up(rotation), angles[role]);
     append(Eigen::Vector3d(kDegrees * angles[role]), line);
   }
-  text.append(line, 1);  // without the first blank
+  text.append(line, 1);  // without the first space
   text += '\n';
 }
 

@@ -8,9 +8,10 @@ namespace flinch::database {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-constexpr double kLocked = 1e-6;  // cos b: far above a float's error, far below what can be seen
+// limit of cos b: far above rounding errors of floats, far below what is visible
+constexpr double kLocked = 1e-6;
 
-// Each angle by full turns next to `near`.
+// Adds full turns to each angle to bring it nearest to `near`.
 Eigen::Vector3d unwrapped(const Eigen::Vector3d& angles, const Eigen::Vector3d& near) {
   return angles.binaryExpr(
       near, [](double angle, double old) { return old + std::remainder(angle - old, 2 * kPi); });
@@ -22,8 +23,8 @@ Eigen::Vector3d unwrapped(const Eigen::Vector3d& angles, const Eigen::Vector3d& 
 //   Rz Rx Ry  =   ( .       cos a cos b   .           )
 //                 ( .       sin b         .           )
 //
-// gives a and b; c is what they leave, Ry = (Rz Rx)^T R, which is exact however near b is to a
-// quarter turn. The other triple is (a + pi, pi - b, c + pi).
+// gives a and b. c follows from Ry = (Rz Rx)^T R, which is exact however near b is to a quarter
+// turn. The other solution is (a + pi, pi - b, c + pi).
 Eigen::Vector3d euler_zxy(const Eigen::Quaterniond& rotation, const Eigen::Vector3d& near) {
   const Eigen::Matrix3d matrix = rotation.toRotationMatrix();
   const double cos_b = std::hypot(matrix(0, 1), matrix(1, 1));

@@ -17,10 +17,10 @@ using motion::Role;
 using motion::Shape;
 
 constexpr int kSegments = 6;         // chords of a quarter circle
-constexpr float kRounding = 0.7F;    // of a box' edges: radius / its least half extent
-constexpr float kJointSize = 0.85F;  // of what fills a joint / the thinner of the parts there
+constexpr float kRounding = 0.7F;    // radius of a box's edges / its smallest half extent
+constexpr float kJointSize = 0.85F;  // of a joint filler / the thinner of the adjacent parts
 
-// A part in the frame of its joint.
+// A part of the mesh, in the frame of its joint.
 struct Part {
   Mesh mesh;
   Quaternionf orientation = Quaternionf::Identity();
@@ -37,7 +37,7 @@ Part outline(const Shape& shape) {
           shape.orientation, shape.centre};
 }
 
-// Over the upper front of the skull, as wide as a pair of glasses.
+// In front of the upper skull, as wide as a pair of glasses.
 Part visor(const Shape& skull) {
   const float radius = 0.16F * skull.radius;
   const Vector3f core = skull.radius * Vector3f(0.25F, 0.52F, 0.08F);
@@ -55,7 +55,7 @@ bool is_accent(Body body) {
          body == Body::left_foot || body == Body::right_foot;
 }
 
-// At the near end of a limb's part, as thick as the thinner capsule that meets there.
+// At the near end of a limb's part, as thick as the thinner of the two capsules.
 Part joint_ball(const BodyModel& model, Body body) {
   const auto thickness = [&](Body part) {
     const Shape& shape = model[part].shape;
@@ -66,7 +66,7 @@ Part joint_ball(const BodyModel& model, Body body) {
   return {rounded_solid(Vector3f::Zero(), kJointSize * min_thickness, kSegments)};
 }
 
-// Between two boxes of the trunk, as broad and deep as the lesser.
+// Between two boxes of the trunk, as broad and deep as the smaller one.
 Part waist(const BodyModel& model, Body body) {
   const Vector3f extents = kJointSize * model[body].shape.half_extents.cwiseMin(
                                             model[*motion::parent_of(body)].shape.half_extents);

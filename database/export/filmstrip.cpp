@@ -17,12 +17,12 @@ using motion::JointFrames;
 using motion::Shape;
 
 constexpr int kInstants = 8;
-constexpr float kScale = 100;  // units of the drawing a metre
+constexpr float kScale = 100;  // drawing units per metre
 constexpr float kColumn = 150;
 constexpr float kRow = 230;
-constexpr float kGround = 205;  // of the ground's line in a row
+constexpr float kGround = 205;  // height of the ground line within a row
 
-// How one of the two views sees the world: which way is right, and which toward the eye.
+// Axes of one of the two views: which direction is right, and which is towards the viewer.
 struct View {
   Eigen::Vector3f right;
   Eigen::Vector3f toward_eye;
@@ -40,7 +40,7 @@ Eigen::Vector2f on_paper(const View& view, const Eigen::Vector3f& point) {
   return {kScale * view.right.dot(point), -kScale * point.z()};
 }
 
-// The near side is drawn darker, so that left and right can be told.
+// The near side is darker, to distinguish left from right.
 const char* colour_of(Body body, const View& view) {
   const std::string_view name = motion::name_of(body);
   const bool left = name.starts_with("left");
@@ -58,7 +58,7 @@ std::string capsule_line(const View& view, const motion::Capsule& capsule, const
                  b.x() + 0.1F, b.y(), colour, std::max(2 * kScale * capsule.radius, 3.0F));
 }
 
-// The outline of a box's eight corners, by gift wrapping.
+// The silhouette of a box's eight corners, by gift wrapping.
 std::string box_outline(const View& view, const std::array<Eigen::Vector3f, 8>& corners,
                         const char* colour) {
   std::vector<Eigen::Vector2f> points;
@@ -118,12 +118,12 @@ std::string figure_drawing(const motion::Figure& figure, const JointFrames& fram
   return drawing;
 }
 
-// The threat's way to the middle of its target, from a metre to a third of one off.
+// Path of the threat to the centre of its target, from one metre away to a third of a metre.
 std::string arrow(const Eigen::Vector3f& target, float direction, const View& view) {
   const Eigen::Vector3f from(std::cos(direction), std::sin(direction), 0);
   const Eigen::Vector2f tail = on_paper(view, target + 0.7F * from);
   const Eigen::Vector2f tip = on_paper(view, target + 0.35F * from);
-  if ((tail - tip).norm() < 5) {  // toward or away from the eye
+  if ((tail - tip).norm() < 5) {  // towards the viewer or away
     return printed("<circle cx='%.0f' cy='%.0f' r='10' stroke='#c00' stroke-width='1.5'/>", tip.x(),
                    tip.y());
   }

@@ -8,9 +8,9 @@
 
 namespace flinch::database {
 
-/// A clip drawn as an SVG document: the figure's outlines at eight instants from the first pose to
-/// the last, the peak among them, seen from the left side (upper row) and from the front (lower
-/// row), with an arrow along which the threat comes. Numbers are seconds.
+/// Draws a clip as an SVG document: the figure's outlines at eight times from the first pose to the
+/// last, including the peak, seen from the left side (upper row) and from the front (lower row). An
+/// arrow shows the threat's direction; times are labelled in seconds.
 std::string filmstrip_svg(const motion::Figure& figure, const motion::Clip& clip);
 
 }  // namespace flinch::database

@@ -46,7 +46,7 @@ void pad(std::byte with, std::vector<std::byte>& bytes) {
   while (bytes.size() % 4 != 0) bytes.push_back(with);
 }
 
-// Least and greatest of each component.
+// Minimum and maximum of each component.
 std::pair<std::vector<float>, std::vector<float>> bounds(std::span<const float> numbers,
                                                          std::size_t components) {
   std::vector<float> min(numbers.begin(), numbers.begin() + components);
@@ -101,7 +101,7 @@ int GltfBuffer::add(std::span<const std::uint8_t> numbers, GltfElement element, 
 }
 
 int GltfBuffer::add_indices(std::span<const std::uint32_t> indices) {
-  // The greatest number of either type would restart a strip, and is not allowed.
+  // The largest number of either type is the primitive restart value, which is not allowed.
   const bool is_short = std::all_of(indices.begin(), indices.end(), [](std::uint32_t index) {
     return index < std::numeric_limits<std::uint16_t>::max();
   });
@@ -114,8 +114,8 @@ int GltfBuffer::add_indices(std::span<const std::uint32_t> indices) {
   return static_cast<int>(accessors_.size()) - 1;
 }
 
-// glTF 2.0, 4.4: a header of 12 bytes, then the JSON chunk padded with blanks and the binary chunk
-// padded with zeros, each after its length and type.
+// glTF 2.0, 4.4: a header of 12 bytes, then the JSON chunk padded with spaces and the binary chunk
+// padded with zeros, each preceded by its length and type.
 std::vector<std::byte> GltfBuffer::file(Json document) const {
   std::vector<std::byte> binary = bytes_;
   pad(std::byte{0}, binary);
@@ -127,7 +127,7 @@ std::vector<std::byte> GltfBuffer::file(Json document) const {
 
   const std::uint64_t length = 12 + 8 + text.size() + 8 + binary.size();
   if (length > std::numeric_limits<std::uint32_t>::max()) {
-    throw Error("", "the motion is too long for glTF, whose files end at 4 GiB: write less of it");
+    throw Error("", "the motion is too long for glTF, whose files hold at most 4 GiB: shorten it");
   }
   std::vector<std::byte> bytes;
   bytes.reserve(length);

@@ -22,7 +22,7 @@ using motion::Role;
 
 constexpr int kBallSegments = 10;  // chords of a quarter circle
 
-// Where things stand in the document.
+// Indices of the nodes in the document.
 enum Node : int { kFigureNode, kWorldNode, kFirstJointNode, kBallNode = 2 + motion::kRoleCount };
 enum Material : int { kBodyMaterial, kAccentMaterial, kBallMaterial };
 
@@ -48,7 +48,7 @@ Json json_of(const Vector3f& vector) {
   return Json::array({vector.x(), vector.y(), vector.z()});
 }
 
-/// Colour: red, green, blue, linear.
+/// Colour: linear red, green and blue.
 Json material(const char* name, const std::array<double, 3>& colour, double roughness) {
   return {{"name", name},
           {"pbrMetallicRoughness",
@@ -72,7 +72,7 @@ Json primitive(const Mesh& mesh, Material material, GltfBuffer& buffer) {
           {"material", static_cast<int>(material)}};
 }
 
-// In glTF's axes: a skinned mesh lies in the scene, wherever its node hangs.
+// In glTF's axes: a skinned mesh is placed in the scene directly, whatever its node's transform.
 Json skinned_primitive(SkinnedMesh skinned, Material material, GltfBuffer& buffer) {
   skinned.mesh.positions = all_to_y_up(skinned.mesh.positions);
   skinned.mesh.normals = all_to_y_up(skinned.mesh.normals);
@@ -90,8 +90,8 @@ Json skinned_primitive(SkinnedMesh skinned, Material material, GltfBuffer& buffe
   return made;
 }
 
-// From the mesh, in glTF's axes and the rest pose, to each joint's frame: back to our axes, then to
-// the joint, whose axes are then parallel to the world's. Column after column.
+// Transforms from the mesh, in glTF's axes and the rest pose, to each joint's frame: back to our
+// axes, then to the joint, whose axes are parallel to the world's. Column-major.
 int inverse_bind_matrices(const motion::Skeleton& skeleton, GltfBuffer& buffer) {
   const motion::JointFrames rest = forward_kinematics(skeleton, motion::rest_pose(skeleton));
   std::vector<float> matrices;
@@ -163,7 +163,7 @@ class Animation {
   Json samplers_ = Json::array();
 };
 
-// x y z w, each unit and on the side of the one before.
+// x y z w; each unit and in the hemisphere of the previous one.
 std::vector<float> rotation_keys(const motion::Motion& motion, Role joint) {
   std::vector<float> keys;
   Eigen::Vector4d before = Quaternionf::Identity().coeffs().cast<double>();
@@ -185,7 +185,7 @@ void animate_figure(const motion::Motion& motion, Animation& animation) {
   }
 }
 
-// Where the ball is, or waits; the origin if it is never seen.
+// Positions of the ball where it is visible or hidden; the origin if it is never visible.
 std::vector<Vector3f> places_of(const BallTrack& ball) {
   const auto first = std::find_if(ball.positions.begin(), ball.positions.end(),
                                   [](const auto& position) { return position.has_value(); });
@@ -215,7 +215,7 @@ void check(const BallTrack& ball, std::size_t pose_count) {
   if (ball.positions.size() != pose_count) {
     throw Error("", "the ball has " + std::to_string(ball.positions.size()) +
                         " positions, the motion " + std::to_string(pose_count) +
-                        " poses: give one a pose");
+                        " poses: give one per pose");
   }
   for (std::size_t k = 0; k < pose_count; ++k) {
     if (ball.positions[k] && !ball.positions[k]->allFinite()) {

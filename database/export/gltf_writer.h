@@ -11,33 +11,34 @@
 
 namespace flinch::database {
 
-/// A ball that is shown with a motion.
+/// A ball that is exported with a motion.
 struct BallTrack {
   float radius = 0.105F;  ///< m
-  /// Of its centre, world, m: one a pose of the motion. Nothing while there is no ball to see: then
-  /// it has no size, and waits where it was last seen, or will be seen first.
+  /// Position of its centre for each pose of the motion, world, m; nothing where the ball is not
+  /// visible. It is then scaled to 0 and stays where it was last visible, or will first be visible.
   std::vector<std::optional<Eigen::Vector3f>> positions;
 };
 
-/// A motion as binary glTF 2.0 (.glb), which any viewer shows: the character's outlines as a
-/// skinned figure (see figure_mesh.h) that plays the motion, and the ball beside it.
+/// Returns a motion as binary glTF 2.0 (.glb), which any viewer shows: the character's outlines as
+/// a skinned figure (see figure_mesh.h) that plays the motion, and optionally a ball.
 ///
-/// The scene has two roots. "figure" holds the skinned mesh; "flinch" turns our axes (Z up, X
-/// forward, Y left) into glTF's (Y up, Z forward, X left): (x, y, z) becomes (y, z, x), a turn by
-/// 120 degrees. All below it is in ours, in metres: the joints, named after their roles (see
-/// motion/role.h), and "ball". The nodes rest in the T-pose in which the mesh is bound.
+/// The scene has two roots. "figure" holds the skinned mesh; "flinch" converts our axes (Z up, X
+/// forward, Y left) to glTF's (Y up, Z forward, X left): (x, y, z) becomes (y, z, x), a rotation by
+/// 120 degrees. All nodes below it are in our axes, in metres: the joints, named after their roles
+/// (see motion/role.h), and "ball". Without the animation, the nodes are in the T-pose in which the
+/// mesh is bound.
 ///
-/// The one animation, "motion", has a linear key a pose: the pelvis' translation, each joint's
-/// rotation (quaternions on the same side from key to key, so that nothing turns the long way), the
-/// ball's translation, and the ball's scale in steps, 1 or 0: whether it is there.
+/// The one animation, "motion", has one linear key per pose: the pelvis' translation; each joint's
+/// rotation (quaternions in one hemisphere from key to key, so that no joint takes the longer arc);
+/// the ball's translation; and, as steps, the ball's scale, 1 if visible or 0.
 ///
 /// The same input gives the same bytes. Throws Error when the motion cannot be written (see
-/// export_check.h), or when the ball's radius is not above 0, its positions are not finite or are
-/// not as many as the poses.
+/// export_check.h), when the ball's radius is not above 0, when its positions are not finite, or
+/// when there are not as many of them as poses.
 std::vector<std::byte> make_glb(const motion::Physique& character, const motion::Motion& motion,
                                 const std::optional<BallTrack>& ball = std::nullopt);
 
-/// Writes it to a file, whole or not at all. Throws Error.
+/// Writes the bytes to a file atomically. Throws Error.
 void write_glb(const std::string& path, const motion::Physique& character,
                const motion::Motion& motion, const std::optional<BallTrack>& ball = std::nullopt);
 

@@ -17,15 +17,15 @@ Eigen::Vector2f quarter(int i, int segments) {
   return {std::cos(angle), std::sin(angle)};
 }
 
-// The corner of a box that a point of the surface is nearest to, and the way from there.
+// The corner of a box that is nearest to a surface point, and the direction from there.
 struct Direction {
   Eigen::Vector3f sign;
   Eigen::Vector3f normal;
 };
 
-// A sphere, cut along the planes of its axes into eight octants, which move with the corners of the
-// core: rows from pole to pole, columns once about. Rows and columns on the cuts come twice, once
-// for either side.
+// A sphere cut by its coordinate planes into eight octants, which move with the corners of the
+// core: rows from pole to pole, columns once around. Rows and columns on the cuts occur twice, once
+// for each side.
 class Grid {
  public:
   explicit Grid(int segments) : segments_(segments) {}
@@ -53,7 +53,7 @@ class Grid {
   int segments_;
 };
 
-// Makes one vertex of those that coincide, and drops the triangles that have no area for it.
+// Merges coinciding vertices, and drops triangles without area.
 class Welder {
  public:
   std::uint32_t vertex(const Eigen::Vector3f& position, const Eigen::Vector3f& normal) {
@@ -98,7 +98,7 @@ Mesh rounded_solid(const Eigen::Vector3f& core, float radius, int segments) {
       welder.triangle(above, below_next, vertex(row, column + 1));
     }
   }
-  // Where the octants part at the poles, they leave a rectangle.
+  // At the poles the separated octants leave a rectangular hole.
   const int quadrant = segments + 1;
   const int last = grid.rows() - 1;
   welder.triangle(vertex(0, 0), vertex(0, quadrant), vertex(0, 2 * quadrant));

@@ -16,7 +16,7 @@ constexpr uint64_t kPrime3 = 0x165667B19E3779F9;
 constexpr uint64_t kPrime4 = 0x85EBCA77C2B2AE63;
 constexpr uint64_t kPrime5 = 0x27D4EB2F165667C5;
 
-/// Takes `size` bytes from the front, as a number whose least significant byte comes first.
+/// Removes `size` bytes from the front and returns them as a little-endian number.
 template <std::size_t size>
 uint64_t take(std::span<const std::byte>& bytes) {
   uint64_t number = 0;
@@ -31,8 +31,8 @@ uint64_t mix(uint64_t lane, uint64_t input) {
   return rotl(lane + input * kPrime2, 31) * kPrime1;
 }
 
-/// The stripes of 32 bytes, taken from the front: one word of each to each of four lanes, which the
-/// processor works on at once.
+/// Removes stripes of 32 bytes from the front and adds one word of each to each of four lanes,
+/// which the processor computes in parallel.
 uint64_t hash_stripes(std::span<const std::byte>& bytes) {
   std::array<uint64_t, 4> lanes{kPrime1 + kPrime2, kPrime2, 0, 0 - kPrime1};
   while (bytes.size() >= 32) {

@@ -90,7 +90,7 @@ LoadStatus read_bytes(const std::string& path, std::vector<std::byte>& bytes) no
   if (!file) return LoadStatus::cannot_open;
   std::vector<std::byte> read;
   constexpr std::size_t kChunk = 1 << 16;
-  std::error_code not_told;  // the size of what is no regular file
+  std::error_code not_told;  // ignored: the size of a file that is not regular
   const std::uintmax_t whole = std::filesystem::file_size(path, not_told);
   if (!not_told) read.reserve(static_cast<std::size_t>(whole) + kChunk);
   std::size_t count = kChunk;

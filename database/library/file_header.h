@@ -13,23 +13,23 @@
 
 namespace flinch::database {
 
-/// What was wrong with a file, or nothing.
+/// Result of loading a file.
 enum class LoadStatus : std::uint8_t {
   ok,
   cannot_open,
-  not_a_library,  ///< not the kind of file that was asked for
+  not_a_library,  ///< another kind of file than requested
   other_version,  ///< written by another version of the format
-  damaged,        ///< fails verification or its content hash
-  other_layout,   ///< a selector of other features than this build computes
-  without_clips,  ///< a selector that has no clips in its file
+  damaged,        ///< fails verification, or its content hash differs
+  other_layout,   ///< a selector whose features this build does not compute
+  without_clips,  ///< a selector file that has no clips
   out_of_memory,
 };
-/// What it means, for people; never null.
+/// Returns the meaning for people, as text; never null.
 const char* message_of(LoadStatus status) noexcept;
 
-/// Libraries and selectors are sealed files: 7 characters that name the kind, one byte of version,
-/// the content hash of all that follows in 8 bytes, least significant first, and then the content.
-/// One wrong byte anywhere, or a missing end, is noticed.
+/// Library and selector files begin with a header: 7 characters that name the kind, one byte for
+/// the version, and the content hash of all that follows in 8 bytes, least significant first. Then
+/// comes the content. One wrong byte anywhere, or a truncated end, is detected.
 struct FileFormat {
   std::string_view magic;  ///< 7 characters
   std::uint8_t version = 1;
@@ -39,34 +39,34 @@ inline constexpr FileFormat kSelectorFormat{.magic = "FLINCHS", .version = 3};
 
 inline constexpr std::size_t kFileHeaderSize = 16;
 
-/// The text's bytes, as long as it lives.
+/// Returns the text's bytes, valid as long as the text.
 inline std::span<const std::byte> bytes_of(std::string_view text) noexcept {
   return std::as_bytes(std::span(text));
 }
 
-/// The bytes that go before `content` in its file.
+/// Returns the header that precedes `content` in its file.
 std::array<std::byte, kFileHeaderSize> make_file_header(
     const FileFormat& kind, std::span<const std::byte> content) noexcept;
 
-/// A file's content, once its seal has been found whole.
+/// A file's content, once its header has been verified.
 struct VerifiedFile {
   LoadStatus status = LoadStatus::damaged;
   std::uint64_t hash = 0;                   ///< of the content
   std::span<const std::byte> content = {};  ///< inside the file's bytes; empty unless ok
 };
-/// Checks kind, version and content hash.
+/// Verifies kind, version and content hash.
 VerifiedFile verify_file(const FileFormat& kind, std::span<const std::byte> file) noexcept;
 
-/// The same for a file that stands inside another one whose seal was found whole: that seal covers
-/// these bytes, so their hash is taken from their own seal and not computed again.
+/// The same for a file embedded in another file that has been verified: the other file's hash
+/// covers these bytes, so the hash is read from the embedded header and not computed again.
 VerifiedFile verify_embedded_file(const FileFormat& kind, std::span<const std::byte> file) noexcept;
 
-/// The bytes where FlatBuffers can read them in place, which wants its numbers aligned: where they
-/// are if that will do, else copied to `storage`.
+/// Returns the bytes aligned so that FlatBuffers can read them in place: where they are if that is
+/// aligned, otherwise copied to `storage`.
 std::span<const std::byte> aligned(std::span<const std::byte> bytes,
                                    std::vector<std::byte>& storage);
 
-/// A whole file into `bytes`, which are aligned for FlatBuffers. Throws nothing.
+/// Reads a whole file into `bytes`, which are aligned for FlatBuffers. Does not throw.
 LoadStatus read_bytes(const std::string& path, std::vector<std::byte>& bytes) noexcept;
 
 }  // namespace flinch::database

@@ -5,8 +5,8 @@
 
 namespace flinch::database {
 
-/// What is wrong with a character, if anything is: a number that is not finite, a mass that is not
-/// above 0, an unknown sex. A null pointer if nothing is.
+/// Returns what is wrong with a character: a number that is not finite, a mass that is not above 0,
+/// or an unknown sex. Returns null if nothing is wrong.
 const char* fault_of(const motion::Physique& character);
 
 }  // namespace flinch::database

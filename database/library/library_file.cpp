@@ -12,7 +12,7 @@
 namespace flinch::database {
 namespace {
 
-/// Takes a vector of floats apart from the front.
+/// Reads values from the front of a vector of floats.
 class FloatReader {
  public:
   explicit FloatReader(const flatbuffers::Vector<float>& floats) : floats_(floats) {}
@@ -35,7 +35,7 @@ class FloatReader {
   flatbuffers::uoffset_t next_ = 0;
 };
 
-/// False when the vector has another size than one 3-vector a role.
+/// Returns false unless the vector has the size of one 3-vector per role.
 bool read_vectors(const flatbuffers::Vector<float>& floats,
                   motion::PerRole<Eigen::Vector3f>& vectors) {
   if (floats.size() != kFloatsPerSkeletonVector) return false;
@@ -75,7 +75,7 @@ bool read_clip(const schema::Clip& stored, float rate_hz, motion::Clip& clip) {
   return read_poses(*stored.poses(), clip.motion.poses);
 }
 
-/// What the schema's own verification leaves open: sizes of vectors.
+/// Checks what the schema's own verification does not: sizes of vectors.
 bool read_stored(const schema::Library& stored, ClipLibrary& library) {
   const schema::Character& character = *stored.character();
   library.name = stored.name()->str();

@@ -7,7 +7,7 @@
 
 namespace flinch::database {
 
-/// Sizes of library.fbs' float vectors.
+/// Sizes of the float vectors in library.fbs.
 inline constexpr std::size_t kFloatsPerPose = 3 + 4 * static_cast<std::size_t>(motion::kRoleCount);
 inline constexpr std::size_t kFloatsPerSkeletonVector =
     3 * static_cast<std::size_t>(motion::kRoleCount);

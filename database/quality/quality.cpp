@@ -25,14 +25,14 @@ using motion::radians;
 using motion::Role;
 using motion::Side;
 
-// Peak speeds that people reach, degrees a second.
-// Neck: large fast head turns, 700 (Zangemeister, Jones and Stark 1981).
-// Trunk: pelvis against upper torso when throwing, 500 (Fleisig et al. 1999).
-// Elbow: 2300 and shoulder, without its rotation about its length, 1500 when throwing (the same).
-// Clavicle: a fifth of the shoulder's. Wrist: 2000 when throwing (Debicki et al. 2004).
-// Hip 1000, knee 1500, ankle 1000 when kicking (Lees and Nolan 1998). Toes as the ankle.
+// Peak speeds that people reach, degrees per second. Neck: large fast head turns, 700
+// (Zangemeister, Jones and Stark 1981). Trunk: pelvis against upper torso when throwing, 500
+// (Fleisig et al. 1999). When throwing (the same): elbow 2300; shoulder 1500, without rotation
+// about the arm's length. Clavicle: a fifth of the shoulder's. Wrist: 2000 when throwing (Debicki
+// et al. 2004). Hip 1000, knee 1500, ankle 1000 when kicking (Lees and Nolan 1998). Toes: as the
+// ankle.
 struct SpeedRow {
-  std::string_view part;  // of the joint's name
+  std::string_view part;  // substring of the joint's name
   float dps;
 };
 constexpr std::array<SpeedRow, 10> kSpeeds{{{"trunk", 500},
@@ -82,7 +82,7 @@ void measure_hands(const motion::Figure& figure, const FramesOfClip& frames, Cli
   }
 }
 
-// Every point of a sole remembers where it came to the ground and slips from there until it leaves.
+// Stores where each sole point touches the ground, and measures its slip from there until it lifts.
 void measure_feet(const motion::Figure& figure, const FramesOfClip& frames, ClipQuality& quality) {
   const auto outlines = motion::sole_outlines(figure.skeleton());
   motion::PerSide<std::vector<std::optional<Eigen::Vector3f>>> landed;

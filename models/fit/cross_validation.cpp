@@ -20,21 +20,22 @@
 namespace flinch::models {
 namespace {
 
-/// So many parameter sets are tried on all folds.
+/// Number of parameter sets that are tried on all folds.
 constexpr std::size_t kFinalists = 3;
 
-/// So many observations that a model was not fitted to tell how good it is.
+/// Number of held-out observations that is enough to compare models.
 constexpr int kEnough = 1500;
 
-/// The clip that each parameter set chooses for each observation that was held out: one row of
-/// set.size() clips a parameter set.
+/// The clip that each parameter set chooses for each held-out observation: one row of set.size()
+/// clips per parameter set.
 using Choices = std::vector<std::vector<int>>;
 
 Choices no_choices(const TrainingSet& set, std::size_t rows) {
   return Choices(rows, std::vector<int>(set.label.size()));
 }
 
-/// The neighbours of held-out observations among a training set's allowed ones, one kd-tree a mask.
+/// Finds neighbours of held-out observations among a training set's allowed ones; one kd-tree per
+/// mask.
 class MaskedNeighbours {
  public:
   explicit MaskedNeighbours(const TrainingSet& set) {
@@ -65,8 +66,9 @@ bool averages_costs(const KnnParameters& parameters) {
   return parameters.vote == KnnVote::cost;
 }
 
-/// The choices of every parameter set of the grid for one fold's observations: the most neighbours
-/// that any of them asks for are found once, among the allowed for votes and among all for costs.
+/// Sets the choices of every parameter set of the grid for one fold's observations. The largest
+/// number of neighbours that any of them needs is searched once, among the allowed observations for
+/// votes and among all for costs.
 void choose_for_fold(const TrainingSet& set, std::span<const KnnParameters> grid,
                      const FoldSplit& split, Choices& choices) {
   int max_k = 0;
@@ -99,7 +101,8 @@ void choose_for_fold(const TrainingSet& set, std::span<const KnnParameters> grid
   }
 }
 
-/// What a model that ranks by games chooses for the observations that it was not fitted to.
+/// Sets what a model that ranks by pairwise games chooses for the observations that it was not
+/// fitted to.
 template <typename Model>
 void choose_held_out(const TrainingSet& set, const Model& model, const FoldSplit& split,
                      std::vector<int>& choices) {
@@ -110,7 +113,7 @@ void choose_held_out(const TrainingSet& set, const Model& model, const FoldSplit
   }
 }
 
-/// The mean score of the choices for observations of the folds before `fold_count`.
+/// Returns the mean score of the choices for observations of the folds before `fold_count`.
 double mean_score(std::span<const int> choices, std::span<const int> fold, std::size_t fold_count,
                   const LossFunction& score) {
   double sum = 0;
@@ -123,7 +126,7 @@ double mean_score(std::span<const int> choices, std::span<const int> fold, std::
   return sum / counted;
 }
 
-/// The `count` rows of least score, the first of equals, by rising row.
+/// Returns the `count` rows with the lowest scores, the first of equals, in ascending order.
 std::vector<std::size_t> best_rows(std::vector<std::size_t> rows, std::span<const double> scores,
                                    std::size_t count) {
   std::stable_sort(rows.begin(), rows.end(), [scores](std::size_t a, std::size_t b) {
@@ -141,7 +144,7 @@ PairwiseModel fit(const TrainingSet& set, const PairwiseParameters& parameters) 
   return fit_pairwise(set, parameters);
 }
 
-/// By successive halving (Jamieson and Talwalkar 2016), of folds instead of epochs.
+/// Successive halving (Jamieson and Talwalkar 2016), over folds instead of epochs.
 template <typename Parameters>
 TunedParameters<Parameters> choose_by_halving(const TrainingSet& set,
                                               std::span<const Parameters> grid,
@@ -177,14 +180,14 @@ TunedParameters<Parameters> choose_by_halving(const TrainingSet& set,
 
 std::vector<int> assign_folds(std::span<const int> label, int fold_count, std::uint64_t seed) {
   if (fold_count < 2 || static_cast<std::size_t>(fold_count) > label.size()) {
-    throw Error("", "cross-validation needs from 2 folds to as many as there are observations (" +
+    throw Error("", "cross-validation needs at least 2 folds and at most one per observation (" +
                         std::to_string(label.size()) + "), not " + std::to_string(fold_count));
   }
   std::map<int, std::vector<std::size_t>> observations_of;
   for (std::size_t i = 0; i < label.size(); ++i) {
     observations_of[label[i]].push_back(i);
   }
-  // The engine is the same everywhere by the standard; its distributions and std::shuffle are not.
+  // The standard defines the engine exactly, but not its distributions and std::shuffle.
   std::mt19937_64 random(seed);
   std::vector<int> fold(label.size());
   int next = 0;

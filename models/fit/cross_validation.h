@@ -14,32 +14,34 @@
 
 namespace flinch::models {
 
-/// What choosing clip `chosen` for observation number `observation` of the set costs; lower is
+/// Returns the loss of choosing clip `chosen` for observation `observation` of the set; lower is
 /// better. Called by one thread, in order.
 using LossFunction = std::function<double(int observation, int chosen)>;
 
-/// Deals observations to folds: the fold of each, in [0, fold_count). Stratified: the folds' shares
-/// of each label differ by one at most, and so do their sizes. The same everywhere for the same
-/// labels, count and seed. Throws Error unless 2 <= fold_count <= number of observations.
+/// Assigns observations to folds: returns the fold of each, in [0, fold_count). Stratified: folds
+/// differ by at most one in their number of observations of each label, and in their size. The
+/// result depends only on labels, count and seed. Throws Error unless 2 <= fold_count <= number of
+/// observations.
 std::vector<int> assign_folds(std::span<const int> label, int fold_count, std::uint64_t seed);
 
-/// An observation that is never held out, as its fold.
+/// Fold of an observation that is never held out.
 inline constexpr int kNeverHeldOut = -1;
 
-/// The folds from the first that hold 1500 observations together, or all of them where none do; the
-/// other observations become kNeverHeldOut. So many tell parameters apart, and a model that takes
-/// long to fit is fitted a few times less.
+/// Keeps the first folds that together hold 1500 observations, or all where there are fewer; the
+/// other observations become kNeverHeldOut. That many are enough to compare parameters, and slow
+/// models are fitted fewer times.
 std::vector<int> limit_folds(std::span<const int> fold);
 
-/// Index of the least, the first of equals. Not a number is never least; `scores` is not empty.
+/// Returns the index of the minimum, the first of equals. NaN is never the minimum; `scores` is not
+/// empty.
 std::size_t argmin(std::span<const double> scores);
 
-/// The parameters of the grid with the least mean score, the first of equals; `fold` has each
-/// observation's, and the score is of what models that were not fitted to an observation choose
-/// for it under its own mask. A KNN's are all tried on all folds. Those of models that take longer
-/// to fit are tried on one fold after another: after each only the best quarter goes on, and three
-/// of them to all folds, so that the least is that of those three. Parallel by OpenMP; the result
-/// does not depend on the number of threads.
+/// Returns the parameters of the grid with the lowest mean score, the first of equals. `fold` holds
+/// each observation's fold. The score is that of the choices, under the observation's own mask, of
+/// models that were not fitted to the observation. KNN parameters are all tried on all folds. For
+/// models that take longer to fit, folds are tried one after another: after each, only the best
+/// quarter continues, and the last three candidates are scored on all folds. Parallel by OpenMP;
+/// the result does not depend on the number of threads.
 template <typename Parameters>
 struct TunedParameters {
   Parameters parameters;
@@ -58,9 +60,9 @@ TunedParameters<PairwiseParameters> choose_parameters(const TrainingSet& set,
                                                       std::span<const int> fold,
                                                       const LossFunction& score);
 
-/// How networks of these parameters do on observations that they were not fitted to: the mean score
-/// of what they choose, and the variance that expected costs lack there, as cost_variance_ns()
-/// tells it but never below 0.
+/// How networks with these parameters perform on observations that they were not fitted to: the
+/// mean score of their choices, and the variance missing from their expected costs, as
+/// cost_variance_ns() measures it but at least 0.
 struct NetworkValidation {
   double mean_score = 0;
   double variance_ns = 0;

@@ -8,13 +8,14 @@
 
 namespace flinch::models {
 
-/// One fold: the observations that it holds out, and a model's training set of all the others.
+/// One fold: the observations that it holds out, and the training set of all others.
 struct FoldSplit {
   std::vector<int> held_out;
   TrainingSet training;
 };
 
-/// One a fold; `fold` has each observation's, below 0 where it is among the others of all.
+/// Returns one split per fold. `fold` holds each observation's fold; observations with a negative
+/// fold are in every training set.
 std::vector<FoldSplit> make_fold_splits(const TrainingSet& set, std::span<const int> fold);
 
 }  // namespace flinch::models

@@ -84,7 +84,7 @@ KnnModel fit_knn(const TrainingSet& set, const KnnParameters& parameters) {
   return model;
 }
 
-// In double precision, of the same single-precision coordinates.
+// In double precision, but with the model's single-precision coordinates.
 struct NeighbourIndex::Tree {
   Tree(std::span<const double> rows, std::size_t columns)
       : floats(to_floats(rows)),
@@ -108,9 +108,9 @@ NeighbourIndex::~NeighbourIndex() = default;
 NeighbourIndex::NeighbourIndex(NeighbourIndex&&) noexcept = default;
 NeighbourIndex& NeighbourIndex::operator=(NeighbourIndex&&) noexcept = default;
 
-// FLANN's distances are rounded otherwise than ours, and it keeps any of several points at the k-th
-// distance. So it is asked for all points up to a little beyond that distance, more than single
-// precision may be wrong by; the order among them is then decided by the distance that nearest()
+// FLANN rounds distances differently, and of several points at the k-th distance it keeps an
+// arbitrary one. So all points up to slightly beyond that distance are requested, by more than
+// single-precision rounding errors; their order is then decided by the distance that nearest()
 // computes.
 std::vector<Neighbour> NeighbourIndex::nearest(std::span<const double> scaled, int k) const {
   if (tree_ == nullptr || k < 1) {

@@ -10,7 +10,7 @@
 
 namespace flinch::models {
 
-/// What a KNN is made with.
+/// Parameters of a KNN.
 struct KnnParameters {
   int k = 1;
   KnnVote vote = KnnVote::majority;
@@ -18,29 +18,30 @@ struct KnnParameters {
   bool operator==(const KnnParameters&) const = default;
 };
 
-/// The parameters to choose from by cross-validation: k of 1, 3, 5, 7, 10, 15 and 25, each with
-/// either vote.
+/// Returns the parameters for cross-validation: k of 1, 3, 5, 7, 10, 15 and 25, each with both
+/// votes.
 std::vector<KnnParameters> knn_grid();
 
-/// The same k, averaging costs.
+/// Returns parameters with the same k that average costs.
 std::vector<KnnParameters> knn_cost_grid();
 
-/// Keeps the observations, and for a KNN that averages costs what every clip cost, in 65534 steps
-/// from nothing to the largest. Throws Error for what check() refuses, for k below 1 or above
-/// 65535, and where costs are averaged for a set without them.
+/// Stores the observations and, for a KNN that averages costs, the cost of every clip, quantised to
+/// 65534 steps from zero to the maximum. Throws Error for a set that check() rejects, for k below 1
+/// or above 65535, and where costs are averaged but the set has none.
 KnnModel fit_knn(const TrainingSet& set, const KnnParameters& parameters);
 
-/// Finds exact neighbours by FLANN's single kd-tree: the same as nearest() over all observations,
-/// to the bit and in the same order.
+/// Exact neighbour search by FLANN's single kd-tree: returns the same as nearest() over all
+/// observations, to the bit and in the same order.
 class NeighbourIndex {
  public:
-  /// `points` is row-major with one row of feature_count an observation; there may be none.
+  /// `points` is row-major with one row of feature_count per observation; it may be empty.
   NeighbourIndex(std::span<const double> points, int feature_count);
   ~NeighbourIndex();
   NeighbourIndex(NeighbourIndex&&) noexcept;
   NeighbourIndex& operator=(NeighbourIndex&&) noexcept;
 
-  /// The k nearest observations to `scaled`, ties by the lower index; fewer when there are not k.
+  /// Returns the k observations nearest to `scaled`, ties by the lower index; fewer when there are
+  /// fewer than k.
   std::vector<Neighbour> nearest(std::span<const double> scaled, int k) const;
 
  private:

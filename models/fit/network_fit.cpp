@@ -25,13 +25,13 @@ void check_parameters(const NetworkParameters& parameters) {
   if (parameters.hidden_count < kNetworkBlock || parameters.hidden_count % kNetworkBlock != 0 ||
       parameters.member_count < 1 || parameters.epoch_count < 1 ||
       !(parameters.weight_decay >= 0 && parameters.weight_decay <= 1)) {
-    throw Error("", "a network needs hidden units in multiples of " +
+    throw Error("", "a network needs hidden units in a multiple of " +
                         std::to_string(kNetworkBlock) +
-                        ", a member and an epoch or more, and a weight decay from 0 to 1");
+                        ", at least one member and one epoch, and a weight decay from 0 to 1");
   }
 }
 
-/// Calls act(output, observation, cost) for every clip that was tried, observation by observation.
+/// Calls act(output, observation, cost) for every tried clip, one observation after another.
 template <typename Act>
 void for_each_trial(const TrainingSet& set, std::span<const int> clips, const Act& act) {
   for (int i = 0; i < set.size(); ++i) {
@@ -44,7 +44,7 @@ void for_each_trial(const TrainingSet& set, std::span<const int> clips, const Ac
   }
 }
 
-/// The mean and the standard deviation of the roots of the costs; costs are never below 0.
+/// Sets mean and standard deviation of the square roots of the costs; costs are never negative.
 void standardise(const TrainingSet& set, NetworkModel& model) {
   double count = 0;
   double sum = 0;
@@ -60,7 +60,7 @@ void standardise(const TrainingSet& set, NetworkModel& model) {
   model.scale_root = variance > 1e-12 ? static_cast<float>(std::sqrt(variance)) : 1.0F;
 }
 
-/// The whole set as one batch.
+/// Returns the whole set as one batch.
 NetworkBatch make_batch(const TrainingSet& set, const NetworkModel& model) {
   NetworkBatch batch;
   batch.inputs.resize(set.feature_count, set.size());
@@ -81,8 +81,9 @@ NetworkBatch make_batch(const TrainingSet& set, const NetworkModel& model) {
   return batch;
 }
 
-/// Normal weights whose variance keeps that of the answers from layer to layer (He et al. 2015),
-/// the output's a third of it, so that all clips begin near the mean; no biases.
+/// Normally distributed weights with the variance that preserves that of the activations from layer
+/// to layer (He et al. 2015). The output layer's are a third of that, so that all clips start near
+/// the mean. Biases are zero.
 VectorXf initial_weights(const NetworkShape& shape, features::Random& random) {
   VectorXf weights = VectorXf::Zero(static_cast<Eigen::Index>(shape.weight_count()));
   const auto draw = [&](std::size_t first, std::size_t count, double deviation) {
@@ -174,7 +175,7 @@ NetworkModel fit_network(const TrainingSet& set, const NetworkParameters& parame
   parallel_for(static_cast<std::size_t>(parameters.member_count), [&](std::size_t member) {
     const VectorXf weights = fit_member(shape, all, parameters, member);
     if (!(weights.cwiseAbs().maxCoeff() <= kMaxNetworkWeight)) {
-      throw Error("", "the network's weights do not settle; look for costs beyond all measure");
+      throw Error("", "the network's weights diverge; look for extreme costs");
     }
     std::copy(weights.begin(), weights.end(),
               model.weights.begin() + static_cast<std::ptrdiff_t>(member * shape.weight_count()));

@@ -7,10 +7,10 @@ namespace {
 using Eigen::MatrixXf;
 using Eigen::VectorXf;
 
-/// The weights of one layer, in place: `Matrix` and `Vector` are const or not.
+/// Views of the weights of each layer, in place; `Matrix` and `Vector` may be const.
 template <typename Matrix, typename Vector, typename Number>
 struct Layers {
-  Eigen::Map<Matrix> first, second, output;  // the output's by clip: transposed
+  Eigen::Map<Matrix> first, second, output;  // output's is transposed, by clip
   Eigen::Map<Vector> first_biases, second_biases, output_biases;
 
   Layers(const NetworkShape& shape, Number* weights)
@@ -36,15 +36,16 @@ Activations forward_pass(const Weights& layers, const MatrixXf& inputs) {
   return a;
 }
 
-/// Passes on what comes back to units that answered above 0.
+/// Passes errors back through the units whose output was above 0.
 MatrixXf relu_gradient(const MatrixXf& errors, const MatrixXf& unit_outputs) {
   return (unit_outputs.array() > 0).select(errors, 0.0F);
 }
 
 }  // namespace
 
-// Back-propagation (Rumelhart, Hinton and Williams 1986): the derivative of the loss by a layer's
-// sums, from the last layer to the first; by a weight it is that times what the weight carries.
+// Back-propagation (Rumelhart, Hinton and Williams 1986): computes the derivative of the loss by
+// each layer's sums, from the last layer to the first. The derivative by a weight is that of its
+// unit's sum times the weight's input.
 float network_loss(const NetworkShape& shape, const NetworkBatch& batch, const VectorXf& weights,
                    VectorXf& gradient) {
   const Weights layers(shape, weights.data());

@@ -7,7 +7,8 @@
 
 namespace flinch::models {
 
-/// Runs task(0), …, task(count - 1) on OpenMP's threads, and throws what the first of them threw.
+/// Runs task(0), …, task(count - 1) on OpenMP's threads, then rethrows the exception of the first
+/// task, by number, that threw one.
 template <typename Task>
 void parallel_for(std::size_t count, const Task& task) {
   std::vector<std::exception_ptr> thrown(count);

@@ -20,11 +20,11 @@ namespace {
 struct Class {
   int label = 0;
   std::vector<double> points;  ///< rows, rounded to floats
-  double weight = 1;           ///< of C
+  double weight = 1;           ///< factor of C
   std::size_t count = 0;
 };
 
-/// By first appearance, as libsvm has them.
+/// Groups observations by class, in order of first appearance like libsvm.
 std::vector<Class> classes_of(const TrainingSet& set, double balance) {
   std::vector<Class> classes;
   for (int i = 0; i < set.size(); ++i) {
@@ -46,7 +46,7 @@ std::vector<Class> classes_of(const TrainingSet& set, double balance) {
   return classes;
 }
 
-/// Every pair's solution, (0,1), (0,2), …, (1,2), ….
+/// Returns every pair's solution: (0,1), (0,2), …, (1,2), ….
 std::vector<PairSolution> solve(const std::vector<Class>& classes, int feature_count,
                                 const SvmParameters& parameters) {
   const auto pairs = class_pairs(classes.size());
@@ -60,8 +60,8 @@ std::vector<PairSolution> solve(const std::vector<Class>& classes, int feature_c
   return solutions;
 }
 
-/// libsvm's sv_coef of one class's observations, transposed: rows of a value a machine, with those
-/// of all zeros left out; `kept` says which are there.
+/// Returns libsvm's sv_coef for one class's observations, transposed: one row per observation with
+/// one value per machine. Rows of zeros are left out; `kept` lists the others.
 std::vector<double> coefficients_of(const std::vector<Class>& classes, std::size_t one,
                                     const std::vector<PairSolution>& solutions,
                                     std::vector<std::size_t>& kept) {
@@ -89,7 +89,7 @@ std::vector<double> coefficients_of(const std::vector<Class>& classes, std::size
   return coefficients;
 }
 
-/// Adds one class's part of a machine: its free vectors, then those at the bound.
+/// Adds one class's side of a machine: its free vectors, then its bounded ones.
 void add_side(SvmModel& model, SvmMachine& machine, std::size_t one, std::size_t column, int side,
               std::span<const double> coefficients) {
   const std::size_t machines = model.label.size() - 1;
@@ -114,7 +114,8 @@ SvmParameters default_svm_parameters(int feature_count) {
   return {.degree = 3, .gamma = 1.0 / feature_count, .coef0 = 0, .cost = 1};
 }
 
-// Without an offset, (gamma u.v)^degree, another gamma is another C: one of them is enough.
+// In (gamma u.v)^degree, without an offset, changing gamma is the same as changing C: one gamma is
+// enough.
 std::vector<SvmParameters> svm_grid(int feature_count, SvmKernel kernel) {
   const SvmParameters defaults = default_svm_parameters(feature_count);
   std::vector<SvmParameters> grid;
@@ -146,7 +147,7 @@ SvmModel make_svm_model(const SvmParameters& parameters, std::vector<int> label,
   for (const int count : vectors_of_class) {
     if (count > std::numeric_limits<std::uint16_t>::max()) {
       throw Error("", "one clip has " + std::to_string(count) +
-                          " support vectors, more than the 65535 that a kernel SVM can keep; "
+                          " support vectors, more than the 65535 that a kernel SVM can store; "
                           "train on fewer scenarios or with another model");
     }
   }

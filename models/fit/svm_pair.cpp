@@ -18,7 +18,7 @@ struct ModelDeleter {
 };
 using LibsvmModel = std::unique_ptr<svm_model, ModelDeleter>;
 
-/// libsvm tells its progress on stdout, and where to is a setting of the whole process.
+/// libsvm prints its progress to stdout; its print function is a setting of the whole process.
 void silence_libsvm() {
   static const bool kSilenced = [] {
     svm_set_print_string_function([](const char*) {});
@@ -35,13 +35,14 @@ svm_parameter to_libsvm(const SvmParameters& parameters) {
   converted.gamma = parameters.gamma;
   converted.coef0 = parameters.coef0;
   converted.C = parameters.cost;
-  converted.cache_size = 100;  // MB, taken only as the kernel's columns are
+  converted.cache_size = 100;  // MB, allocated only as the kernel's columns need it
   converted.eps = 1e-3;
   converted.shrinking = 1;
   return converted;
 }
 
-/// Rows of libsvm's nodes. Node k of row i is {k, value}; what closes a row is the caller's.
+/// Rows of libsvm's nodes. Node k of row i is {k, value}; the caller adds the terminator of each
+/// row.
 struct Nodes {
   Nodes(std::size_t rows, std::size_t columns) : values(rows * columns), pointers(rows) {
     for (std::size_t row = 0; row < rows; ++row) pointers[row] = &values[row * columns];
@@ -60,7 +61,7 @@ std::vector<const double*> rows_of(const PairProblem& problem) {
   return rows;
 }
 
-/// The points themselves, closed by index -1.
+/// The points themselves, each terminated by index -1.
 Nodes nodes_of(const PairProblem& problem) {
   const std::vector<const double*> rows = rows_of(problem);
   const auto features = static_cast<std::size_t>(problem.feature_count);
@@ -82,7 +83,7 @@ void check(const SvmParameters& parameters) {
   const svm_parameter converted = to_libsvm(parameters);
   const svm_problem none{};
   if (const char* refusal = svm_check_parameter(&none, &converted)) {
-    throw Error("", std::string("the SVM's parameters do not work: ") + refusal);
+    throw Error("", std::string("the SVM's parameters are invalid: ") + refusal);
   }
 }
 

@@ -20,7 +20,7 @@ void check_observation(const TrainingSet& set, int observation) {
   }
   const auto i = static_cast<std::size_t>(observation);
   if (set.mask[i] < 0 || static_cast<std::size_t>(set.mask[i]) >= set.masks.size()) {
-    throw Error("", which + " names mask " + std::to_string(set.mask[i]) + " of " +
+    throw Error("", which + " refers to mask " + std::to_string(set.mask[i]) + " of " +
                         std::to_string(set.masks.size()));
   }
   const ClipMask& allowed = set.allowed_clips(observation);
@@ -42,10 +42,10 @@ void check(const TrainingSet& set) {
   }
   if (set.feature_count < 1 || set.mask.size() != count ||
       set.points.size() != count * static_cast<std::size_t>(set.feature_count)) {
-    throw Error("", "the training set's points, labels and masks differ in number");
+    throw Error("", "the training set's numbers of points, labels and masks differ");
   }
   if (!set.cost.empty() && set.cost.size() != count * set.clip_count()) {
-    throw Error("", "the training set's costs are not one a clip and observation");
+    throw Error("", "the training set's costs are not one per clip and observation");
   }
   for (int i = 0; i < set.size(); ++i) {
     check_observation(set, i);

@@ -11,13 +11,13 @@ namespace flinch::models {
 /// Labelled observations that a model is fitted to.
 struct TrainingSet {
   int feature_count = 0;
-  std::vector<double> points;  ///< row-major, scaled, one row of feature_count an observation
-  std::vector<int> label;      ///< clip index, one an observation
-  std::vector<int> mask;       ///< index into `masks`, one an observation
-  /// What each clip costs, N·s: row-major, one row of a value a clip an observation, infinity where
-  /// the clip was not tried. Empty where no costs are known.
+  std::vector<double> points;  ///< row-major, scaled, one row of feature_count per observation
+  std::vector<int> label;      ///< clip index, one per observation
+  std::vector<int> mask;       ///< index into `masks`, one per observation
+  /// Cost of each clip, N·s: row-major, one row per observation and one column per clip, infinity
+  /// where the clip was not tried. Empty where no costs are known.
   std::vector<float> cost;
-  /// Which clips are allowed, by clip index: one mask a target.
+  /// Which clips are allowed, by clip index: one mask per target.
   std::vector<ClipMask> masks;
   int idle = 0;  ///< the library's idle clip
 
@@ -26,9 +26,9 @@ struct TrainingSet {
     const auto count = static_cast<std::size_t>(feature_count);
     return {points.data() + static_cast<std::size_t>(observation) * count, count};
   }
-  /// How many values a row of `cost` has.
+  /// Number of values in a row of `cost`.
   std::size_t clip_count() const { return masks.empty() ? 0 : masks.front().size(); }
-  /// Of the clips for one observation; not to be asked where no costs are known.
+  /// Costs of the clips for one observation. Requires known costs.
   std::span<const float> costs(int observation) const {
     return std::span(cost).subspan(static_cast<std::size_t>(observation) * clip_count(),
                                    clip_count());
@@ -42,14 +42,15 @@ struct TrainingSet {
 /// every observation's label is allowed by its mask.
 void check(const TrainingSet& set);
 
-/// Throws Error unless every observation has a clip whose cost is known and no cost is negative or
-/// not a number: what learning from costs needs beside check().
+/// Throws Error unless every observation has a clip whose cost is known, and no cost is negative or
+/// NaN: what learning from costs requires beyond check().
 void check_costs(const TrainingSet& set);
 
-/// The clips that were tried on any observation, rising; for a set that check_costs() lets pass.
+/// Returns the clips that were tried on any observation, ascending. The set must pass
+/// check_costs().
 std::vector<int> tried_clips(const TrainingSet& set);
 
-/// The observations with these indices, in this order.
+/// Returns the observations with these indices, in this order.
 TrainingSet subset(const TrainingSet& set, std::span<const int> observations);
 
 }  // namespace flinch::models

@@ -12,17 +12,17 @@ namespace {
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
-/// The least and the largest projected gradient of a pass.
+/// Minimum and maximum projected gradient of a pass.
 struct GradientRange {
   float min = kInfinity;
   float max = -kInfinity;
 };
 
-// The dual of the problem: minimise |u|^2 / 2 - sum of a over the multipliers a in [0, bound],
-// where u = sum of a sign x (Hsieh et al. 2008, equation 4). With the others held fast, the best
-// multiplier of one example is known (equation 9):
+// The dual problem: minimise |u|^2 / 2 - sum of a over the multipliers a in [0, bound], where u =
+// sum of a sign x (Hsieh et al. 2008, equation 4). With the others fixed, the optimal multiplier of
+// one example is known (equation 9):
 //   G = sign u.x - 1,   a' = min(max(a - G / |x|^2, 0), bound),   u += (a' - a) sign x.
-// The projected gradient is G, but 0 where a bound forbids the step; all are 0 at the optimum.
+// The projected gradient is G, but 0 where a bound prevents the step; all are 0 at the optimum.
 class Descent {
  public:
   Descent(const FeatureRows& features, std::span<const WeightedExample> examples,
@@ -48,7 +48,7 @@ class Descent {
       if (is_settled) {
         active_ = order_.size();
       }
-      // What shrinking goes by in the next pass (their section 3.2): nothing after a settled one.
+      // Shrinking thresholds for the next pass (their section 3.2): none after a converged pass.
       last.max = is_settled || seen.max <= 0 ? kInfinity : seen.max;
       last.min = is_settled || seen.min >= 0 ? -kInfinity : seen.min;
     }
@@ -56,8 +56,8 @@ class Descent {
   }
 
  private:
-  /// Takes every active example once, in random order, and leaves out those which sit at a bound
-  /// more firmly than any did in the pass before.
+  /// Visits every active example once, in random order. Deactivates those whose gradient at a bound
+  /// exceeds the range of the previous pass.
   GradientRange visit_active(const GradientRange& last) {
     GradientRange range;
     for (std::size_t place = 0; place < active_;) {
