@@ -19,11 +19,11 @@ float squared(float value) {
   return value * value;
 }
 
-// The offset c of the skeleton's ankle from the source's over the ground. With A and F the source's
-// ankle and its way from ankle to ball, and f the skeleton's, the points at the fraction w of both
-// feet are A + w F and A + c + w f, apart by c - w g with g = F - f. They make the same way from
-// one frame to the next when dc = w dg. The foot turns about the fraction w at which it moves
-// least: 0 where the ankle rests, 1 where the ball does.
+// Computes the horizontal offset c between the skeleton's ankle and the source's. Let A be the
+// source's ankle, F the vector from its ankle to its ball, and f that of the skeleton. The points
+// at the fraction w of both feet are A + w F and A + c + w f; they differ by c - w g with g = F -
+// f. They move equally from one frame to the next when dc = w dg. The foot rotates about the
+// fraction w at which it moves least: 0 where the ankle rests, 1 where the ball does.
 class AnkleTracker {
  public:
   explicit AnkleTracker(float interval_s) : interval_s_(interval_s) {}
@@ -52,9 +52,9 @@ class AnkleTracker {
   }
 
  private:
-  // Share of the way back to the middle that a foot goes in one frame: none while it is planted.
+  // Fraction of the offset that is removed in one frame: 0 while the foot is planted.
   float return_share(float speed_mps, float lift_m) const {
-    constexpr float kTime = 0.1F;  // s, to come back by a factor e
+    constexpr float kTime = 0.1F;  // s, time constant of the exponential decay
     const float is_fast = motion::ease_in_ease_out((speed_mps - 0.2F) / 0.6F);
     const float is_up = motion::ease_in_ease_out((lift_m - 0.03F) / 0.05F);
     return std::max(is_fast, is_up) * (1 - std::exp(-interval_s_ / kTime));
@@ -62,7 +62,7 @@ class AnkleTracker {
 
   float interval_s_;
   bool is_first_ = true;
-  Vector2f ankle_ = Vector2f::Zero();  // of the frame before, like the next two
+  Vector2f ankle_ = Vector2f::Zero();  // of the previous frame, like the next two
   Vector2f ball_ = Vector2f::Zero();
   Vector2f gap_ = Vector2f::Zero();
   Vector2f offset_ = Vector2f::Zero();
@@ -84,10 +84,10 @@ Foot foot_of(const motion::Skeleton& skeleton, motion::Side side) {
           rest.position[roles.toes].z(), motion::sole_outline(skeleton, side).foot};
 }
 
-// The ankle's height by the source's ankle and by its ball, weighted towards the one that is nearer
-// to its planted height.
+// The ankle's height according to the source's ankle and to its ball, weighted towards whichever is
+// nearer to its planted height.
 float ankle_height(const Foot& foot, const Vector3f& to_ball, float ankle_lift, float ball_lift) {
-  constexpr float kEven = 0.005F;  // m: lifts below this count alike
+  constexpr float kEven = 0.005F;  // m: lifts well below this weigh the same
   const float by_ankle = foot.ankle_height + ankle_lift;
   const float by_ball = foot.ball_height + ball_lift - to_ball.z();
   const float ankle_weight = squared(std::max(ball_lift, 0.0F) + kEven);

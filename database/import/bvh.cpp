@@ -14,7 +14,7 @@
 namespace flinch::database {
 namespace {
 
-// Far above any figure, far below what would harm code that walks the tree.
+// Far above any figure, and low enough for code that walks the tree.
 constexpr std::size_t kMaxJoints = 4096;
 constexpr std::size_t kMaxDepth = 256;
 
@@ -32,12 +32,12 @@ bool is_position(BvhChannel channel) {
   return channel <= BvhChannel::z_position;
 }
 
-/// Reads the tree of joints. It keeps its own stack: a file cannot exhaust the program's.
+/// Parses the tree of joints. Uses its own stack, so that no file can overflow the program's.
 class HierarchyParser {
  public:
   HierarchyParser(BvhLexer& lexer, Bvh& bvh) : lexer_(lexer), bvh_(bvh) {}
 
-  /// From HIERARCHY to MOTION, both included.
+  /// Parses from HIERARCHY to MOTION, inclusive.
   void parse() {
     parse_opening();
     begin_joint();

@@ -31,7 +31,7 @@ Local local_of(const BvhJoint& joint, std::span<const double> row) {
   return local;
 }
 
-/// Accumulates down the tree what `local(joint)` gives.
+/// Accumulates the transforms that `local(joint)` returns down the tree.
 template <class LocalOf>
 BvhFrame accumulate(const Bvh& bvh, LocalOf local) {
   BvhFrame frame;

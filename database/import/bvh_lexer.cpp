@@ -15,7 +15,7 @@ namespace {
 constexpr std::string_view kUtf8Mark = "\xEF\xBB\xBF";
 constexpr std::string_view kUtf16Marks[] = {"\xFF\xFE", "\xFE\xFF"};
 
-// Not those of <cctype>: they ask the locale.
+// The functions of <cctype> depend on the locale.
 bool is_line_end(char c) {
   return c == '\n' || c == '\r';
 }
@@ -39,15 +39,16 @@ std::string_view between(const char* first, const char* last) {
   return {first, static_cast<std::size_t>(last - first)};
 }
 
-/// Past one end of line, which may be two characters.
+/// Skips one end of line, which may be two characters.
 const char* past_line_end(const char* position, const char* end) {
   const bool carriage_return = *position++ == '\r';
   return carriage_return && position != end && *position == '\n' ? position + 1 : position;
 }
 
-/// Past a number that ends at a blank or at the end; null when there is none that a double holds.
+/// Parses a number up to a blank or the end. Returns its end; null if it is not a number that fits
+/// into a double.
 const char* parse_number(const char* first, const char* end, double& number) {
-  // from_chars takes no plus sign; "+-1" is no number all the same.
+  // from_chars does not accept a plus sign; "+-1" remains invalid.
   if (end - first >= 2 && *first == '+' && first[1] != '-') ++first;
   const auto [last, error] = std::from_chars(first, end, number);
   const bool whole_word = last == end || is_blank(*last);

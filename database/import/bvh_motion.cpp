@@ -7,16 +7,16 @@
 namespace flinch::database {
 namespace {
 
-/// How the lines of the motion fall on its frames.
+/// Tracks how the lines of the motion divide into frames.
 ///
-/// A frame may be broken over lines and a line may hold several whole frames. A frame that ends in
-/// the middle of a line is where a value is missing or one too many, unless the whole text was
-/// wrapped without regard to frames.
+/// A frame may span several lines and a line may hold several whole frames. A frame that ends in
+/// the middle of a line indicates a missing or extra value, unless the whole text was wrapped
+/// without regard to frames.
 class FrameLines {
  public:
   explicit FrameLines(std::size_t width) : width_(width) {}
 
-  /// One line, with `count` > 0 values of which the first is value `first` of the motion.
+  /// Adds one line with `count` > 0 values, the first of which is value `first` of the motion.
   void add(std::size_t line, std::size_t first, std::size_t count) {
     const std::size_t begun = first % width_;
     if (begun == 0) {
@@ -28,7 +28,7 @@ class FrameLines {
   }
 
   struct Frame {
-    std::size_t line = 0;  ///< that it begins on, from 1; 0 for no frame
+    std::size_t line = 0;  ///< where it begins, from 1; 0 for no frame
     std::size_t values_on_line = 0;
     std::size_t number = 0;  ///< from 1
   };
@@ -47,7 +47,7 @@ std::string plural(std::size_t count, const std::string& noun) {
   return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
 }
 
-/// What the header of the motion says.
+/// Values declared in the header of the motion.
 struct Declared {
   std::size_t frames = 0;
   std::size_t frames_line = 0;
@@ -110,7 +110,7 @@ Declared parse_motion_header(BvhLexer& lexer, Bvh& bvh) {
 void parse_bvh_motion(BvhLexer& lexer, Bvh& bvh) {
   const Declared declared = parse_motion_header(lexer, bvh);
   const std::size_t expected = declared.frames * declared.channels;
-  // A value takes two bytes of text or more: a count that lies reserves no more than that.
+  // A value takes at least two bytes of text, so a wrong count cannot reserve more than that.
   bvh.values.reserve(std::min(expected, lexer.bytes_left() / 2 + 1));
 
   FrameLines lines(declared.channels);

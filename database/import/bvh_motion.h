@@ -6,7 +6,7 @@
 
 namespace flinch::database {
 
-/// Reads what follows the word MOTION into `bvh`, whose hierarchy stands: frame_time_s,
+/// Parses what follows the word MOTION into `bvh`, whose hierarchy is complete: frame_time_s,
 /// frame_count, values, warnings. Throws Error.
 void parse_bvh_motion(BvhLexer& lexer, Bvh& bvh);
 

@@ -22,8 +22,8 @@ constexpr std::array<motion::LimbRoles, 2> kFeet{
     {{Role::left_shin, Role::left_foot, Role::left_toes},
      {Role::right_shin, Role::right_foot, Role::right_toes}}};
 
-// Of the heights of a flat foot over a take, the one that the planted foot has: the lowest, but for
-// glitches.
+// Quantile of a flat foot's heights over a take that is its planted height: nearly the lowest,
+// without the glitches.
 constexpr double kPlantedQuantile = 0.02;
 
 float quantile(std::vector<float>& values, double fraction) {
@@ -33,7 +33,7 @@ float quantile(std::vector<float>& values, double fraction) {
   return *at;
 }
 
-// Height of a foot's point while planted; nothing where the foot is never flat.
+// Returns the height of a foot's point while planted; nothing if the foot is never flat.
 template <class Height>
 std::optional<float> planted_height(const SourceMotion& motion, std::size_t side, Height height) {
   constexpr float kFlat = 0.9F;  // cosine of the foot's tilt: within 26 degrees
@@ -46,10 +46,10 @@ std::optional<float> planted_height(const SourceMotion& motion, std::size_t side
   return quantile(heights, kPlantedQuantile);
 }
 
-// Of both feet. One that is never put down in the take is as high as the other when it is.
+// Returns the planted heights of both feet. A foot that is never put down has the other's.
 template <class Height>
 std::array<float, 2> planted_heights(const SourceMotion& motion, Height height) {
-  constexpr float kFeetDiffer = 0.05F;  // of the leg's length: more is not a matter of markers
+  constexpr float kFeetDiffer = 0.05F;  // of the leg's length: more is not due to markers
   const std::optional<float> left = planted_height(motion, 0, height);
   const std::optional<float> right = planted_height(motion, 1, height);
   if (!left && !right) {
@@ -66,8 +66,8 @@ std::array<float, 2> planted_heights(const SourceMotion& motion, Height height) 
   return {own(left), own(right)};
 }
 
-// The axis about which a limb's hinge bends in the motion, in the upper joint's frame, weighted by
-// how much it bends; nothing where that is too little or not one axis.
+// Returns the axis about which a limb bends in the motion, in the upper joint's frame, weighted by
+// how much it bends; nothing where that is too little or the axis varies.
 std::optional<Vector3f> hinge_in_motion(const SourceMotion& motion, Limb limb) {
   constexpr float kBent = 0.26F;    // sine of 15 degrees
   constexpr float kOneAxis = 0.9F;  // length of the mean of unit axes
@@ -90,7 +90,7 @@ std::optional<Vector3f> hinge_in_motion(const SourceMotion& motion, Limb limb) {
   return sum.normalized();
 }
 
-// For legs that hardly bend: the knee's axis is across the foot, on the mean.
+// For legs that hardly bend: the knee's axis is perpendicular to the mean direction of the foot.
 Vector3f hinge_across_foot(const SourceMotion& motion, std::size_t side) {
   const Limb leg = side == 0 ? Limb::left_leg : Limb::right_leg;
   Vector3f sum = Vector3f::Zero();
@@ -98,7 +98,7 @@ Vector3f hinge_across_foot(const SourceMotion& motion, std::size_t side) {
     const Vector3f across = frame.orientation[kFeet[side].lower] * Vector3f::UnitY();
     sum += frame.orientation[motion::roles_of(leg).upper].conjugate() * across;
   }
-  sum.z() = 0;  // square to the bone
+  sum.z() = 0;  // perpendicular to the bone
   return sum;
 }
 

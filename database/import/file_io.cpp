@@ -28,7 +28,7 @@ class FileDescriptor {
     if (number_ >= 0) ::close(number_);
   }
   int number() const { return number_; }
-  /// Closes now; false with errno set when the system reports a late write error.
+  /// Closes now; returns false with errno set if the system reports a late write error.
   bool close() { return ::close(std::exchange(number_, -1)) == 0; }
 
  private:
@@ -65,7 +65,7 @@ bool write_all(int descriptor, std::string_view bytes) {
   return true;
 }
 
-/// 0, or the error number of what failed first.
+/// Returns 0, or the error number of the first call that failed.
 int write_and_sync(const std::string& path, std::string_view bytes) {
   FileDescriptor file(::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
   if (file.number() < 0) return errno;
@@ -74,8 +74,8 @@ int write_and_sync(const std::string& path, std::string_view bytes) {
   return file.close() ? 0 : errno;
 }
 
-/// Makes the rename itself last through a power cut. Some file systems cannot sync a folder; the
-/// file is whole all the same, so that is no error.
+/// Makes the rename durable in a power failure. Some file systems cannot sync a folder; the file is
+/// complete anyway, so that is not an error.
 void sync_folder_of(const std::string& path) {
   const std::filesystem::path folder = std::filesystem::path(path).parent_path();
   const FileDescriptor opened(
@@ -98,7 +98,7 @@ std::string read_file(const std::string& path) {
   if (S_ISDIR(about.st_mode)) throw Error(path, "is a folder, not a file");
   std::string bytes;
   if (about.st_size > 0) bytes.reserve(static_cast<std::size_t>(about.st_size));
-  // Read to the end, whatever the size said: pipes have none.
+  // Reads to the end, whatever the reported size: pipes have none.
   std::array<char, 1 << 16> chunk;
   while (true) {
     const ssize_t count = ::read(file.number(), chunk.data(), chunk.size());

@@ -6,13 +6,13 @@
 
 namespace flinch::database {
 
-/// A whole file's bytes. Throws Error when it is missing, a directory or cannot be read.
+/// Returns a whole file's bytes. Throws Error when it is missing, is a directory or cannot be read.
 std::string read_file(const std::string& path);
 
-/// Writes a whole file or nothing: the bytes go to "PATH.partial" on the same disk, are forced
-/// out to it, and take the final name only then, so that neither a full disk nor an interruption
-/// leaves half a file under that name. On failure the partial file is removed, what stood under
-/// the name before stays, and Error says why and what to do.
+/// Writes a file atomically: writes the bytes to "PATH.partial" on the same disk, flushes them to
+/// the disk, and only then renames the file, so that neither a full disk nor an interruption leaves
+/// a partial file at `path`. On failure the partial file is removed, an existing file at `path` is
+/// unchanged, and the Error says why and what to do.
 void write_file_atomically(const std::string& path, std::string_view bytes);
 
 }  // namespace flinch::database

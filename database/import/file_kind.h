@@ -7,7 +7,7 @@
 
 namespace flinch::database {
 
-/// What a file's first bytes say that it is.
+/// Kind of a file, judged by its first bytes.
 enum class FileKind : std::uint8_t {
   empty,
   library,
@@ -22,7 +22,7 @@ enum class FileKind : std::uint8_t {
 
 FileKind file_kind_of(std::string_view bytes);
 
-/// With its article, such as "a library" or "a BVH file".
+/// Returns the kind with its article, such as "a library" or "a BVH file".
 std::string_view name_of(FileKind kind);
 
 }  // namespace flinch::database

@@ -18,8 +18,8 @@ constexpr float kPlantedHeight = 0.03F;  // m above the flat foot's
 constexpr float kPlantedSpeed = 0.2F;    // m/s
 constexpr float kPlantedTime = 0.1F;     // s
 
-// One point of a foot over the clip: on the ground in the source and as retargeted, and how high
-// above its planted height in the source.
+// One point of a foot over the clip: its horizontal position in the source and in the retargeted
+// clip, and its height above its planted height in the source.
 struct PointTrajectory {
   std::vector<Vector2f> source, clip;
   std::vector<float> height;

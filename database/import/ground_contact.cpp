@@ -12,7 +12,7 @@ namespace {
 constexpr double kStandingSpeed = 0.2;  // m/s
 constexpr double kStandingTime = 0.1;   // s
 constexpr float kStandingLift = 0.06F;  // m
-constexpr double kSmoothing = 0.1;      // s, to either side
+constexpr double kSmoothing = 0.1;      // s, to each side
 
 constexpr float kInTheAir = std::numeric_limits<float>::infinity();
 
@@ -24,7 +24,7 @@ struct Point {
   float lift(std::size_t frame) const { return position[frame].z() - planted_height; }
 };
 
-// Lowers `lifts` to the point's where it stands.
+// Lowers `lifts` to the point's lift where it stands.
 void mark_standing(const Point& point, double frame_time_s, std::vector<float>& lifts) {
   const auto min_displacement = static_cast<float>(kStandingSpeed * frame_time_s);
   const auto least_frames = static_cast<std::size_t>(std::ceil(kStandingTime / frame_time_s));
@@ -44,8 +44,8 @@ void mark_standing(const Point& point, double frame_time_s, std::vector<float>& 
   close(point.position.size());
 }
 
-// Fills the frames in the air: linearly between the standing ones, constant before the first and
-// after the last, zero where there is none.
+// Fills the frames in the air: linearly between standing frames, constant before the first and
+// after the last, zero if there are none.
 void interpolate(std::vector<float>& lifts) {
   std::ptrdiff_t last = -1;
   const auto count = static_cast<std::ptrdiff_t>(lifts.size());

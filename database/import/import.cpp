@@ -26,7 +26,7 @@ std::string seconds(double time_s) {
   return text;
 }
 
-// A file's motion, made once for all the clips that are cut from it.
+// A file's motion, computed once for all clips that are cut from it.
 struct LoadedSource {
   Source source;
   SourceMotion motion;
@@ -42,7 +42,7 @@ class SourceSet {
     index_[path] = loaded_.size() - 1;
   }
 
-  // Once all are added: the same skeleton stands the same way in every file.
+  // Call once all files are added: files with the same skeleton get the same reference pose.
   void finish() {
     for (LoadedSource& one : loaded_) share_reference(one.source);
     for (LoadedSource& one : loaded_) one.motion = source_motion(one.source);
@@ -76,7 +76,7 @@ class SourceSet {
   std::map<std::string, std::size_t> index_;
 };
 
-// Where an entry's file is: below one of the folders, in their order.
+// Finds an entry's file: searches the folders in order.
 std::string resolved(const std::string& file, const std::vector<fs::path>& folders,
                      const std::string& where) {
   if (fs::path(file).is_absolute() && fs::exists(file)) return file;
@@ -104,7 +104,7 @@ std::vector<fs::path> folders_of(const std::vector<std::string>& paths,
   return folders;
 }
 
-// The entry's times within the file's; the last frame may be missed by rounding.
+// Returns the entry's times within the file's; times just beyond the last frame are clamped.
 Segment segment_of(const ManifestEntry& entry, const SourceMotion& source) {
   const double duration = source.duration_s();
   const double slack = source.frame_time_s;
@@ -118,7 +118,7 @@ Segment segment_of(const ManifestEntry& entry, const SourceMotion& source) {
   return segment;
 }
 
-// From times in the file to times in the clip.
+// Converts times in the file to times in the clip.
 motion::Annotation annotation_in(const ManifestEntry& entry, const Segment& segment,
                                  float duration_s) {
   motion::Annotation annotation = *entry.annotation;
@@ -128,7 +128,7 @@ motion::Annotation annotation_in(const ManifestEntry& entry, const Segment& segm
   annotation.end_s = duration_s;
   if (annotation.onset_s >= annotation.peak_s) {
     throw Error(entry.where, "the peak of \"" + entry.name +
-                                 "\" is no later than its onset once cut to its file");
+                                 "\" is not after its onset within the file's duration");
   }
   return annotation;
 }
@@ -165,7 +165,7 @@ void warn_of_unannotated(ImportReport& report) {
                             " clips are not annotated and will not answer threats: " + names);
 }
 
-// What both kinds of import share. `paths[i]` is where the file of entry i is.
+// The common part of both kinds of import. `paths[i]` is the path of entry i's file.
 ImportResult build(const Manifest& manifest, const std::vector<std::string>& paths,
                    const std::string& skeleton_path, const SourceSet& sources, float rate_hz) {
   ImportResult result;
@@ -238,7 +238,7 @@ std::vector<FoundFile> find_files(const std::vector<std::string>& paths) {
     std::sort(found.begin(), found.end());
     for (const fs::path& one : found) files.push_back({one.string(), one.stem().string(), false});
   }
-  // Files of the same name in different folders are told apart by their paths.
+  // Files with the same name in different folders are distinguished by their paths.
   std::map<std::string, int> count;
   for (const FoundFile& file : files) ++count[file.name];
   for (FoundFile& file : files) {

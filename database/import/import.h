@@ -11,15 +11,14 @@
 
 namespace flinch::database {
 
-/// What the command line may fix for a whole import; a manifest's [source] tables win over
-/// `source`.
+/// Options for a whole import. A manifest's [source] tables override `source`.
 struct ImportOptions {
-  std::optional<float> rate_hz;         ///< none: the manifest's, else 60
+  std::optional<float> rate_hz;         ///< none: the manifest's, or 60 without one
   std::optional<std::string> skeleton;  ///< without a manifest: the file whose skeleton to use
   SourceOptions source;
 };
 
-/// How one clip came out.
+/// Result of importing one clip.
 struct ClipReport {
   std::string name;
   motion::Purpose purpose = motion::Purpose::anticipation;
@@ -29,13 +28,13 @@ struct ClipReport {
   FootDrift drift;
 };
 
-/// A file that was left out, and why.
+/// A file that was skipped, with the reason.
 struct SkippedFile {
   std::string path;
   std::string reason;
 };
 
-/// What an import has to tell. Mirrored clips are not listed: they are as their originals.
+/// Results of an import. Mirrored clips are not listed: their results equal their originals'.
 struct ImportReport {
   std::vector<SourceReport> sources;  ///< every file used, in the order of first use
   std::vector<ClipReport> clips;
@@ -48,24 +47,25 @@ struct ImportResult {
   ImportReport report;
 };
 
-/// Makes a library of motion capture.
+/// Makes a library from motion capture.
 ///
-/// With a manifest, its entries become the clips; their files are looked for in the folders of
-/// `paths`, then in the manifest's own. Annotated clips come a second time, mirrored. The first
-/// [[idle]] is the library's idle clip.
+/// With a manifest, its entries become the clips; their files are searched in the folders of
+/// `paths`, then in the manifest's own folder. For each annotated clip, a mirrored one is added.
+/// The first [[idle]] is the library's idle clip.
 ///
-/// Without one, every BVH file of `paths` (files, and folders with all below them, in alphabetical
-/// order) becomes one unannotated clip, named after its file. The first whose name contains "idle"
-/// is the idle clip, else the first; its skeleton is the library's unless the options name another.
-/// Files found in folders that cannot be used are skipped and reported; a file that was named
-/// itself is an error.
+/// Without a manifest, every BVH file of `paths` (files, and folders searched recursively, in
+/// alphabetical order) becomes one unannotated clip, named after its file. The idle clip is the
+/// first whose name contains "idle", or the first clip if there is none; its skeleton is the
+/// library's unless the options name another. Unusable files found in folders are skipped and
+/// reported; an unusable file in `paths` itself is an error.
 ///
-/// Files with the same skeleton share the reference pose of the one that stands best. Throws Error.
+/// Files with the same skeleton share the reference pose of the file that stands best. Throws
+/// Error.
 ImportResult import_library(const std::vector<std::string>& paths,
                             const std::optional<std::string>& manifest_path,
                             const ImportOptions& options = {});
 
-/// What import would make of a BVH file: units, up axis, roles. Throws Error.
+/// Returns what an import would detect in a BVH file: units, up axis, roles. Throws Error.
 SourceReport inspect_bvh(const std::string& path, const SourceOptions& options = {});
 
 }  // namespace flinch::database

@@ -49,8 +49,8 @@ Offset<schema::Annotation> store(FlatBufferBuilder& builder, const motion::Annot
                                   annotation.end_s);
 }
 
-// The parts are stored one statement each: the order of a call's arguments is the compiler's to
-// choose, and the bytes must not depend on it.
+// Each part is stored in a statement of its own: the order in which arguments are evaluated is
+// unspecified, and the bytes must not depend on it.
 Offset<schema::Clip> store(FlatBufferBuilder& builder, const motion::Clip& clip) {
   const auto name = builder.CreateString(clip.name);
   const auto kind = builder.CreateString(clip.kind);
@@ -81,7 +81,7 @@ void store(FlatBufferBuilder& builder, const ClipLibrary& library) {
                                      static_cast<std::uint32_t>(library.idle), clips));
 }
 
-// FlatBuffers cannot go beyond 2 GiB; half of that leaves room for all that is not poses.
+// FlatBuffers is limited to 2 GiB; half of that leaves room for everything except poses.
 constexpr std::size_t kMaxPoses = (std::size_t{1} << 30) / (kFloatsPerPose * sizeof(float));
 
 std::size_t poses_in(const ClipLibrary& library) {
@@ -133,7 +133,7 @@ ClipLibrary load_library(const std::string& path) {
     throw Error(path, "is " + std::string(name_of(file_kind_of(bytes))) +
                           ", not a library; `flinch import` makes one");
   }
-  throw Error(path, std::string("the library ") + message_of(status) + "; make it anew");
+  throw Error(path, std::string("the library ") + message_of(status) + "; make it again");
 }
 
 }  // namespace flinch::database

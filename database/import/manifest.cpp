@@ -19,7 +19,7 @@ std::string in_quotes(const std::string& text) {
   return "\"" + text + "\"";
 }
 
-// A value of an enumeration by its name; the error lists the names.
+// Returns an enumerator by its name; the error lists the names.
 template <class Enum, class Find>
 Enum named(const TomlReader& reader, std::string_view key, Find find,
            std::initializer_list<std::string_view> known) {
@@ -45,7 +45,7 @@ double degrees_within_half_turn(const TomlReader& reader, std::string_view key) 
   return degrees;
 }
 
-// To the nearest of the eight, in (-pi, pi].
+// Rounds to the nearest of the eight directions, in (-pi, pi].
 float direction(const TomlReader& reader) {
   double degrees = 45 * std::round(degrees_within_half_turn(reader, "direction") / 45);
   if (degrees <= -180) degrees = 180;
@@ -81,7 +81,7 @@ std::optional<motion::Annotation> read_annotation(const TomlReader& reader,
   const double peak = reader.needed_number("peak");
   check_within(reader, "onset", onset, entry);
   check_within(reader, "peak", peak, entry);
-  if (onset >= peak) reader.fail("peak", "has its peak no later than its onset");
+  if (onset >= peak) reader.fail("peak", "needs its peak after its onset");
   annotation.onset_s = static_cast<float>(onset);
   annotation.peak_s = static_cast<float>(peak);
   return annotation;
@@ -97,7 +97,7 @@ ManifestEntry read_entry(const TomlReader& reader, motion::Purpose purpose) {
   entry.end_s = reader.number("end");
   if (entry.start_s && *entry.start_s < 0) reader.fail("start", "starts before its file");
   if (entry.end_s && *entry.end_s <= entry.start_s.value_or(0)) {
-    reader.fail("end", "ends no later than it starts");
+    reader.fail("end", "must end after it starts");
   }
   if (reader.has("heading")) {
     entry.heading = degrees_within_half_turn(reader, "heading") * kRadiansPerDegree;
@@ -121,8 +121,8 @@ ManifestEntry read_clip(const TomlReader& reader) {
   return entry;
 }
 
-// Where a push comes from, how strong it is and when it is felt are checked, so that a manifest is
-// right when reactions come to use them.
+// A push's direction, strength and time of contact are checked although the import does not use
+// them yet, so that manifests are already valid once reactions do.
 ManifestEntry read_push(const TomlReader& reader) {
   reader.expect_keys(
       {"name", "file", "start", "end", "heading", "contact", "direction", "strength"});

@@ -20,18 +20,18 @@ struct ManifestEntry {
   std::optional<double> start_s;  ///< none: the file's
   std::optional<double> end_s;    ///< none: the file's
   double heading = 0;             ///< see Segment, radians
-  /// Onset and peak are still from the file's start; `end_s` is not set. None: unannotated.
+  /// Onset and peak are relative to the file's start; `end_s` is not set. None: unannotated.
   std::optional<motion::Annotation> annotation;
   std::string where;  ///< "FILE:LINE" of the manifest, for messages
 };
 
-/// [source."folder or file"]: what is fixed for the files that it names.
+/// [source."folder or file"]: options for the files that it names.
 struct ManifestSource {
   std::string path;  ///< a file, or a folder that holds it, as entries write it
   SourceOptions options;
 };
 
-/// What a manifest asks for. Its format is documented in docs/importing.md.
+/// Content of a manifest. Its format is documented in docs/importing.md.
 struct Manifest {
   std::string path;
   std::string name;
@@ -43,12 +43,12 @@ struct Manifest {
   std::vector<ManifestSource> sources;
 };
 
-/// Reads and checks a manifest; the files that it names are not looked at. Throws Error
-/// "FILE:LINE: …" for whatever is unknown, missing, doubled, of the wrong type or out of range.
+/// Reads and checks a manifest, but not the files that it names. Throws Error "FILE:LINE: …" for
+/// anything unknown, missing, repeated, of the wrong type or out of range.
 Manifest read_manifest(const std::string& path);
 
-/// What the manifest fixes for a file: of all [source] tables that name it or a folder above it,
-/// the longer path wins.
+/// Returns the manifest's options for a file. Where several [source] tables name it or a folder
+/// above it, the longest path wins.
 SourceOptions options_for(const Manifest& manifest, const std::string& file);
 
 }  // namespace flinch::database

@@ -40,8 +40,8 @@ double cosine_between(const Vector3d& one, const Vector3d& other) {
   return one.normalized().dot(other.normalized());
 }
 
-// How far a frame is from standing upright and symmetric; 0 is perfect. Each term is 1 - cos of an
-// angle that is 0 when standing, or a difference of heights in leg lengths.
+// Measures how far a frame is from standing upright and symmetric; 0 is perfect. Each term is 1 -
+// cos of an angle that is 0 when standing, or a difference of heights in leg lengths.
 double doubt_of(const FigureFrame& frame) {
   const Vector3d up = Vector3d::UnitZ();
   const Vector3d hips = frame.position[Role::left_thigh] - frame.position[Role::right_thigh];
@@ -62,7 +62,7 @@ double doubt_of(const FigureFrame& frame) {
   return doubt + std::abs(feet.z()) / leg_length;
 }
 
-// The rotation of each role from the frame as it stands to the T-pose.
+// Computes the rotation of each role from the given frame to the T-pose.
 class Straightener {
  public:
   Straightener(const SourceFigure& figure, const FigureFrame& frame, bool is_rest)
@@ -78,8 +78,8 @@ class Straightener {
   const PerRole<Quaterniond>& turns() const { return turn_; }
 
  private:
-  // A motion's frame leans a little and turns its shoulders; a rest figure is as its author made
-  // it, and is left alone.
+  // In a frame of a motion the trunk leans a little and the shoulders are turned. A rest figure is
+  // as its author made it, and is not changed.
   void straighten_trunk() {
     const Vector3d hips = frame_.position[Role::left_thigh] - frame_.position[Role::right_thigh];
     const Vector3d shoulders =
@@ -99,7 +99,7 @@ class Straightener {
     return parent ? turn_[*parent] : Quaterniond::Identity();
   }
 
-  // The rotation above, followed by the least one that brings the bone to `direction`.
+  // The parent's rotation, followed by the shortest one that takes the bone to `direction`.
   void align(Role role, const Vector3d& direction) {
     if (!figure_.has(role)) return;
     turn_[role] = turn_above(role);
@@ -151,7 +151,7 @@ ReferencePose reference_from(const SourceFigure& figure, const FigureFrame& fram
   return reference;
 }
 
-// Rest figures are drawn along the axes: a facing that is nearly one is that axis.
+// Rest figures face along an axis: a direction close to one is replaced by that axis.
 Vector3d snapped(const Vector3d& direction) {
   const Vector3d axis = direction_of(nearest_axis(direction));
   return direction.normalized().dot(axis) > std::cos(0.25) ? axis : direction;

@@ -31,7 +31,7 @@ constexpr std::array<Leg, 2> kLegs{
      {Limb::right_leg, Role::right_thigh, Role::right_foot, Role::right_toes,
       motion::Side::right}}};
 
-// All that does not change from frame to frame.
+// Everything that is constant over the frames.
 struct RetargetContext {
   const SourceMotion& source;
   const Skeleton& skeleton;
@@ -50,7 +50,7 @@ Vector3f between_hips(const Skeleton& skeleton) {
   return 0.5F * (skeleton.offset[Role::left_thigh] + skeleton.offset[Role::right_thigh]);
 }
 
-// Heights above a planted ankle scale; the planted ankle itself is the skeleton's.
+// Heights above a planted ankle are scaled; the planted ankle's own height is the skeleton's.
 float planted_ankle_height(const SourceMotion& source) {
   return 0.5F * (source.ankle_height_m[0] + source.ankle_height_m[1]);
 }
@@ -66,18 +66,19 @@ Pose transferred(const RetargetContext& context, const SourceFrame& frame) {
   return motion::pose_from_frames(frames);
 }
 
-// How much lower the pelvis must be for a leg to reach, m. A hip at horizontal distance d from the
-// ankle can be at most sqrt(L^2 - d^2) above it.
+// Returns by how much the pelvis must be lowered for a leg to reach, m. A hip at horizontal
+// distance d from the ankle can be at most sqrt(L^2 - d^2) above it.
 float sinking_needed(const RetargetContext& context, const Vector3f& hip, const Vector3f& ankle,
                      std::size_t side) {
-  constexpr float kNearlyStraight = 0.99998F;  // of the leg's length: within the hinge's limit
+  constexpr float kNearlyStraight = 0.99998F;  // of the leg's length; within the hinge's limit
   const float reach = kNearlyStraight * motion::limb_length(context.skeleton, kLegs[side].limb);
   const float across = (ankle - hip).head<2>().norm();
-  if (across >= reach) return 0;  // sinking does not help
+  if (across >= reach) return 0;  // lowering does not help
   return std::max(0.0F, hip.z() - motion::max_upper_height(hip, ankle, reach));
 }
 
-// 1 while a foot is down, going over to 0 while it is lifted: only feet that carry pull the pelvis.
+// 1 while a foot is down, falling smoothly to 0 while it is lifted: only supporting feet lower the
+// pelvis.
 float groundedness(const RetargetContext& context, const Vector3f& ankle, std::size_t side) {
   constexpr float kDown = 0.05F;  // m above the planted height
   constexpr float kUp = 0.20F;
@@ -96,7 +97,7 @@ void sink_pelvis(const RetargetContext& context, const AnkleGoals& goals, Pose& 
   pose.root_position.z() -= sinking;
 }
 
-// Toes that would go under the ground bend up about the foot's width instead.
+// Bends toes up, about the foot's lateral axis, where they would be below the ground.
 void keep_toes_up(const RetargetContext& context, std::size_t side, Pose& pose) {
   const Leg& leg = kLegs[side];
   const JointFrames frames = forward_kinematics(context.skeleton, pose);
@@ -112,8 +113,8 @@ void keep_toes_up(const RetargetContext& context, std::size_t side, Pose& pose) 
   pose.rotation[leg.toes] = (pose.rotation[leg.toes] * Quaternionf(bend)).normalized();
 }
 
-// Of a leg that is nearly straight, bow legs and noise decide where its knee sticks out. There it
-// bends by as much, but about the hinge; in between one goes over into the other.
+// In a nearly straight leg, bow legs and noise determine the direction of the knee. There the knee
+// bends by the same angle but about the hinge; the transition is smooth.
 void straighten_bow_leg(Limb limb, Pose& pose) {
   constexpr float kStraight = 0.17F;  // radians, 10 degrees
   constexpr float kBent = 0.52F;      // 30 degrees
@@ -134,8 +135,8 @@ Pose retargeted(const RetargetContext& context, const SourceFrame& frame, const 
                                  frame.orientation[leg.foot]);
     keep_toes_up(context, side, pose);
   }
-  // The ends of the arms stay where they are; what the elbows did besides bending goes to shoulder
-  // and wrist.
+  // The hands keep their positions; rotations of the elbows other than bending move to shoulder and
+  // wrist.
   const JointFrames frames = forward_kinematics(context.skeleton, pose);
   for (Limb arm : {Limb::left_arm, Limb::right_arm}) {
     const Role hand = motion::roles_of(arm).end;
@@ -145,7 +146,7 @@ Pose retargeted(const RetargetContext& context, const SourceFrame& frame, const 
   return pose;
 }
 
-// q and -q are one rotation: of both, the one nearer to the frame before.
+// q and -q are the same rotation: selects the one nearer to the previous frame.
 void make_continuous(motion::Motion& motion) {
   for (std::size_t k = 1; k < motion.poses.size(); ++k) {
     for (Role role : kRoles) {
@@ -155,7 +156,7 @@ void make_continuous(motion::Motion& motion) {
   }
 }
 
-// The horizontal normal of the line from the right hip to the left one.
+// Yaw of the horizontal normal to the line from the right hip to the left one.
 float pelvis_facing(const SourceFrame& frame) {
   const Vector3f left = frame.orientation[Role::pelvis] * Vector3f::UnitY();
   return std::atan2(-left.x(), left.y());

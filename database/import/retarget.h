@@ -7,34 +7,34 @@
 
 namespace flinch::database {
 
-/// Which part of a source becomes a clip, and how it is placed.
+/// The part of a source that becomes a clip, and its heading.
 struct Segment {
-  double start_s = 0;  ///< from the source's first frame
+  double start_s = 0;  ///< after the source's first frame
   double end_s = 0;    ///< at least start_s and at most the source's duration
   /// Added to the pelvis' facing at the start to get the actor's facing, radians counter-clockwise.
   double heading = 0;
 };
 
-/// Puts a segment of a source on a skeleton, at a fixed rate.
+/// Retargets a segment of a source to a skeleton, sampled at a fixed rate.
 ///
-/// Joint orientations are the source's relative to its reference pose. The middle of the hips moves
-/// as the source's, scaled by the ratio of the leg lengths. The feet follow the source's, scaled
-/// likewise, so that planted feet stay planted (see compute_ankle_goals); the legs reach them by
-/// IK, for which the pelvis may sink a little. Elbows and knees turn about their hinges only, which
-/// leaves every joint where it was. Feet and toes do not go below the ground.
+/// Joint orientations are the source's relative to its reference pose. The midpoint of the hips
+/// moves like the source's, scaled by the ratio of the leg lengths. The feet follow the source's,
+/// scaled likewise, so that planted feet stay planted (see compute_ankle_goals); the legs reach
+/// them by IK, for which the pelvis may be lowered a little. Elbows and knees rotate about their
+/// hinges only, which does not move any joint. Feet and toes stay above the ground.
 ///
 /// The motion starts with the pelvis above the origin and the actor facing +X.
 motion::Motion retarget(const SourceMotion& source, const motion::Skeleton& skeleton,
                         const Segment& segment, float rate_hz);
 
-/// A source's frame at a time between two of its own.
+/// Returns a source's frame at a time, interpolated between two of its own.
 SourceFrame sample(const SourceMotion& source, double time_s);
 
-/// What the skeleton's poses take from a source: the ratio of the leg lengths.
+/// Returns the scale from a source to the skeleton: the ratio of the leg lengths.
 float leg_ratio(const SourceMotion& source, const motion::Skeleton& skeleton);
 
-/// The rotation and shift that place a segment: world = turn * (scale * source) + shift, but for
-/// heights.
+/// Rotation and translation that place a segment: world = turn * (scale * source) + shift. Heights
+/// are treated separately.
 struct Placement {
   float yaw = 0;
   Eigen::Vector3f shift = Eigen::Vector3f::Zero();

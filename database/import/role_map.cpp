@@ -17,7 +17,8 @@ using motion::name_of;
 using motion::Role;
 
 constexpr int kNone = -1;
-constexpr double kNoLength = 1e-6;  // of the figure's size: joints nearer than this coincide
+// fraction of the figure's size: joints nearer than this coincide
+constexpr double kNoLength = 1e-6;
 
 constexpr std::array kRequired{
     Role::pelvis,          Role::chest,         Role::head,        Role::left_upper_arm,
@@ -105,8 +106,8 @@ class Mapper {
     }
   }
 
-  // Clavicles come before upper arms among the roles, but "shoulder" is a clavicle only where
-  // another joint is the upper arm.
+  // Clavicles precede upper arms among the roles, but "shoulder" is a clavicle only where another
+  // joint is the upper arm.
   void find_by_name(Role role) {
     if (found(role)) return;
     if (role == Role::left_clavicle) find_by_name(Role::left_upper_arm);
@@ -127,7 +128,7 @@ class Mapper {
     return plain.stem == stem && plain.side == side_of(role);
   }
 
-  // "lfemur": Acclaim's names put the side before the stem without a break.
+  // "lfemur": Acclaim's names join side and stem without a separator.
   static bool matches_run_together(const std::string& joint_name, std::string_view stem,
                                    Role role) {
     const NameSide side = side_of(role);
@@ -149,8 +150,8 @@ class Mapper {
     return std::find(path.begin(), path.end(), ancestor) != path.end();
   }
 
-  // The joints between two, from `upper` downwards; both left out. Nothing where `lower` does not
-  // hang from `upper`.
+  // Returns the joints between `upper` and `lower`, from `upper` downwards, without either. Returns
+  // nothing where `lower` is not a descendant of `upper`.
   std::vector<int> between(int upper, int lower) const {
     if (!hangs_from(lower, upper)) return {};
     std::vector<int> path;
@@ -166,7 +167,8 @@ class Mapper {
     return kNone;
   }
 
-  // Where the legs part. A named pelvis stands unless the legs do not hang from it.
+  // The pelvis is where the legs branch. A pelvis found by name is kept unless the legs are not its
+  // descendants.
   void find_pelvis() {
     if (!found(Role::left_thigh) || !found(Role::right_thigh)) return;
     const int fork = common_ancestor(joint(Role::left_thigh), joint(Role::right_thigh));
@@ -178,7 +180,7 @@ class Mapper {
     assign(Role::pelvis, fork, RoleSource::topology);
   }
 
-  // A joint that no name gives, where its neighbours leave one choice.
+  // Maps limb joints without known names, where their neighbours leave one candidate.
   void fill_limbs() {
     for (const LimbChain& chain : kLimbChains) {
       for (std::size_t i = 1; i < chain.roles.size(); ++i) {
@@ -200,7 +202,7 @@ class Mapper {
     return kNone;
   }
 
-  // Down from a joint to the next that is not at the same place; none where there are several.
+  // Returns the next joint below that is not at the same position; none if there are several.
   int only_child_with_length(Role role) const {
     if (!found(role)) return kNone;
     std::vector<int> open{joint(role)};
@@ -215,7 +217,7 @@ class Mapper {
     return far.size() == 1 ? far.front() : kNone;
   }
 
-  // The joint of one arm that is nearest to the trunk.
+  // Returns the joint of one arm that is nearest to the trunk.
   int arm_root(Role clavicle, Role upper_arm) const {
     return found(clavicle) ? joint(clavicle) : joint(upper_arm);
   }
@@ -228,9 +230,10 @@ class Mapper {
       const int right = arm_root(Role::right_clavicle, Role::right_upper_arm);
       if (left == kNone || right == kNone) return;
       int fork = common_ancestor(left, right);
-      // In some rigs the clavicles hang from the neck.
+      // In some rigs the clavicles are children of the neck.
       while (fork != kNone && map_.joint[Role::neck] == fork) fork = parent(fork);
-      // The pelvis may be a stub beside the spine: then any joint above their fork will do.
+      // The pelvis may be a leaf beside the spine: then any joint above their common ancestor will
+      // do.
       if (fork == kNone || hangs_from(pelvis, fork)) return;
       assign(Role::chest, fork, RoleSource::topology);
     }
@@ -245,8 +248,8 @@ class Mapper {
     int taken = kNone;
     for (int candidate : between(fork, chest)) {
       if (used_[index(candidate)] || coincide(candidate, chest)) continue;
-      // A joint without length still turns: better than none. Of several at one place the last has
-      // the turns of all.
+      // A joint of zero length still rotates: better than none. Of several at one position, the
+      // last has the rotations of all.
       const bool is_better = taken == kNone || coincide(taken, pelvis);
       if (is_better || coincide(candidate, taken)) taken = candidate;
     }
@@ -262,7 +265,7 @@ class Mapper {
     if (!found(Role::chest) || !found(Role::head)) return;
     if (map_.source[Role::neck] == RoleSource::override_) return;
     if (found(Role::neck)) {
-      // A named neck that lies on the chest joint has no length of its own.
+      // A named neck at the position of the chest joint has no length of its own.
       if (!coincide(joint(Role::neck), joint(Role::chest))) return;
       release(Role::neck);
     }
@@ -270,7 +273,7 @@ class Mapper {
     for (int candidate : between(joint(Role::chest), joint(Role::head))) {
       const bool has_length =
           !coincide(candidate, joint(Role::chest)) && !coincide(candidate, joint(Role::head));
-      // As with the abdomen, the last of several at one place.
+      // As with the abdomen, the last of several at one position.
       if (has_length && (taken == kNone || coincide(candidate, taken))) taken = candidate;
     }
     if (taken != kNone) assign(Role::neck, taken, RoleSource::topology);
@@ -323,7 +326,8 @@ class Mapper {
     Role above = chain.trunk;
     for (Role role : chain.roles) {
       if (!found(role)) continue;
-      // A clavicle may hang beside the chest, from the neck, and a thigh beside the pelvis.
+      // A clavicle may be a child of the neck instead of the chest, and a thigh may be a sibling of
+      // the pelvis.
       if (above != chain.trunk && !hangs_from(joint(role), joint(above))) {
         throw Error(bvh_.path, std::string(name_of(role)) + " (" + name(joint(role)) +
                                    ") does not hang from " + std::string(name_of(above)) + " (" +

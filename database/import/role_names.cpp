@@ -11,9 +11,8 @@ namespace {
 
 using motion::Role;
 
-// Prefixes that rigs put before every name, as words in lower case.
-// Character Creator; MotionBuilder; 3ds Max Biped; Rigify; VRoid's VRM; Bandai-Namco; Mixamo
-// without its colon.
+// Prefixes that rigs put before every name, as lower-case words: Character Creator; MotionBuilder;
+// 3ds Max Biped; Rigify; VRoid's VRM; Bandai-Namco; Mixamo without its colon.
 constexpr std::array<std::string_view, 14> kPrefixes{
     "cc base", "character1", "bip01", "bip001", "bip",       "def",        "org",
     "j bip c", "j bip",      "joint", "jnt",    "mixamorig", "mixamorig1", "bone"};
@@ -30,8 +29,8 @@ bool is_lower(char c) {
   return std::islower(static_cast<unsigned char>(c)) != 0;
 }
 
-// Words end at separators and where a small letter or the start of a capitalised word begins one:
-// "lShldr" is l, shldr; "LHipJoint" is l, hip, joint. Digits stay with what they follow.
+// A word ends at a separator, and where a lower-case letter or a capitalised word begins a new one:
+// "lShldr" is l, shldr; "LHipJoint" is l, hip, joint. Digits belong to the word before them.
 std::vector<std::string> words_of(std::string_view name) {
   std::vector<std::string> words(1);
   for (std::size_t i = 0; i < name.size(); ++i) {
@@ -122,7 +121,7 @@ Stems stems_of(Role role) {
       return kPelvis;
     case Role::abdomen:
     case Role::chest:
-      return {};  // their number and names say little: found by where they hang
+      return {};  // their number and names vary: found by topology
     case Role::neck:
       return kNeck;
     case Role::head:

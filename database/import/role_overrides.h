@@ -6,7 +6,7 @@
 
 namespace flinch::database {
 
-/// The lines `role = "joint name"` of a table. Throws Error at an unknown role.
+/// Reads the lines `role = "joint name"` of a table. Throws Error for an unknown role.
 RoleOverrides role_overrides(const TomlReader& roles);
 
 }  // namespace flinch::database

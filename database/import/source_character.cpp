@@ -16,17 +16,17 @@ using motion::PerRole;
 using motion::Role;
 using motion::Skeleton;
 
-// Where spine joints may lie between the hips and the neck's base, as fractions of that line. The
-// default character has the abdomen at 0.22 and the chest at 0.59.
+// Allowed range of spine joints between the hips and the neck's base, as fractions of that line.
+// The default character has the abdomen at 0.22 and the chest at 0.59.
 constexpr double kMinAbdomen = 0.10;
 constexpr double kMaxAbdomen = 0.35;
 constexpr double kMinChest = 0.45;
 constexpr double kMaxChest = 0.75;
-// The neck's base between the line of the shoulders and the head's joint, as the default character
-// has it, rounded.
+// Height of the neck's base between the shoulders' line and the head joint, as in the default
+// character, rounded.
 constexpr double kNeckAboveShoulders = 0.3;
 
-// A source's reference pose as lengths: all in metres, of the left side, averaged with the right.
+// Lengths of a source's reference pose: metres, left side, averaged with the right.
 class SourceMeasurements {
  public:
   explicit SourceMeasurements(const Source& source) : source_(source) {
@@ -42,18 +42,18 @@ class SourceMeasurements {
     return source_.figure.end[role].has_value() && source_.figure.end[mirrored(role)].has_value();
   }
 
-  // A joint's place, the pelvis at the origin.
+  // Returns a joint's position, with the pelvis at the origin.
   Vector3d place(Role role) const { return symmetric(source_.reference.position, role); }
-  // Where its segment ends.
+  // Returns the far end of its segment.
   Vector3d end(Role role) const { return symmetric(source_.reference.end, role); }
-  // Of its segment.
+  // Returns the length of its segment.
   double length(Role role) const {
     const auto of = [&](Role one) {
       return (source_.reference.end[one] - source_.reference.position[one]).norm();
     };
     return 0.5 * source_.metres_per_unit * (of(role) + of(mirrored(role)));
   }
-  // The default character's, at this figure's size.
+  // Returns the default character's offset, scaled to this figure.
   Vector3d default_offset(Role role) const {
     return scale_ * proportions_.offset[role].cast<double>();
   }
@@ -93,7 +93,7 @@ void set_tip(Skeleton& skeleton, Role left, const Vector3d& tip) {
   skeleton.tip[mirrored(left)].y() = -skeleton.tip[left].y();
 }
 
-// The height of a spine joint above the hips, m.
+// Returns the height of a spine joint above the hips, m.
 double spine_height(const SourceMeasurements& measures, Role role, double hips, double neck,
                     double min_fraction, double max_fraction) {
   const double fraction =
@@ -104,7 +104,7 @@ double spine_height(const SourceMeasurements& measures, Role role, double hips, 
 
 // Heights of the trunk's joints above the hips, m.
 struct Trunk {
-  double hips;  // above the pelvis joint, so negative or zero
+  double hips;  // relative to the pelvis joint: negative or zero
   double abdomen, chest, neck, head;
 };
 
@@ -117,7 +117,7 @@ Trunk measure_trunk(const SourceMeasurements& measures) {
   if (measures.has(Role::neck)) {
     neck = measures.place(Role::neck).z();
   } else if (head - shoulders < 0.5 * neck_length) {
-    // A head that turns at the height of the shoulders is a neck.
+    // A head joint at the height of the shoulders is a neck.
     neck = head;
     head = neck + neck_length;
   }
@@ -132,7 +132,7 @@ void set_trunk(Skeleton& skeleton, const SourceMeasurements& measures, const Tru
   set_offset(skeleton, Role::chest, up(trunk.chest - trunk.abdomen));
   set_offset(skeleton, Role::neck, up(trunk.neck - trunk.chest));
   set_offset(skeleton, Role::head, up(trunk.head - trunk.neck));
-  // The End Site of a head is its crown only where it is about as high as one.
+  // A head's End Site is its crown only if it is about as high as one.
   const double crown = measures.default_tip(Role::head).z();
   const double own = measures.has_end(Role::head)
                          ? measures.end(Role::head).z() - measures.place(Role::head).z()
@@ -182,7 +182,7 @@ double set_legs(Skeleton& skeleton, const SourceMeasurements& measures) {
   return ankle;
 }
 
-// The far end of each segment that another joint follows is that joint.
+// The far end of a segment with a joint after it is that joint.
 void set_inner_tips(Skeleton& skeleton) {
   for (Role next : kRoles) {
     const std::optional<Role> role = motion::parent_of(next);

@@ -10,7 +10,7 @@ namespace {
 using motion::kRoles;
 using motion::Role;
 
-constexpr double kNoLength = 1e-6;  // file units: an End Site nearer than this says nothing
+constexpr double kNoLength = 1e-6;  // file units: an End Site nearer than this is ignored
 
 std::optional<Role> next_in_limb(Role role) {
   switch (role) {
@@ -43,7 +43,7 @@ std::optional<Role> next_in_limb(Role role) {
   }
 }
 
-// The End Site of the joint itself that is farthest from it.
+// Returns the joint's own End Site that is farthest from it.
 std::optional<Landmark> own_end(const Bvh& bvh, int joint) {
   std::optional<Landmark> best;
   for (const Eigen::Vector3d& site : bvh.joints[static_cast<std::size_t>(joint)].end_sites) {
@@ -53,7 +53,7 @@ std::optional<Landmark> own_end(const Bvh& bvh, int joint) {
   return best;
 }
 
-// The joint or End Site below a joint that is farthest from it when all rotations are zero.
+// Returns the joint or End Site below a joint that is farthest from it when all rotations are zero.
 std::optional<Landmark> farthest_end(const Bvh& bvh, int joint) {
   std::vector<Eigen::Vector3d> place(bvh.joints.size(), Eigen::Vector3d::Zero());
   std::vector<bool> below(bvh.joints.size(), false);

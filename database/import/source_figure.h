@@ -9,15 +9,15 @@
 
 namespace flinch::database {
 
-/// A point that moves with a joint.
+/// A point fixed to a joint.
 struct Landmark {
   int joint = -1;                                    ///< index into Bvh::joints
   Eigen::Vector3d offset = Eigen::Vector3d::Zero();  ///< in the joint's frame, file units
 };
 
-/// Where a file keeps what retargeting looks at: the joint of each role, and the far end of its
-/// segment. For a limb's segment that is the next joint or, at its end, the End Site; for a hand
-/// the farthest fingertip; for a head its own End Site. Nothing where the file has none.
+/// The joints and end points of a file that retargeting uses: the joint of each role, and the far
+/// end of its segment. In a limb, that is the next joint or, at its end, the End Site; in a hand
+/// the farthest fingertip; in a head its own End Site. Nothing where the file has none.
 struct SourceFigure {
   motion::PerRole<int> joint{};
   motion::PerRole<std::optional<Landmark>> end;
@@ -26,24 +26,24 @@ struct SourceFigure {
 };
 SourceFigure source_figure(const Bvh& bvh, const RoleMap& roles);
 
-/// The figure in one frame, turned by a constant rotation of the file's space. Roles that the file
-/// does not have are left at zero.
+/// The figure in one frame, rotated by a constant rotation of the file's space. Roles that the file
+/// does not have are zero.
 struct FigureFrame {
   motion::PerRole<Eigen::Vector3d> position;
   motion::PerRole<Eigen::Quaterniond> orientation;  ///< from the joint's own frame
-  motion::PerRole<Eigen::Vector3d> end;             ///< where SourceFigure::end is
+  motion::PerRole<Eigen::Vector3d> end;             ///< position of SourceFigure::end
 };
 FigureFrame figure_frame(const SourceFigure& figure, const BvhFrame& frame,
                          const Eigen::Quaterniond& turn);
 
-/// The middle between the hip joints.
+/// Returns the midpoint between the hip joints.
 Eigen::Vector3d hip_centre(const FigureFrame& frame);
 
-/// From the right side to the left: the mean direction of the lines through hips and shoulders,
-/// unit.
+/// Returns the direction from the right side to the left, unit: the mean of the directions between
+/// the hips and between the shoulders.
 Eigen::Vector3d leftward(const FigureFrame& frame);
 
-/// The nearest role above that the file has; nothing for the pelvis.
+/// Returns the nearest ancestor role that the file has; nothing for the pelvis.
 std::optional<motion::Role> parent_in(const SourceFigure& figure, motion::Role role);
 
 }  // namespace flinch::database

@@ -39,8 +39,8 @@ double standing_head_height(const SourceFigure& figure, const ReferencePose& ref
   return reference.position[Role::head].z() - lowest;
 }
 
-// Roles that the file does not have: a neck between chest and head, an abdomen between pelvis and
-// chest, and all others with what they hang from.
+// Fills in roles that the file does not have: a neck between chest and head, an abdomen between
+// pelvis and chest, all others from their parents.
 void fill_missing(const SourceFigure& figure, PerRole<Eigen::Quaternionf>& orientation) {
   for (Role role : kRoles) {
     if (figure.has(role)) continue;

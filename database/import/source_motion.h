@@ -11,7 +11,7 @@
 
 namespace flinch::database {
 
-/// What a user may fix instead of leaving it to be found.
+/// What a user may specify instead of having it detected.
 struct SourceOptions {
   std::optional<LengthUnit> unit;
   std::optional<UpAxis> up;
@@ -26,14 +26,14 @@ struct SourceFoot {
 
 /// One frame of a source in the library's terms: X forward, Y left, Z up, m, the ground at 0.
 struct SourceFrame {
-  /// Of every role, relative to the reference pose; roles that the file does not have follow their
-  /// neighbours.
+  /// Orientation of every role relative to the reference pose; roles that the file does not have
+  /// follow their neighbours.
   motion::PerRole<Eigen::Quaternionf> orientation;
   Eigen::Vector3f hip_centre = Eigen::Vector3f::Zero();
   std::array<SourceFoot, 2> foot;  ///< left, right
 };
 
-/// A source's motion and measures, ready to be put on another figure. Its yaw and its place on the
+/// A source's motion and measurements, ready for retargeting. Its yaw and its position on the
 /// ground are the file's own.
 struct SourceMotion {
   double frame_time_s = 0;
@@ -46,7 +46,7 @@ struct SourceMotion {
   double duration_s() const { return static_cast<double>(frames.size() - 1) * frame_time_s; }
 };
 
-/// What was found out about a file.
+/// What was detected in a file.
 struct SourceReport {
   std::string path;
   int joint_count = 0;
@@ -58,14 +58,14 @@ struct SourceReport {
   UpAxis up = UpAxis::y;
   bool up_given = false;
   double head_height_m = 0;  ///< of the standing head joint
-  int reference_frame = -1;  ///< that the reference pose is from; -1: the OFFSETs
+  int reference_frame = -1;  ///< frame that the reference pose was taken from; -1: the OFFSETs
   /// "joint name" and how it was found, for each role; empty where there is none.
   motion::PerRole<std::string> joint_name;
   motion::PerRole<RoleSource> joint_source{};
   std::vector<std::string> warnings;
 };
 
-/// A file, read and understood.
+/// A file that was read and analysed.
 struct Source {
   SourceReport report;
   Bvh bvh;
@@ -75,10 +75,10 @@ struct Source {
   Eigen::Quaterniond to_world = Eigen::Quaterniond::Identity();
 };
 
-/// Maps the roles, and finds up, units and reference pose. Throws Error.
+/// Maps the roles, and detects up axis, units and reference pose. Throws Error.
 Source analyse_source(Bvh bvh, const SourceOptions& options = {});
 
-/// All frames of a source in the library's terms, calibrated by the motion itself (see
+/// Returns all frames of a source in the library's terms, calibrated by the motion itself (see
 /// calibration.h and ground_contact.h): the ground is where the feet are lowest, planted feet are
 /// flat and on it, and elbows and knees bend about their hinges.
 SourceMotion source_motion(const Source& source);

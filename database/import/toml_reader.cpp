@@ -48,7 +48,7 @@ std::optional<std::string> TomlReader::text(std::string_view key) const {
   const toml::node* node = table_.get(key);
   if (node == nullptr) return std::nullopt;
   const std::optional<std::string> value = node->value_exact<std::string>();
-  if (!value) fail(key, "needs a text in quotes for " + std::string(key));
+  if (!value) fail(key, "needs a string in quotes for " + std::string(key));
   return value;
 }
 

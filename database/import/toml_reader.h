@@ -13,14 +13,14 @@ namespace flinch::database {
 /// Parses a TOML file. Throws Error "FILE:LINE: …".
 toml::table read_toml(const std::string& path);
 
-/// A table of a TOML file whose keys must be known and of the right type. All errors are thrown as
-/// Error "FILE:LINE: …".
+/// Reads a TOML table with known keys of known types. All errors are thrown as Error "FILE:LINE:
+/// …".
 class TomlReader {
  public:
-  /// `what` names the table in messages, such as "[[clip]]". The table must outlive this.
+  /// `what` names the table in messages, such as "[[clip]]". The table must outlive this object.
   TomlReader(const toml::table& table, std::string path, std::string what);
 
-  /// Refuses every key that is not one of these, and lists them.
+  /// Throws Error for a key that is not in this list; the message contains the list.
   void expect_keys(std::initializer_list<std::string_view> known) const;
 
   bool has(std::string_view key) const { return table_.contains(key); }
@@ -29,12 +29,12 @@ class TomlReader {
   std::string needed_text(std::string_view key) const;       ///< and not empty
   double needed_number(std::string_view key) const;
 
-  /// Throws the error at the key's line, or at the table's where there is no such key.
+  /// Throws the error at the key's line, or at the table's if there is no such key.
   [[noreturn]] void fail(std::string_view key, const std::string& what) const;
 
   const toml::table& table() const { return table_; }
   const std::string& path() const { return path_; }
-  /// "FILE:LINE" of the key, or of the table where there is no such key.
+  /// Returns "FILE:LINE" of the key, or of the table if there is no such key.
   std::string where(std::string_view key = {}) const;
 
  private:

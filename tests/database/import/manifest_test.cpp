@@ -106,7 +106,7 @@ TEST(Manifest, RefusesErrorsWithFileAndLine) {
       {clip_with("start = \"0\"\n"), "manifest.toml:7: [[clip]] needs a number for start"},
       {clip_with("start = nan\n"), "manifest.toml:7: [[clip]] needs a number for start"},
       {clip_with("start = -1\n"), "manifest.toml:7: [[clip]] starts before its file"},
-      {clip_with("start = 1\nend = 1\n"), "manifest.toml:8: [[clip]] ends no later"},
+      {clip_with("start = 1\nend = 1\n"), "manifest.toml:8: [[clip]] must end after it starts"},
       {clip_with("target = \"head\"\n"), "manifest.toml:7: [[clip]] is annotated but has no direc"},
       {changed("trunk", "knee"),
        "manifest.toml:11: [[clip]] has an unknown target \"knee\"; known are: head, trunk, pelvis, "
@@ -115,7 +115,7 @@ TEST(Manifest, RefusesErrorsWithFileAndLine) {
       {changed("90", "190"), "manifest.toml:12: [[clip]] needs direction from -180 to 180"},
       {changed("0.6", "0.4"), "manifest.toml:9: [[clip]] has its onset outside start to end"},
       {changed("1.0", "1.6"), "manifest.toml:10: [[clip]] has its peak outside start to end"},
-      {changed("0.6", "1.0"), "manifest.toml:10: [[clip]] has its peak no later than its onset"},
+      {changed("0.6", "1.0"), "manifest.toml:10: [[clip]] needs its peak after its onset"},
       {std::string(kIdle) + "[[clip]]\nfile = \"a\"\n", "manifest.toml:4: [[clip]] needs name"},
       {std::string(kIdle) + kIdle, "manifest.toml:4: the name \"idle\" is already taken at"},
       {std::string(kIdle) + "[clip]\n", "manifest.toml:4: the manifest needs [[clip]]"},
