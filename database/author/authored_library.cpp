@@ -23,15 +23,15 @@ using motion::Pose;
 using motion::radians;
 using motion::Target;
 
-// Front, and the left; mirroring gives the right.
+// Front, back and the left side; mirroring gives the right side.
 constexpr std::array<float, 5> kDirections{0, 45, 90, 135, 180};
 constexpr std::array<std::string_view, 5> kDirectionNames{"front", "front_left", "left",
                                                           "back_left", "back"};
 
-// Clips are played so that their peak meets the impact, so they need the pace of an urgent
-// threat, not of one of their own: equation 4.1 with this speed gives 0.33 to 0.46 s.
+// Clips are played so that their peak coincides with the impact, so all need the pace of an urgent
+// threat: equation 4.1 with this speed gives 0.33 to 0.46 s.
 constexpr float kUrgency = 0.9F;
-constexpr float kDistance = 5;  // m, at which the authored threats begin
+constexpr float kDistance = 5;  // m, initial distance of the authored threats
 
 struct AuthoringContext {
   motion::Figure figure;
@@ -42,7 +42,7 @@ struct AuthoringContext {
   float rate_hz;
 };
 
-// A threat from a direction, a little from above, at the middle of a target.
+// Returns a threat from a direction, slightly from above, aimed at the centre of a target.
 AimedThreat threat_from(const AuthoringContext& context, Target target, float azimuth) {
   constexpr float kElevation = radians(12);
   AimedThreat threat;
@@ -83,9 +83,9 @@ Clip make_clip(const AuthoringContext& context, std::string_view kind, Target ta
   return clip;
 }
 
-// From the side a chest that turns away has the threat behind it, and hands would go to the head.
-// That is right for the head; trunk and pelvis are met by arms across them, the chest still facing
-// the threat a little.
+// For a threat from the side, a chest that turns away has the threat behind it, and the hands would
+// cover the head. That is right for the head only; for trunk and pelvis the arms reach across, and
+// the chest keeps facing the threat a little.
 Clip block_clip(const AuthoringContext& context, Target target, std::size_t direction,
                 Degree degree) {
   constexpr float kBeforeTheShoulders = 75;  // degrees
@@ -116,9 +116,9 @@ Clip idle_clip(const AuthoringContext& context) {
   return clip;
 }
 
-// The clips against threats from one direction. Hands do not reach behind the back, so a pelvis is
-// blocked only from the front half; mild ducks, dodges and lifts are left out where the exaggerated
-// ones or a neighbour's do the same.
+// Returns the clips against threats from one direction. Hands do not reach behind the back, so a
+// pelvis is blocked only from the front half. Mild ducks, dodges and leg lifts are left out where
+// the exaggerated ones, or those of a neighbouring target, do the same.
 std::vector<Clip> clips_from(const AuthoringContext& context, std::size_t direction) {
   const float azimuth = radians(kDirections[direction]);
   const bool from_behind = kDirections[direction] > 90;

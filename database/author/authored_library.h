@@ -6,11 +6,11 @@
 
 namespace flinch::database {
 
-/// The default library: an idle clip and protective clips made by rule (docs/authoring.md) for any
-/// character, each with its mirror image. For head, trunk, pelvis and legs and eight directions it
-/// has blocks, ducks, dodges, sidesteps and leg lifts, mild and exaggerated, each fully annotated.
-/// With startle, blocks begin with a flinch. The same character gives the same bits. Throws Error
-/// where the figure cannot stand or move as the rules need.
+/// Makes the default library: an idle clip and protective clips made by rule (docs/authoring.md)
+/// for any character, each with its mirror image. It has blocks, ducks, dodges, sidesteps and leg
+/// lifts, mild and exaggerated, for head, trunk, pelvis and legs and for eight directions, each
+/// fully annotated. With startle, blocks begin with a flinch. The same character gives the same
+/// bits. Throws Error where the figure cannot stand or move as the rules require.
 ClipLibrary authored_library(const motion::Physique& character, bool with_startle = false,
                              float rate_hz = 60);
 

@@ -38,7 +38,7 @@ constexpr Range kMassIndex{10, 60};  // kg/m^2
 constexpr Range kProportion{0.6F, 1.6F};
 
 bool is_in(float value, const Range& range) {
-  return value >= range.min && value <= range.max;  // false for what is not a number
+  return value >= range.min && value <= range.max;  // false for NaN
 }
 
 std::string shown(float value) {
@@ -51,15 +51,16 @@ std::string shown(float value) {
 void check(bool possible, const std::string& where, std::string_view name, float value,
            const Range& range) {
   if (possible) return;
-  throw Error(where, std::string(name) + " " + shown(value) + " is not a person's: give one from " +
-                         shown(range.min) + " to " + shown(range.max));
+  throw Error(where, std::string(name) + " " + shown(value) +
+                         " is outside the range of people: give one from " + shown(range.min) +
+                         " to " + shown(range.max));
 }
 
 void scale(Skeleton& skeleton, Role role, float factor) {
   skeleton.offset[role] *= factor;
 }
 
-// Offsets first, tips after them: a tip is the next joint's offset but at the ends of chains.
+// Offsets come first, then tips: except at the ends of chains, a tip is the next joint's offset.
 Skeleton shaped(Skeleton skeleton, const Proportions& proportions) {
   scale(skeleton, Role::abdomen, proportions.trunk);
   scale(skeleton, Role::chest, proportions.trunk);
@@ -91,7 +92,7 @@ Skeleton shaped(Skeleton skeleton, const Proportions& proportions) {
   return skeleton;
 }
 
-// The far end of each segment that another one follows.
+// Sets the far end of each segment that another segment follows.
 void set_tips(Skeleton& skeleton) {
   for (auto [role, next] : {std::pair{Role::pelvis, Role::abdomen},
                             {Role::abdomen, Role::chest},
@@ -114,7 +115,7 @@ float crown_height(const Skeleton& skeleton) {
   return rest.position[Role::head].z() + skeleton.tip[Role::head].z();
 }
 
-// The ankle's height above the sole goes with the feet.
+// The ankle's height above the sole scales with the feet.
 void stand_on_ground(Skeleton& skeleton, float ankle_height_m) {
   float below_pelvis = 0;
   for (Role role : {Role::left_thigh, Role::left_shin, Role::left_foot}) {
@@ -173,7 +174,7 @@ motion::Physique read_character(const std::string& path) {
             proportions.*named.factor, kProportion);
     }
   }
-  // Someone of another height weighs what keeps the mean man's body mass index.
+  // The default mass for another height keeps the mean man's body mass index.
   const float mean_height = crown_height(mean.skeleton);
   const auto height = static_cast<float>(reader.number("height_m").value_or(mean_height));
   const float share = height / mean_height;

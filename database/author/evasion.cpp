@@ -32,7 +32,7 @@ Eigen::Vector3f toward(float azimuth) {
   return {std::cos(azimuth), std::sin(azimuth), 0};
 }
 
-// The angles by which an upright part tilts toward a horizontal direction.
+// Returns the angles that tilt an upright body part towards a horizontal direction.
 Eigen::Vector3f tilt(float azimuth, float angle) {
   return {-std::sin(azimuth) * angle, std::cos(azimuth) * angle, 0};
 }
@@ -56,7 +56,7 @@ Pose with_arms(const motion::Figure& figure, const Pose& pose, ArmPosture manner
   return result;
 }
 
-// Moves the pelvis by what the centre of mass lacks to be above the soles, until it is.
+// Moves the pelvis horizontally until the centre of mass is above the soles.
 Pose balanced(const motion::Figure& figure, const motion::PerSide<motion::FootPose>& feet,
               Pose pose, ArmPosture arms) {
   constexpr float kMargin = 0.03F;
@@ -109,7 +109,7 @@ Pose evasive_pose(const motion::Figure& figure, const Pose& start, const Evasion
 }
 
 Evasion duck(float azimuth, float amount) {
-  // Bows forward, and a little away from a threat at the side.
+  // Bends forward, and slightly away from a threat at the side.
   const float bow = radians(82) * amount;
   const float aside = -0.3F * std::sin(azimuth) * bow;
   Evasion evasion;
@@ -138,9 +138,9 @@ Evasion dodge(float azimuth, float sense, float amount) {
 
 Evasion sidestep(float azimuth, float sense, float amount) {
   const float way = azimuth + sense * radians(90);
-  // A body is broader than deep, and knees bend less forward than legs open sideways.
+  // A body is broader than it is deep, and knees bend less forward than legs spread sideways.
   const Eigen::Vector3f shift = amount * toward(way).cwiseProduct(Eigen::Vector3f(0.37F, 0.48F, 0));
-  // The foot on the way's side goes ahead; straight forward or back it is the right one.
+  // The foot on that side steps first; for straight forward or back, the right one.
   const std::size_t lead = std::sin(way) > 0.1F ? 0 : 1;
   Evasion evasion;
   evasion.pelvis_shift = shift + Eigen::Vector3f(0, 0, -0.04F);
@@ -157,7 +157,7 @@ Evasion sidestep(float azimuth, float sense, float amount) {
 }
 
 Evasion lift_leg(float azimuth, float amount) {
-  // The near leg: the left for a threat from the left; from straight ahead or behind, the right.
+  // The near leg: the left for a threat from the left; the right for one straight ahead or behind.
   const std::size_t near = std::sin(azimuth) > 0.1F ? 0 : 1;
   const float near_sign = near == 0 ? 1.0F : -1.0F;
   const bool from_front = std::cos(azimuth) > -0.1F;

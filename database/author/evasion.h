@@ -5,17 +5,17 @@
 
 namespace flinch::database {
 
-/// What the arms do while the body goes out of the way.
+/// Posture of the arms during an evasion.
 enum class ArmPosture : std::uint8_t {
-  hang,     ///< stay with the body
-  guard,    ///< bent before the chest
+  hang,     ///< keep their angles to the body
+  guard,    ///< bent in front of the chest
   balance,  ///< out to the sides
   cover,    ///< hands on the back of the head
 };
 
-/// A pose that takes the body, or a part of it, off a threat's line: displacements from a start
-/// pose, in its frame (X its facing), lengths as fractions of the leg's length so that they fit any
-/// figure. Rotations are angles about y (bowing) and x (to the right), and z (to the left),
+/// Displacements from a start pose that take the body, or a part of it, off a threat's line. In the
+/// start pose's frame (X is its facing); lengths are fractions of the leg's length, so that they
+/// fit any figure. Rotations are angles about x (to the right), y (forward) and z (to the left),
 /// radians.
 struct Evasion {
   Eigen::Vector3f pelvis_shift = Eigen::Vector3f::Zero();
@@ -25,27 +25,27 @@ struct Evasion {
   Eigen::Vector3f neck_turn = Eigen::Vector3f::Zero();
   float shrug = 0;  ///< amount of recoil, in [0, 1]
   motion::PerSide<Eigen::Vector3f> foot_shift{Eigen::Vector3f::Zero(), Eigen::Vector3f::Zero()};
-  motion::PerSide<float> foot_pitch{};  ///< toes down, of a raised foot
+  motion::PerSide<float> foot_pitch{};  ///< of a raised foot; positive: toes down
   ArmPosture arms = ArmPosture::hang;
 };
 
-/// The pose of an evasion. The pelvis comes down until both legs reach their feet, and moves until
-/// the centre of mass is above the soles by at least 3 cm within, where that can be.
+/// Returns the pose of an evasion. The pelvis is lowered until both legs reach their feet, and
+/// moved until the centre of mass is at least 3 cm inside the soles' hull, where possible.
 motion::Pose evasive_pose(const motion::Figure& figure, const motion::Pose& start,
                           const Evasion& evasion);
 
-/// The rules. `azimuth` says where the threat comes from, radians counter-clockwise from the
-/// facing; `amount` in (0, 1] how far to go. Sideways means square to the threat's line: `sense`
-/// +1 goes counter-clockwise of the threat as seen from above, -1 clockwise.
+/// The rules. `azimuth` is the direction that the threat comes from, radians counter-clockwise from
+/// the facing; `amount` in (0, 1] scales the evasion. Sideways means perpendicular to the threat's
+/// line: `sense` +1 is counter-clockwise of the threat as seen from above, -1 clockwise.
 
-/// Knees bend and the trunk bows so that the head goes below the threat.
+/// Knees and trunk bend so that the head moves below the threat.
 Evasion duck(float azimuth, float amount);
-/// The trunk leans and the knees give so that the head goes beside the threat's line.
+/// The trunk leans and the knees bend so that the head moves beside the threat's line.
 Evasion dodge(float azimuth, float sense, float amount);
-/// Both feet step so that the whole body is beside the threat's line; a small one (amount below one
-/// half) steps with one foot and leans.
+/// Both feet step so that the whole body moves beside the threat's line. With an amount below 0.5,
+/// only one foot steps and the trunk leans.
 Evasion sidestep(float azimuth, float sense, float amount);
-/// The weight goes to the far leg, and the near leg is raised and drawn away; arms for balance.
+/// The weight moves to the far leg; the near leg is raised and drawn away; the arms balance.
 Evasion lift_leg(float azimuth, float amount);
 
 }  // namespace flinch::database

@@ -57,7 +57,7 @@ void turn_neck(Pose& pose, const Eigen::Vector3f& axis, float angle) {
   turn_joint(pose, Role::head, rotation_about(axis, angle / 2));
 }
 
-// Neck and head within the human limits, which table 3.2 exceeds by 5 degrees sideways.
+// Limits neck and head to the human range, which table 3.2 exceeds by 5 degrees sideways.
 void limit_neck(Pose& pose) {
   const JointLimits& limits = joint_limits_named("neck");
   const Eigen::Quaternionf head = pose.rotation[Role::neck] * pose.rotation[Role::head];
@@ -66,16 +66,17 @@ void limit_neck(Pose& pose) {
       (pose.rotation[Role::neck].conjugate() * clamp_to_limits(limits, head)).normalized();
 }
 
-// What the hands do in `block`: where the palms go and how they look.
+// Targets of the hands in `block`.
 struct Guard {
   motion::PerSide<Eigen::Vector3f> palm;    // world, m
   motion::PerSide<Eigen::Vector3f> pole;    // of the elbow
   motion::PerSide<float> swivel{};          // radians
-  motion::PerSide<Eigen::Vector3f> facing;  // the palm's normal
-  Eigen::Vector3f fingers;                  // where fingers tend to point
+  motion::PerSide<Eigen::Vector3f> facing;  // normal of the palm
+  Eigen::Vector3f fingers;                  // preferred direction of the fingers
 };
 
-// The point of the line p + s u, s >= min_s, at a distance from a shoulder; the nearest if none is.
+// Returns the point of the line p + s u, s >= min_s, at distance `reach` from the shoulder; the
+// nearest point if there is none.
 Eigen::Vector3f point_at_reach(const Eigen::Vector3f& on_line, const Eigen::Vector3f& direction,
                                const Eigen::Vector3f& shoulder, float reach, float min_s) {
   const Eigen::Vector3f to_line = on_line - shoulder;
@@ -93,7 +94,7 @@ float scale_of(const motion::Figure& figure) {
   return stature(figure.skeleton()) / kReferenceStature;
 }
 
-// Beyond a straight arm the control would change nothing.
+// Limited to a straight arm, beyond which the control would have no effect.
 float farthest_reach(const motion::Figure& figure, const TargetWeights& weights) {
   const float straight = 0.98F * motion::limb_length(figure.skeleton(), motion::Limb::left_arm) +
                          0.25F * hand_length(figure);
@@ -165,8 +166,8 @@ Eigen::Quaternionf hand_facing(Side side, const Eigen::Vector3f& palm_normal,
   return Eigen::Quaternionf(frame);
 }
 
-// Brings the palms to their places: the wrist depends on how the hand is held, which the wrist's
-// limits and so the forearm decide, so a few rounds settle both.
+// Moves the palms to their places. The wrist position depends on the hand's orientation, which the
+// wrist's limits and so the forearm restrict; a few iterations solve for both.
 void place_palms(const motion::Figure& figure, const JointFrames& trunk, const Guard& guard,
                  Pose& pose) {
   constexpr int kRounds = 3;
@@ -175,7 +176,7 @@ void place_palms(const motion::Figure& figure, const JointFrames& trunk, const G
     const motion::LimbRoles roles = motion::roles_of(arm_of(side));
     const JointLimits& wrist =
         joint_limits_named(side == Side::left ? "left_wrist" : "right_wrist");
-    Eigen::Vector3f to_palm = 0.4F * hand_length(figure) * guard.fingers;  // to begin with
+    Eigen::Vector3f to_palm = 0.4F * hand_length(figure) * guard.fingers;  // initial value
     for (int round = 0; round < kRounds; ++round) {
       const Eigen::Quaternionf forearm =
           solve_arm(figure.skeleton(), trunk, side,
@@ -215,7 +216,7 @@ TargetWeights target_weights(float distance_to_head_m, float distance_to_pelvis_
 
 void check_threat(const motion::Figure& figure, const Pose& pose, const AimedThreat& threat) {
   if (!(threat.speed_mps > 0) || !std::isfinite(threat.speed_mps)) {
-    throw Error("", "the threat's speed must be a positive number of metres a second");
+    throw Error("", "the threat's speed must be a positive number of metres per second");
   }
   if (!threat.position.allFinite() || !threat.target_point.allFinite() || !(threat.radius_m > 0) ||
       !std::isfinite(threat.radius_m)) {
@@ -223,10 +224,10 @@ void check_threat(const motion::Figure& figure, const Pose& pose, const AimedThr
   }
   const JointFrames frames = motion::forward_kinematics(figure.skeleton(), pose);
   if (distance_to_figure(figure, frames, threat.position) < threat.radius_m) {
-    throw Error("", "the threat begins inside the body: perceive it earlier, farther away");
+    throw Error("", "the threat starts inside the body: start it farther away");
   }
   if ((threat.position - threat.target_point).norm() < 1e-3F) {
-    throw Error("", "the threat begins at its target: it must come from somewhere");
+    throw Error("", "the threat starts at its target point: start it farther away");
   }
 }
 
@@ -255,7 +256,7 @@ Pose lean_away(const Pose& pose, const Eigen::Vector3f& travel, float lean,
 Pose turn_away(const Pose& pose, float azimuth, float turn) {
   const float amount = std::clamp(turn, 0.0F, 1.0F);
   const float from = motion::wrapped_to_pi(azimuth);
-  // Facing away is half a turn from the threat, to the side that it does not come from.
+  // Facing away is half a turn from the threat, towards the side that it does not come from.
   const float sense = from >= 0 ? -1.0F : 1.0F;
   const float needed = std::numbers::pi_v<float> - std::abs(from);
   const float of_neck = std::min(needed, radians(kNeck.z));

@@ -29,14 +29,14 @@ motion::PerSide<motion::FootPose> feet_at(const motion::Figure& figure, float fo
   return feet;
 }
 
-// What moves in `idle_motion`, each 0 at either end.
+// Displacements in `idle_motion`, each 0 at both ends.
 struct Sway {
-  float breath;    // 0 out, 1 in
+  float breath;    // 0 exhaled, 1 inhaled
   float sideways;  // -1 to 1
   float forward;
 };
 
-// 1 - cos vanishes with its derivative where the argument is a whole number of turns.
+// 1 - cos and its derivative are 0 where the argument is a whole number of turns.
 Sway sway_at(float time_s) {
   const float turn = 2 * std::numbers::pi_v<float> * time_s / kIdle;
   return {0.5F * (1 - std::cos(2 * turn)), 0.5F * (std::cos(2 * turn) - std::cos(turn)),
@@ -56,7 +56,7 @@ Pose standing_pose(const motion::Figure& figure) {
   for (Side side : motion::kSides) {
     set_arm(pose, side, {radians(2), radians(9), radians(-10), radians(18)});
   }
-  // The sole's middle is a fifth of the foot's length before the ankle.
+  // The middle of the sole is a fifth of the foot's length in front of the ankle.
   const float forward = -0.2F * motion::measure_foot(skeleton, Side::left).length;
   const float half_between = skeleton.offset[Role::left_thigh].y() + 0.012F * height;
   Pose standing = with_feet(skeleton, pose, feet_at(figure, forward, half_between));

@@ -19,18 +19,18 @@ using motion::Side;
 
 namespace {
 
-constexpr float kOffset = 0.01F;  // of the midpoint differences, as in the thesis
+constexpr float kOffset = 0.01F;  // step of the central differences, as in the thesis
 constexpr int kMaxIterations = 7;
-// The optimiser works in these units, so that one unit of each matters about alike.
+// Units of the optimiser's variables, so that one unit of each has a similar effect.
 constexpr std::array<float, 10> kUnits{0.1F,  0.1F,  0.1F,  0.25F, 0.25F,
                                        0.25F, 0.25F, 0.25F, 0.25F, 0.25F};
 
-// The angle between two orientations: 2 asin of half the distance of the unit quaternions.
+// Angle between two orientations: 2 asin of half the distance of the unit quaternions.
 float angle_between(const Eigen::Quaternionf& a, const Eigen::Quaternionf& b) {
   return 2 * std::asin(std::min((a.conjugate() * b).vec().norm(), 1.0F));
 }
 
-// Both feet flat on the ground below where they are.
+// Both feet flat on the ground, below where they are.
 motion::PerSide<motion::FootPose> planted_feet(const motion::Figure& figure,
                                                const JointFrames& frames) {
   motion::PerSide<motion::FootPose> feet;
@@ -43,7 +43,8 @@ motion::PerSide<motion::FootPose> planted_feet(const motion::Figure& figure,
   return feet;
 }
 
-// The hip too high for the leg to reach the ground: the foot is left in the air (section 3.3).
+// Where the hip is too high for the leg to reach the ground, the foot stays in the air (section
+// 3.3).
 Pose planted(const motion::Figure& figure, const Pose& pose) {
   const JointFrames frames = motion::forward_kinematics(figure.skeleton(), pose);
   motion::PerSide<motion::FootPose> feet = planted_feet(figure, frames);
@@ -111,7 +112,8 @@ BalanceProblem::BalanceProblem(const motion::Figure& figure, const Pose& pose,
   hands_on_head_ = guards_head_from_behind(reference_, geometry_);
   const Eigen::Vector2f centre = motion::centre_of_mass(figure.bodies, reference_).head<2>();
   Eigen::Vector2f toward = (threat.position - threat.target_point).head<2>();
-  if (toward.norm() > 0) toward.normalize();  // straight from above there is nothing to lean into
+  // a threat from straight above gives no direction to lean in
+  if (toward.norm() > 0) toward.normalize();
   goal_ = centre + brace_m * toward;
   balanced_before_ =
       motion::signed_distance_inside(motion::support_polygon(skeleton, reference_), centre) >= 0;
@@ -162,9 +164,9 @@ std::array<float, 10> BalanceProblem::gradient(const BalanceVariables& variables
   return slope;
 }
 
-// The pelvis goes by what the centre of mass lacks, a sixth more for the parts that stay, and hands
-// on the threat's line are drawn in by what it takes them along. Where that is no better than to
-// stay, to stay.
+// The pelvis moves by the missing shift of the centre of mass plus a sixth, for the parts that do
+// not move with it; hands on the threat's line are drawn in by as much as this moves them along it.
+// Where that is no better than not moving, the guess is not to move.
 BalanceVariables BalanceProblem::initial_guess(const RuleControls& controls) const {
   const BalanceVariables stay{Eigen::Vector3f::Zero(), controls};
   const Eigen::Vector2f centre = motion::centre_of_mass(figure_.bodies, reference_).head<2>();
@@ -190,8 +192,8 @@ BalanceCase BalanceProblem::balance_of(const Pose& pose) const {
   return balanced_before_ ? BalanceCase::braced : BalanceCase::beyond_balance;
 }
 
-// liblbfgs (Okazaki's C port of Nocedal's L-BFGS): small, quasi-Newton as in the thesis, and the
-// same steps every time.
+// liblbfgs (Okazaki's C port of Nocedal's L-BFGS): small, quasi-Newton as in the thesis, and
+// deterministic.
 BalancedPose balanced_pose(const motion::Figure& figure, const Pose& pose,
                            const AimedThreat& threat, const RuleControls& controls, float brace_m) {
   check_threat(figure, pose, threat);
@@ -208,7 +210,7 @@ BalancedPose balanced_pose(const motion::Figure& figure, const Pose& pose,
   parameters.past = 3;
   parameters.delta = 2e-3;
   OptimiserState run{&problem, 0};
-  // Stopping at the last iteration or for want of progress still leaves the best point in x.
+  // If it stops at the iteration limit or for lack of progress, x still holds the best point.
   lbfgs(static_cast<int>(x.size()), x.data(), nullptr, evaluate, count_iterations, &run,
         &parameters);
 

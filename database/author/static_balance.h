@@ -5,18 +5,18 @@
 
 namespace flinch::database {
 
-/// Which of figure 3.10's cases a braced pose is in.
+/// The case of figure 3.10 that a braced pose is in.
 enum class BalanceCase : std::uint8_t {
-  balanced,        ///< 1: the wanted centre of mass is above the soles
-  braced,          ///< 2: it was, but is not any more: the threat will push it back
-  beyond_balance,  ///< 3: it was not to begin with, and bracing does not mend it
+  balanced,        ///< 1: the goal of the centre of mass is above the soles
+  braced,          ///< 2: bracing moved it out of balance: the threat will push it back
+  beyond_balance,  ///< 3: out of balance before bracing, and still so
 };
 
-/// The terms of equation 3.3 between a pose and the pose of the rules before balance, m and
-/// radians.
+/// The terms of equation 3.3 for a pose, relative to the pose that the rules give before balance, m
+/// and radians.
 struct BalanceError {
-  float centre_of_mass = 0;  ///< horizontal distance from where it is wanted, equation 3.2
-  /// Sum of both wrists' distances; of hands on the back of the head, relative to the head.
+  float centre_of_mass = 0;  ///< horizontal distance from its goal, equation 3.2
+  /// Sum of both wrists' distances; for hands on the back of the head, relative to the head.
   float hands = 0;
   float torso = 0;  ///< sum of the angles of pelvis, abdomen and chest
   float pelvis_height = 0;
@@ -25,7 +25,7 @@ struct BalanceError {
   float total() const { return centre_of_mass + hands + torso + pelvis_height + feet; }
 };
 
-/// The ten degrees of freedom.
+/// The ten degrees of freedom of the optimisation.
 struct BalanceVariables {
   Eigen::Vector3f pelvis_shift = Eigen::Vector3f::Zero();  ///< m, before the feet are planted
   RuleControls controls;
@@ -37,38 +37,37 @@ struct BalancedPose {
   BalanceError error;
   int iterations = 0;
   BalanceCase balance = BalanceCase::balanced;
-  bool feet_reach = true;  ///< false: a foot could not reach its place and stops short of it
+  bool feet_reach = true;  ///< false: a foot's target was out of reach
 };
 
 inline constexpr float kBraceDistance = 0.10F;  // m, toward the threat
 
-/// The sustained, braced pose (Hermens 2006, section 3.3): both feet on the ground, the rules
-/// applied, the centre of mass `brace_m` toward the threat. Minimises equation 3.3 over the ten
-/// degrees of freedom by L-BFGS with midpoint differences of 0.01, starting over from `pose` at
-/// every evaluation. A raised foot is first put down where it is, if the leg reaches the ground.
-/// Throws Error for a danger that check_threat refuses. About a millisecond.
+/// Returns the sustained, braced pose (Hermens 2006, section 3.3): both feet on the ground, the
+/// rules applied, the centre of mass moved by `brace_m` towards the threat. Minimises equation 3.3
+/// over the ten degrees of freedom by L-BFGS with central differences of 0.01; every evaluation
+/// starts again from `pose`. A raised foot is first put down below where it is, if the leg reaches
+/// the ground. Throws Error for a threat that check_threat rejects. Takes about a millisecond.
 BalancedPose balanced_pose(const motion::Figure& figure, const motion::Pose& pose,
                            const AimedThreat& threat, const RuleControls& controls,
                            float brace_m = kBraceDistance);
 
-inline constexpr float kSmoothing = 0.02F;  // m and radians, where distances turn round
+inline constexpr float kSmoothing = 0.02F;  // m and radians, smooths distances near 0
 
-/// The error of some variables and its gradient by midpoint differences, for the optimiser and for
-/// tests. Of the gradient, 0 to 2 belong to the pelvis and 3 to 9 to the controls in their order.
+/// Error of given variables and its gradient by central differences, for the optimiser and for
+/// tests. Gradient elements 0 to 2 belong to the pelvis, 3 to 9 to the controls in their order.
 class BalanceProblem {
  public:
   BalanceProblem(const motion::Figure& figure, const motion::Pose& pose, const AimedThreat& threat,
                  const RuleControls& controls, float brace_m);
 
   motion::Pose pose_of(const BalanceVariables& variables, bool* feet_reach = nullptr) const;
-  /// With `smoothing` each distance d becomes sqrt(d^2 + r^2) - r, so that there is a gradient at
-  /// 0.
+  /// With `smoothing` r, each distance d becomes sqrt(d^2 + r^2) - r, which is differentiable at 0.
   BalanceError error_of(const motion::Pose& pose, float smoothing = 0) const;
-  /// Of the total with kSmoothing.
+  /// Gradient of the total with kSmoothing.
   std::array<float, 10> gradient(const BalanceVariables& variables, float offset) const;
-  /// Where the search begins.
+  /// Returns the start of the search.
   BalanceVariables initial_guess(const RuleControls& controls) const;
-  /// Whether the centre of mass was balanced before bracing, and where it is wanted.
+  /// Returns the case for a pose, from its balance before bracing and in `pose`.
   BalanceCase balance_of(const motion::Pose& pose) const;
 
  private:
@@ -82,7 +81,7 @@ class BalanceProblem {
   bool hands_on_head_ = false;
 };
 
-/// The variables as a vector and back.
+/// Converts the variables to an array.
 std::array<float, 10> to_array(const BalanceVariables& variables);
 BalanceVariables from_array(const std::array<float, 10>& values);
 

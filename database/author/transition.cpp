@@ -22,7 +22,7 @@ using motion::Role;
 using motion::Side;
 using motion::Skeleton;
 
-// Not all parts of a body start at once: the head leads, the hands follow.
+// Body parts do not all start at once: the head leads, the hands follow.
 constexpr float kHeadLead = 0.1F;
 constexpr float kHandLag = 0.06F;
 
@@ -34,8 +34,8 @@ Eigen::Vector3f lerp(const Eigen::Vector3f& a, const Eigen::Vector3f& b, float w
   return a + weight * (b - a);
 }
 
-// The pole of both arms from which swivels are interpolated: down and backward of the chest, where
-// no arm points.
+// The pole of both arms, from which swivels are interpolated: downwards and backwards from the
+// chest, where no arm points.
 Eigen::Vector3f arm_pole(const JointFrames& frames) {
   return frames.orientation[Role::chest] * Eigen::Vector3f(-1, 0, -1).normalized();
 }
@@ -87,16 +87,17 @@ std::optional<Side> support_of(const motion::PerSide<FootStep>& steps,
 motion::FootPose foot_pose_in_step(const FootStep& step, float s) {
   if (!step.moves) return step.from;
   const float u = std::clamp((s - step.begin) / (step.end - step.begin), 0.0F, 1.0F);
-  // It is lifted before it travels, and has arrived before it is put down.
+  // The foot is lifted before it travels, and has arrived before it is put down.
   constexpr float kOnlyLift = 0.1F;
   const float weight = eased_between(u, kOnlyLift, 1 - kOnlyLift);
   motion::FootPose place = blend(step.from, step.to, weight);
-  // 16 u^2 (1-u)^2 leaves and meets the ground without a jolt.
+  // 16 u^2 (1-u)^2 has zero velocity at both ends, so the foot leaves and meets the ground
+  // smoothly.
   place.ankle.z() += step.lift_m * 16 * u * u * (1 - u) * (1 - u);
   return place;
 }
 
-// Where the pelvis is, hung from a foot by the rotations of its leg.
+// Positions the pelvis so that the foot is at its place, given the rotations of the leg.
 void hang_from_foot(const Skeleton& skeleton, Side side, const motion::FootPose& place,
                     Pose& pose) {
   const LimbRoles leg = motion::roles_of(leg_of(side));
@@ -113,7 +114,7 @@ void slerp_joint(const Transition& transition, Role role, float weight, Pose& po
       motion::slerp(transition.from.rotation[role], transition.to.rotation[role], weight);
 }
 
-// First pass: every joint by itself, hung from the support foot.
+// First pass: every joint is interpolated by itself, relative to the support foot.
 Pose first_pass(const motion::Figure& figure, const Transition& transition, float s) {
   const float weight = motion::ease_in_ease_out(s);
   Pose pose = motion::blend(transition.from, transition.to, weight);
@@ -149,8 +150,8 @@ motion::PerSide<motion::HandGoal> hands_at(const Transition& transition, const J
   return hands;
 }
 
-// Whether hands on their straight ways would come too near to head or trunk, or so near to the
-// shoulder that the arm would have to fold up. The ends are where they should be.
+// Returns which hands, moved on straight lines, would come too close to head or trunk, or so close
+// to the shoulder that the arm would have to fold. The end poses themselves are not tested.
 motion::PerSide<bool> blocked_hands(const motion::Figure& figure, const Transition& transition) {
   constexpr float kNearBody = 0.015F;
   constexpr float kNearShoulder = 0.4F;  // of the arm's length
@@ -199,9 +200,9 @@ Transition make_transition(const motion::Figure& figure, const Pose& from, const
   return transition;
 }
 
-// Second pass. Pelvis and waist are corrected in turns: moving the pelvis by the error of the
-// centre of mass brings it over its line, raising it by the neck's error and swinging the waist
-// brings the neck to its own; a handful of rounds settle all three to well below a millimetre.
+// Second pass. Pelvis and waist are corrected in turn: moving the pelvis by the error of the centre
+// of mass puts it above its line; raising it by the neck's error and bending the waist puts the
+// neck on its own. A few rounds bring all three to well below a millimetre.
 Pose pose_at(const motion::Figure& figure, const Transition& transition, float s) {
   constexpr int kRounds = 6;
   const Skeleton& skeleton = figure.skeleton();

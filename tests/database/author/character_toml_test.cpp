@@ -53,7 +53,8 @@ TEST(CharacterToml, AppliesHeightMassSexAndProportions) {
 }
 
 TEST(CharacterToml, RefusesImplausibleValuesWithFileAndLine) {
-  EXPECT_THAT(error_of("height_m = 5\n"), HasSubstr(".toml:1: height_m 5 is not a person's"));
+  EXPECT_THAT(error_of("height_m = 5\n"),
+              HasSubstr(".toml:1: height_m 5 is outside the range of people"));
   EXPECT_THAT(error_of("height_m = 1.8\nmass_kg = -3\n"), HasSubstr(".toml:2: mass_kg"));
   EXPECT_THAT(error_of("[proportions]\n\narms = 3.0\n"), HasSubstr(".toml:3: arms 3"));
   EXPECT_THAT(error_of("sex = \"robot\"\n"), HasSubstr("female, male"));
