@@ -52,7 +52,7 @@ TEST(NearestAnnotation, WrapsAnglesAtTheBack) {
 
 TEST(NearestAnnotation, PrefersTheTargetToTheDirection) {
   EXPECT_EQ(nearest_at(Target::trunk, -90), 5);
-  EXPECT_EQ(nearest_at(Target::head, 45.5F), 2);  // the trunk's clip would face it
+  EXPECT_EQ(nearest_at(Target::head, 45.5F), 2);  // the trunk's clip is nearer in angle
 }
 
 TEST(NearestAnnotation, FallsBackToTheNeighbourThenToIdle) {
@@ -67,7 +67,7 @@ TEST(NearestAnnotation, TiesGoToTheLowerIndex) {
   EXPECT_EQ(nearest_at(Target::legs, 90), 6);
 }
 
-// Chi-square with 5 degrees of freedom is above 20.5 once in a thousand uniform draws.
+// With 5 degrees of freedom, chi-square exceeds 20.5 once in a thousand uniform samples.
 TEST(RandomAllowed, IsUniformOverAllowedClips) {
   std::mt19937_64 random(1);
   std::vector<int> count(kClips.size());

@@ -9,7 +9,7 @@
 
 namespace flinch::models {
 
-/// One fully connected layer, number by number in double; `weight(to, from)`.
+/// One fully connected layer, computed element by element in double; `weight(to, from)`.
 template <typename Weight>
 std::vector<double> reference_layer(std::span<const double> in, std::size_t out_count,
                                     const Weight& weight, std::span<const double> biases) {
@@ -22,7 +22,7 @@ std::vector<double> reference_layer(std::span<const double> in, std::size_t out_
   return out;
 }
 
-/// What one member answers, written down from the definition.
+/// Returns the outputs of one member network, computed from the definition.
 inline std::vector<double> reference_outputs(const NetworkShape& shape,
                                              const std::vector<double>& weights,
                                              const std::vector<double>& x) {

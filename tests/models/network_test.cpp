@@ -15,7 +15,7 @@
 namespace flinch::models {
 namespace {
 
-/// Of random weights, with an output for every other clip.
+/// Makes a network with random weights and an output for every other clip.
 NetworkModel random_network(std::uint64_t seed, int features, int hidden, int outputs,
                             int members) {
   std::mt19937_64 random(seed);

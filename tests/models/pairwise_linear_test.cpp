@@ -31,7 +31,7 @@ PairwiseModel random_machines(std::uint64_t seed, int features, std::size_t clas
   return model;
 }
 
-/// What the machine of the pair says, from the products of features in double precision.
+/// Returns the decision value of a machine, from products of features in double precision.
 double reference_decision(const PairwiseModel& model, const std::vector<double>& x, int machine) {
   std::vector<double> z{1};
   z.insert(z.end(), x.begin(), x.end());
@@ -43,14 +43,14 @@ double reference_decision(const PairwiseModel& model, const std::vector<double>&
   return sum;
 }
 
-/// Whole 32nds, whose products are whole terms, so that the twin is exact.
+/// Multiples of 1/32: their products are exact terms, so the reference is exact.
 std::vector<double> exact_point(std::mt19937_64& random, int features) {
   std::vector<double> x = random_point(random, features);
   for (double& value : x) value = std::round(value * 32) / 32;
   return x;
 }
 
-/// All pairs of allowed classes decide, in the order of `machine`.
+/// Ranks by the decisions of all pairs of allowed classes, in the order of `machine`.
 std::vector<Candidate> reference_ranking(const PairwiseModel& model, const std::vector<double>& x,
                                          const ClipMask& allowed) {
   std::vector<int> wins(model.clip.size());
@@ -140,7 +140,7 @@ TEST(PairwiseLinear, SumsNeverOverflow) {
   for (std::int16_t& weight : model.weights) weight = static_cast<std::int16_t>(-weight);
   EXPECT_FALSE(first_wins(2));
   EXPECT_FALSE(first_wins(tests::kInfinityDouble));
-  // Not a number is as good as far below.
+  // NaN counts as far below.
   EXPECT_EQ(first_wins(std::nan("")), first_wins(-tests::kInfinityDouble));
 }
 
@@ -158,7 +158,7 @@ TEST(PairwiseLinear, FallsBackToIdleWithoutAnAllowedClip) {
   ASSERT_EQ(ranked.size(), 1U);
   EXPECT_EQ(ranked[0].clip, 3);
   EXPECT_EQ(ranked[0].vote, 1);
-  // Whoever asks for none still learns the choice.
+  // A request for zero candidates still returns the choice.
   ranked = candidates(model, x, allowed, 6, std::pmr::get_default_resource(), 0);
   ASSERT_EQ(ranked.size(), 1U);
   EXPECT_EQ(ranked[0].clip, 3);

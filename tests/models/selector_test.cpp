@@ -12,9 +12,8 @@ namespace {
 
 using motion::Target;
 
-/// Three classes on a line of one feature, whose machines decide by hand-made numbers: class 0
-/// (clip 5) for x > 0 against class 1 (clip 3); class 2 (clip 1) beats class 0 where x < 2 and
-/// always loses against class 1.
+/// Three classes on a line of one feature, with hand-made machines: class 0 (clip 5) beats class 1
+/// (clip 3) for x > 0; class 2 (clip 1) beats class 0 for x < 2 and always loses to class 1.
 SvmModel hand_made_svm() {
   SvmModel model;
   model.degree = 1;
@@ -25,8 +24,8 @@ SvmModel hand_made_svm() {
   model.vectors_of_class = {1, 0, 1};
   model.bound = {1, 1, 1};
   model.support_vectors.assign(2 * SvmModel::kLanes, 1);
-  // The vector of class 0 is at its bound in the machines (0,1) and (0,2); that of class 2 is in
-  // none.
+  // The vector of class 0 is bounded in the machines (0,1) and (0,2); that of class 2 is in no
+  // machine.
   model.machines = {
       {.rho = 0, .count = {0, 1, 0, 0}}, {.rho = 2, .count = {0, 1, 0, 0}}, {.rho = -1}};
   model.vectors = {0, 0};
@@ -56,7 +55,7 @@ TEST(SvmCandidates, RankByVotesThenByTheModelsOrder) {
   EXPECT_FLOAT_EQ(ranked[1].vote, 1.0F / 3);
   EXPECT_EQ(ranked[2].clip, 1);
   EXPECT_FLOAT_EQ(ranked[2].vote, 0);
-  // x = 1: (0,1) -> 0, (0,2) -> 2, (1,2) -> 1: a circle, one vote each.
+  // x = 1: (0,1) -> 0, (0,2) -> 2, (1,2) -> 1: a cycle, one vote each.
   ranked = candidates(model, std::vector<double>{1}, all, 0);
   EXPECT_EQ(ranked[0].clip, 5);
   EXPECT_EQ(ranked[1].clip, 3);
@@ -108,7 +107,7 @@ TEST(KnnCandidates, AreAllowedLabelsOfTheNeighbours) {
   allowed[5] = false;
   ranked = candidates(knn, std::vector<double>{0.9}, allowed, 0);
   ASSERT_EQ(ranked.size(), 2U);
-  EXPECT_EQ(ranked[0].clip, 1);  // two of the three that are left
+  EXPECT_EQ(ranked[0].clip, 1);  // two of the three remaining
   EXPECT_EQ(ranked[1].clip, 3);
 }
 
@@ -127,7 +126,7 @@ TEST(KnnCandidates, ByCostUseNeighboursWithAnyLabel) {
   EXPECT_EQ(ranked[1].clip, 2);
   EXPECT_FLOAT_EQ(ranked[1].expected_cost_ns, 4.5F);
   EXPECT_EQ(ranked[0].vote, 0);
-  // None of the allowed clips was tried on a neighbour.
+  // No allowed clip was tried on a neighbour.
   knn.cost.assign(9, KnnModel::kUntried);
   EXPECT_EQ(candidates(knn, std::vector<double>{0.6}, allowed, 2).front().clip, 2);
 }

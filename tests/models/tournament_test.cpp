@@ -9,7 +9,7 @@
 namespace flinch::models {
 namespace {
 
-using Outcomes = std::vector<std::vector<bool>>;  // [a][b] of a < b: whether a wins
+using Outcomes = std::vector<std::vector<bool>>;  // [a][b] for a < b: whether a wins
 
 Outcomes random_outcomes(std::mt19937_64& random, std::size_t count, std::uint64_t noise) {
   Outcomes outcomes(count, std::vector<bool>(count));
@@ -23,7 +23,7 @@ Outcomes random_outcomes(std::mt19937_64& random, std::size_t count, std::uint64
   return outcomes;
 }
 
-/// Of all games played.
+/// Returns the number of wins when all games are played.
 std::vector<std::size_t> wins_of(const Outcomes& outcomes) {
   std::vector<std::size_t> wins(outcomes.size());
   for (std::size_t a = 0; a < wins.size(); ++a) {

@@ -11,7 +11,7 @@
 
 namespace flinch::models {
 
-/// Uniform values in [-1, 1], which are floats as those of scaled features are.
+/// Returns uniform values in [-1, 1], rounded to floats like scaled features.
 inline std::vector<double> random_point(std::mt19937_64& random, int feature_count) {
   std::uniform_real_distribution<float> uniform(-1, 1);
   std::vector<double> point(static_cast<std::size_t>(feature_count));
@@ -21,7 +21,7 @@ inline std::vector<double> random_point(std::mt19937_64& random, int feature_cou
   return point;
 }
 
-/// A set whose every observation is allowed every clip.
+/// Returns a set in which every clip is allowed for every observation.
 inline TrainingSet make_set(int feature_count, std::vector<double> points, std::vector<int> label,
                             int clip_count) {
   TrainingSet set;
@@ -33,8 +33,8 @@ inline TrainingSet make_set(int feature_count, std::vector<double> points, std::
   return set;
 }
 
-/// Clouds that overlap, one about a random centre a class. Class c has label 2 c + 1, so that
-/// labels are not the indices of classes.
+/// Returns overlapping clouds around random centres, one per class. Class c has label 2 c + 1, so
+/// labels differ from class indices.
 inline TrainingSet random_clouds(std::uint64_t seed, int count, int class_count,
                                  int feature_count) {
   std::mt19937_64 random(seed);
@@ -56,9 +56,9 @@ inline TrainingSet random_clouds(std::uint64_t seed, int count, int class_count,
   return make_set(feature_count, std::move(points), std::move(label), 2 * class_count);
 }
 
-/// The same set with costs: of clip c at x (3 + c's own plane of x)^2 / 10, so that every clip is
-/// the best somewhere and its cost is smooth. Each observation's label is its cheapest allowed
-/// clip; clips that its mask forbids were not tried.
+/// Returns the set with costs: that of clip c at x is (3 + c's own linear function of x)^2 / 10, so
+/// that costs are smooth and every clip is the best somewhere. Each observation's label is its
+/// cheapest allowed clip; clips that its mask forbids were not tried.
 inline TrainingSet with_costs(TrainingSet set, std::uint64_t seed) {
   std::mt19937_64 random(seed);
   std::vector<std::vector<double>> planes;
@@ -86,8 +86,8 @@ inline TrainingSet with_costs(TrainingSet set, std::uint64_t seed) {
   return set;
 }
 
-/// Of 120 clips with costs, of which each of four masks in turn allows 42 that stand together, mask
-/// m those from 30 m on.
+/// Returns a set of 120 clips with costs and four masks, used in turn: mask m allows the 42
+/// consecutive clips from number 30 m on.
 inline TrainingSet four_masks(std::uint64_t seed, int count, int feature_count) {
   TrainingSet set = random_clouds(seed, count, 60, feature_count);
   set.masks.assign(4, ClipMask(120));

@@ -18,7 +18,7 @@
 namespace flinch::models {
 namespace {
 
-/// Labels of very different frequency.
+/// Labels with very different frequencies.
 std::vector<int> uneven_labels(int count) {
   std::vector<int> label;
   for (int i = 0; i < count; ++i) {
@@ -56,9 +56,9 @@ TEST(Folds, AreTheSameForTheSameSeedOnly) {
   const std::vector<int> label = uneven_labels(200);
   EXPECT_EQ(assign_folds(label, 5, 1), assign_folds(label, 5, 1));
   EXPECT_NE(assign_folds(label, 5, 1), assign_folds(label, 5, 2));
-  // By hand from the 64-bit Mersenne twister's first outputs for its standard seed 5489,
-  // 14514284786278117030, 4620546740167642908 and 13109570281517897720: swaps with 14514… mod 4 =
-  // 2, 4620… mod 3 = 0 and 13109… mod 2 = 0 turn 0123 into 0132, 3102 -> 3 1 0 2 and 1 3 0 2.
+  // Computed by hand from the first outputs of the 64-bit Mersenne twister for its standard seed
+  // 5489: 14514284786278117030, 4620546740167642908 and 13109570281517897720. Swaps with 14514… mod
+  // 4 = 2, 4620… mod 3 = 0 and 13109… mod 2 = 0 turn 0123 into 0132, 3102 and 1302.
   EXPECT_THAT(assign_folds(std::vector<int>(4, 0), 4, 5489), testing::ElementsAre(2, 0, 3, 1));
 }
 
@@ -71,7 +71,7 @@ TEST(Folds, RefuseImpossibleCounts) {
 
 TEST(Folds, AreLimitedToEnoughHeldOutObservations) {
   const std::vector<int> label = uneven_labels(4000);
-  const std::vector<int> fold = assign_folds(label, 5, 3);  // of 800 each
+  const std::vector<int> fold = assign_folds(label, 5, 3);  // 800 observations each
   const std::vector<int> few = limit_folds(fold);
   for (std::size_t i = 0; i < fold.size(); ++i) {
     EXPECT_EQ(few[i], fold[i] < 2 ? fold[i] : kNeverHeldOut);
@@ -86,14 +86,14 @@ TEST(Argmin, IsTheFirstMinimum) {
   EXPECT_EQ(argmin(std::vector<double>{tests::kNanDouble}), 0U);
 }
 
-/// 1 where the choice is not the label.
+/// Returns a loss of 1 where the choice is not the label, else 0.
 LossFunction mistakes(const TrainingSet& set) {
   return [&set](int observation, int chosen) {
     return chosen == set.label[static_cast<std::size_t>(observation)] ? 0.0 : 1.0;
   };
 }
 
-/// The classes are the signs of x y, which an even kernel of degree 2 separates and an odd one of
+/// The classes are the signs of x y: an even kernel of degree 2 separates them, an odd one of
 /// degree 3 cannot.
 TrainingSet signs_of_product(int count) {
   std::mt19937_64 random(4);
@@ -133,7 +133,8 @@ TEST(ChooseParameters, PrefersLargeKForNoisyLabels) {
   for (int i = 0; i < 600; ++i) {
     const std::vector<double> point = random_point(random, 2);
     points.insert(points.end(), point.begin(), point.end());
-    label.push_back((point[0] > 0) != (random() % 10 < 3) ? 1 : 0);  // three in ten are wrong
+    // three in ten labels are wrong
+    label.push_back((point[0] > 0) != (random() % 10 < 3) ? 1 : 0);
   }
   const TrainingSet set = make_set(2, points, label, 2);
   const std::vector<KnnParameters> grid{{1, KnnVote::majority}, {25, KnnVote::majority}};
@@ -152,7 +153,8 @@ TEST(ChooseParameters, MinimisesTheGivenLoss) {
   EXPECT_EQ(choose_parameters(set, grid, fold, right_is_bad).parameters, grid[1]);
 }
 
-/// Clouds under masks that each forbid every third clip, but never an observation's own.
+/// Overlapping clouds with masks that each forbid every third clip, but never an observation's
+/// label.
 TrainingSet masked_clouds(int count) {
   TrainingSet set = random_clouds(8, count, 9, 6);
   set.idle = 0;
@@ -168,8 +170,8 @@ TrainingSet masked_clouds(int count) {
   return set;
 }
 
-/// Whether each held-out choice is that of a model that `fit` makes of the other folds, for all
-/// parameters of the grid.
+/// Checks that each held-out choice is that of a model that `fit` makes from the other folds, for
+/// all parameters of the grid.
 template <typename Parameters, typename Fit>
 void expect_choices_of_others(const TrainingSet& set, int fold_count,
                               const std::vector<Parameters>& grid, const Fit& fit) {

@@ -8,8 +8,8 @@
 
 namespace flinch::models {
 
-/// What cross-validation has models with these parameters choose for each observation: what it asks
-/// the score of, -1 where it asks none.
+/// Returns the choices of models with these parameters for each observation in cross-validation:
+/// those that it asks the score of, -1 for the others.
 template <typename Parameters>
 std::vector<int> held_out_choices(const TrainingSet& set, const Parameters& parameters,
                                   std::span<const int> fold) {
@@ -22,7 +22,7 @@ std::vector<int> held_out_choices(const TrainingSet& set, const Parameters& para
   return choices;
 }
 
-/// The observations that are not of fold `held_out`.
+/// Returns the observations that are not in fold `held_out`.
 inline TrainingSet all_except(const TrainingSet& set, std::span<const int> fold, int held_out) {
   std::vector<int> others;
   for (int i = 0; i < set.size(); ++i) {

@@ -19,7 +19,7 @@
 namespace flinch::models {
 namespace {
 
-/// Every observation sorted by distance, computed one by one, and then by index.
+/// Returns all observations, sorted by distance, computed one by one, then by index.
 std::vector<Neighbour> all_sorted(const KnnModel& model, std::span<const double> query,
                                   const ClipMask& allowed) {
   std::vector<Neighbour> all;
@@ -53,7 +53,7 @@ KnnModel random_model(std::uint64_t seed, int count, int features) {
   return fit_knn(random_clouds(seed, count, 8, features), {3, KnnVote::majority});
 }
 
-/// Points with few different coordinates: most distances are tied, many points are the same.
+/// Points with few distinct coordinates: most distances are tied, many points are equal.
 KnnModel model_of_ties(std::uint64_t seed, int count, int features) {
   KnnModel model = random_model(seed, count, features);
   for (float& value : model.points) {
@@ -120,7 +120,7 @@ TEST(NeighbourIndex, MatchesBruteForce) {
     const NeighbourIndex tree(doubles(model.points), model.feature_count);
     for (int i = 0; i < 300; ++i) {
       std::vector<double> query = random_point(random, model.feature_count);
-      if (i % 3 == 0) {  // on the grid of the ties, exactly between points of it
+      if (i % 3 == 0) {  // on the grid of the ties, exactly between its points
         for (double& value : query) {
           value = std::round(2 * value) / 2;
         }
@@ -133,8 +133,8 @@ TEST(NeighbourIndex, MatchesBruteForce) {
   }
 }
 
-// Every point has the same coordinates in another order, so that all are equally far from a query
-// on the diagonal but for the rounding of the sums, which depends on the order.
+// Every point has the same coordinates in a different order, so all are equally far from a query on
+// the diagonal, except for the rounding of the sums, which depends on the order.
 TEST(NeighbourIndex, OrdersDistancesThatDifferByRoundingAlone) {
   std::mt19937_64 random(13);
   KnnModel model = random_model(14, 1000, 16);
@@ -156,7 +156,7 @@ TEST(NeighbourIndex, IsEmptyForNoPoints) {
   EXPECT_TRUE(NeighbourIndex({}, 3).nearest(std::vector<double>{0, 0, 0}, 5).empty());
 }
 
-// FLANN used as its manual has it, with none of our code: the distances are those that we find.
+// FLANN used according to its manual, without our code: the distances equal ours.
 TEST(Knn, DistancesMatchFlannBitForBit) {
   const KnnModel model = random_model(10, 1000, 16);
   std::vector<double> values = doubles(model.points);
@@ -199,7 +199,7 @@ TEST(KnnVotes, InverseDistanceWeightsNearNeighboursMore) {
   const std::vector<int> label{4, 9, 9, 2};
   const std::vector<Neighbour> neighbours{{0, 0.25}, {1, 4}, {2, 16}, {3, 16}};
   const auto ranked = count_votes(neighbours, label, KnnVote::inverse_distance);
-  // 1/0.5 = 2 for clip 4; 1/2 + 1/4 = 0.75 for clip 9; 0.25 for clip 2.
+  // Votes: 1/0.5 = 2 for clip 4; 1/2 + 1/4 = 0.75 for clip 9; 0.25 for clip 2.
   EXPECT_THAT(clips_of(ranked), testing::ElementsAre(4, 9, 2));
   EXPECT_NEAR(ranked[0].vote, 2.0 / 3.0, 1e-5);
   EXPECT_NEAR(ranked[1].vote, 0.25, 1e-5);
@@ -212,8 +212,8 @@ TEST(KnnVotes, TheSamePointWinsOverAllOthers) {
   EXPECT_EQ(count_votes(neighbours, label, KnnVote::inverse_distance).front().clip, 1);
 }
 
-/// Observations at 0, 1, 2 with the costs of four clips, of which the third was tried on the last
-/// alone and the fourth on none.
+/// Observations at 0, 1, 2 with the costs of four clips: the third was tried on the last
+/// observation only, the fourth on none.
 TrainingSet three_with_costs() {
   constexpr float kUntried = std::numeric_limits<float>::infinity();
   TrainingSet set = make_set(1, {0, 1, 2}, {0, 1, 2}, 4);
@@ -257,7 +257,7 @@ TEST(KnnCosts, AreQuantisedToHalfAStep) {
 
 TEST(KnnFit, RefusesInvalidInput) {
   const TrainingSet set = random_clouds(12, 10, 2, 3);
-  EXPECT_THROW(fit_knn(set, {1, KnnVote::cost}), Error);  // knows no costs
+  EXPECT_THROW(fit_knn(set, {1, KnnVote::cost}), Error);  // the set has no costs
   EXPECT_THROW(fit_knn(set, {65536, KnnVote::majority}), Error);
   for (const float cost : {-1.0F, std::numeric_limits<float>::quiet_NaN()}) {
     TrainingSet wrong = three_with_costs();

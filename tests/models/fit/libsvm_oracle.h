@@ -14,7 +14,7 @@
 
 namespace flinch::models {
 
-/// libsvm itself, trained and asked without any of our code between.
+/// libsvm itself, trained and queried without any of our code.
 class LibsvmOracle {
  public:
   LibsvmOracle(const TrainingSet& set, const SvmParameters& parameters) {
@@ -51,7 +51,7 @@ class LibsvmOracle {
     return static_cast<int>(svm_predict(model_.get(), sparse(point).data()));
   }
 
-  /// Of the pairs of classes (0,1), (0,2), …, (1,2), ….
+  /// Returns the decision values of the pairs of classes (0,1), (0,2), …, (1,2), ….
   std::vector<double> decisions(std::span<const double> point) const {
     const auto classes = static_cast<std::size_t>(model_->nr_class);
     std::vector<double> decision(classes * (classes - 1) / 2 + 1);
@@ -59,7 +59,8 @@ class LibsvmOracle {
     return decision;
   }
 
-  /// Votes of the pairwise machines whose two classes are allowed, from libsvm's decision values.
+  /// Counts votes of the pairwise machines whose two classes are both allowed, by libsvm's decision
+  /// values.
   std::vector<int> votes(std::span<const double> point, std::span<const char> allowed) const {
     const auto classes = static_cast<std::size_t>(model_->nr_class);
     const std::vector<double> decision = decisions(point);
@@ -77,7 +78,7 @@ class LibsvmOracle {
   }
 
  private:
-  /// C's factor of each label.
+  /// Sets the factor of C for each label.
   void weigh(const TrainingSet& set, double balance) {
     std::map<int, int> count_of;
     for (const int label : set.label) ++count_of[label];
@@ -92,7 +93,7 @@ class LibsvmOracle {
     void operator()(svm_model* model) const { svm_free_and_destroy_model(&model); }
   };
 
-  /// Without its zeros, as libsvm's text format has it.
+  /// Leaves out zeros, like libsvm's text format.
   static std::vector<svm_node> sparse(std::span<const double> point) {
     std::vector<svm_node> nodes;
     for (std::size_t i = 0; i < point.size(); ++i) {

@@ -37,8 +37,8 @@ bool run(const std::string& command) {
   return std::system((command + " >/dev/null 2>&1").c_str()) == 0;
 }
 
-/// Of 64ths: svm-train writes support vectors with eight significant digits, so that numbers with
-/// more would not come back from its model file.
+/// Rounds to multiples of 1/64: svm-train writes support vectors with eight significant digits, and
+/// numbers with more would not survive its model file.
 TrainingSet of_64ths(TrainingSet set) {
   for (double& value : set.points) {
     value = std::round(value * 64) / 64;

@@ -21,7 +21,7 @@ namespace {
 
 constexpr NetworkShape kShape{4, 16, 3};
 
-/// Of six observations, on each of which one clip was not tried.
+/// Returns a batch of six observations, on each of which one clip was not tried.
 NetworkBatch random_batch(std::mt19937_64& random) {
   NetworkBatch batch{Eigen::MatrixXf(4, 6), Eigen::MatrixXf(3, 6), Eigen::MatrixXf(3, 6)};
   for (float& value : batch.inputs.reshaped())
@@ -75,7 +75,7 @@ TEST(NetworkGradient, MatchesFiniteDifferences) {
   }
 }
 
-/// Six clips, of which each observation's mask allows four.
+/// Returns a set with six clips, of which each observation's mask allows four.
 TrainingSet set_with_costs(int count) {
   TrainingSet set = random_clouds(2, count, 3, 4);
   set.masks.assign(3, ClipMask(6, true));

@@ -39,12 +39,13 @@ TEST(PairwiseFit, ChoosesCheapClipsForHeldOutObservations) {
   const PairwiseModel model = fit_pairwise(subset(all, first), {});
   const double learned = mean_regret(tested, [&](int i) { return choice(model, tested, i); });
   const double by_chance = mean_regret(tested, [&](int i) { return i % 12; });
-  // Who is cheaper of two such clips is decided by a polynomial of degree 2, which machines have.
+  // Which of two such clips is cheaper is decided by a polynomial of degree 2, as in the machines.
   EXPECT_LT(learned, 0.02 * by_chance);
 }
 
-/// Two clips at one place: the first costs a little less on 60 observations, the second much less
-/// on 40. Fewest mistakes are made with the first, the least cost is that of the second.
+/// Two clips with observations at one point: the first costs a little less on 60 of them, the
+/// second much less on 40. Choosing the first makes the fewest mistakes, choosing the second costs
+/// least.
 TEST(PairwiseFit, WeightsMistakesByTheirCost) {
   TrainingSet set = make_set(1, std::vector<double>(100, 0.5), std::vector<int>(100, 0), 2);
   for (int i = 0; i < 100; ++i) {
@@ -56,8 +57,8 @@ TEST(PairwiseFit, WeightsMistakesByTheirCost) {
   EXPECT_EQ(choice(fit_pairwise(set, {}), set, 0), 1);
 }
 
-/// On 15 of 20 observations the second clip costs much less than the first, but the third costs
-/// nothing there; on the other 5, where the first is the best, it costs a little more.
+/// On 15 of 20 observations the second clip costs much less than the first, but there the third one
+/// costs nothing; on the other 5, where the first is the best, the second costs a little more.
 TEST(PairwiseFit, IrrelevantPairsHaveNoWeight) {
   TrainingSet set = make_set(1, std::vector<double>(20, 0.5), std::vector<int>(20, 0), 3);
   for (int i = 0; i < 20; ++i) {
@@ -77,8 +78,8 @@ TEST(PairwiseFit, HasNoMachineForPairsWithoutExamples) {
   const float untried = std::numeric_limits<float>::infinity();
   for (int i = 0; i < set.size(); ++i) {
     float* costs = &set.cost[static_cast<std::size_t>(i) * 4];
-    costs[2] = costs[0];                  // never a difference
-    costs[i % 2 == 0 ? 1 : 3] = untried;  // never both
+    costs[2] = costs[0];                  // the same costs, so never a difference
+    costs[i % 2 == 0 ? 1 : 3] = untried;  // never both tried
   }
   const PairwiseModel model = fit_pairwise(set, {});
   EXPECT_THAT(model.clip, testing::ElementsAre(0, 1, 2, 3));

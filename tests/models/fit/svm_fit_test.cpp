@@ -38,7 +38,8 @@ TEST(SvmFit, KeepsTheTrainingVectorsAndTheOrderOfClasses) {
   EXPECT_EQ(model.degree, 1);
   EXPECT_EQ(model.gamma, 0.5);
   EXPECT_EQ(model.cost, 100);
-  // The two nearest points of either class carry the margin; the third lies beyond it.
+  // The nearest points of the two classes are the support vectors; the third point is outside the
+  // margin.
   EXPECT_THAT(model.vectors_of_class, testing::ElementsAre(1, 1));
   EXPECT_EQ(model.value(0, 0), 1);
   EXPECT_EQ(model.value(0, 1), 0.5F);
@@ -49,7 +50,7 @@ TEST(SvmFit, KeepsTheTrainingVectorsAndTheOrderOfClasses) {
   EXPECT_DOUBLE_EQ(model.coefficients[0], model.coefficients[1]);
 }
 
-/// libsvm's sv_coef of a machine's vectors of one class, as the model has them.
+/// Returns libsvm's sv_coef for a machine's vectors of one class, as the model stores them.
 std::map<int, double> coefficients_of(const SvmModel& model, const SvmMachine& machine, int side) {
   std::map<int, double> found;
   const std::uint16_t* vector = &model.vectors[machine.first_vector];

@@ -20,8 +20,8 @@ int predicted_label(const SvmModel& model, std::span<const double> point) {
   return model.label[static_cast<std::size_t>(predict(model, point))];
 }
 
-/// Our model and libsvm's, of the same set, agree on every point of the set, the origin and random
-/// points within and beyond the range of the features.
+/// Checks that our model and libsvm's, trained on the same set, agree on every point of the set, on
+/// the origin and on random points inside and outside the range of the features.
 void expect_predictions_of_libsvm(const TrainingSet& set, const SvmParameters& parameters) {
   const LibsvmOracle oracle(set, parameters);
   const SvmModel model = fit_svm(set, parameters);
@@ -93,7 +93,7 @@ TEST(Svm, PredictsLibsvmsLabelsForDegenerateProblems) {
   }
 }
 
-/// All classes by votes that were counted one by one, the lower index first on a tie.
+/// Sorts the allowed classes by votes, ties by the lower index.
 std::vector<std::pair<std::size_t, int>> sorted(const std::vector<int>& votes,
                                                 std::span<const char> allowed) {
   std::vector<std::pair<std::size_t, int>> ranked;
@@ -154,7 +154,8 @@ TEST(Svm, DecisionValuesMatchLibsvmBitForBit) {
   }
 }
 
-/// The threat of a tie: a machine whose decision is nothing but what double rounds, over and over.
+/// Near a boundary, float precision cannot decide: the decision value is little more than rounding
+/// errors of double.
 TEST(Svm, MatchesLibsvmNearDecisionBoundaries) {
   const SvmParameters parameters{.degree = 3, .gamma = 0.5, .coef0 = 1, .cost = 10};
   const TrainingSet set = random_clouds(5, 200, 6, 4);
@@ -164,7 +165,7 @@ TEST(Svm, MatchesLibsvmNearDecisionBoundaries) {
   std::mt19937_64 random(11);
   int near = 0;
   for (int i = 0; i < 400; ++i) {
-    // Halve the way between a point that class 0 has from class 1 and one that it has not.
+    // Bisects between a point that class 0 wins against class 1 and one that it loses.
     std::vector<double> inside = random_point(random, 4);
     std::vector<double> outside = random_point(random, 4);
     if ((decision_value(model, inside, 0, 1) > 0) == (decision_value(model, outside, 0, 1) > 0))

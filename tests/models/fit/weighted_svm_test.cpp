@@ -20,7 +20,8 @@ struct Problem {
   std::vector<WeightedExample> examples;
 };
 
-/// Two sides of a random plane with a fifth on the wrong one; with one weight each, or the same.
+/// The two sides of a random plane, with a fifth of the labels wrong; weights vary or are all the
+/// same.
 Problem random_problem(std::uint64_t seed, int count, int features, bool is_weighted) {
   std::mt19937_64 random(seed);
   Problem problem{FeatureRows(count, features), {}};
@@ -52,8 +53,8 @@ double primal(const Problem& problem, const Eigen::VectorXd& u) {
   return sum;
 }
 
-/// The dual by steepest descent with projection onto the box, its step the inverse of a bound on
-/// the curvature: slow and plain.
+/// Solves the dual by projected gradient descent, with the inverse of a curvature bound as its
+/// step: slow and simple.
 Eigen::VectorXd reference_weights(const Problem& problem) {
   const auto count = static_cast<Eigen::Index>(problem.examples.size());
   Eigen::MatrixXd x(count, problem.rows.cols());
@@ -81,7 +82,7 @@ TEST(WeightedSvm, MinimisesItsObjective) {
     const Eigen::VectorXd expected = reference_weights(problem);
     const Eigen::VectorXd found = machine.weights.cast<double>();
     EXPECT_LT((found - expected).lpNorm<Eigen::Infinity>(), 1e-3 * expected.norm());
-    // The duality gap: no weights at all have a lower primal value than the dual's.
+    // The duality gap: the primal value of any weights is at least the dual value.
     double dual = -found.squaredNorm() / 2;
     for (std::size_t i = 0; i < machine.multipliers.size(); ++i) {
       ASSERT_GE(machine.multipliers[i], 0);
@@ -93,7 +94,7 @@ TEST(WeightedSvm, MinimisesItsObjective) {
   }
 }
 
-/// What is left to gain by any one multiplier, beyond those that a bound holds.
+/// Returns the largest absolute projected gradient; it is 0 for multipliers held by a bound.
 double largest_projected_gradient(const Problem& problem, const LinearMachine& machine) {
   double largest = 0;
   for (std::size_t i = 0; i < problem.examples.size(); ++i) {
@@ -130,8 +131,8 @@ TEST(WeightedSvm, ConvergesWithinAFewPasses) {
   EXPECT_GT(value_after({.pass_count = 1, .tolerance = 0}), 1.02 * min_value);
 }
 
-// libsvm's machines have an offset and ours none; with every example mirrored through the origin
-// the best offset is 0, and every loss counts twice.
+// libsvm's machines have an offset and ours do not. With every example mirrored at the origin, the
+// best offset is 0 and every loss counts twice.
 TEST(WeightedSvm, MatchesLibsvmForEqualWeights) {
   const Problem problem = random_problem(5, 60, 4, false);
   std::vector<double> points;
@@ -154,7 +155,7 @@ TEST(WeightedSvm, MatchesLibsvmForEqualWeights) {
     for (std::size_t f = 0; f < x.size(); ++f) {
       sum += x[f] * double{machine.weights[static_cast<Eigen::Index>(f)]};
     }
-    if (std::abs(sum) < 0.01) continue;  // libsvm stops within its tolerance of the optimum
+    if (std::abs(sum) < 0.01) continue;  // libsvm stops within a tolerance of the optimum
     ++asked;
     ASSERT_EQ(oracle.predict(x), sum > 0 ? 1 : 0);
   }
