@@ -13,13 +13,13 @@ namespace flinch::database::test {
 using motion::degrees;
 using motion::radians;
 
-/// The default character at ease.
+/// The default character in its relaxed standing pose.
 struct AuthorScene {
   motion::Figure figure = motion::make_figure(motion::default_character());
   motion::Pose start = standing_pose(figure);
   motion::JointFrames frames = motion::forward_kinematics(figure.skeleton(), start);
 
-  /// A threat 5 m away at the middle of a target, from an azimuth in degrees.
+  /// Returns a threat 5 m away, aimed at the centre of a target, from an azimuth in degrees.
   AimedThreat threat(motion::Target target, float azimuth_deg, float height_m = 0) const {
     AimedThreat made;
     made.target_point = motion::target_centre(figure.bodies, frames, target);
@@ -39,7 +39,7 @@ inline bool is_finite(const motion::Pose& pose) {
   return finite;
 }
 
-/// The angle of a rotation about an axis that it is known to turn about, degrees.
+/// Returns the angle of a rotation about its known axis, degrees.
 inline float angle_about(const Eigen::Quaternionf& rotation, const Eigen::Vector3f& axis) {
   return degrees(2 * std::atan2(rotation.vec().dot(axis), rotation.w()));
 }

@@ -69,7 +69,7 @@ TEST(AuthoredLibrary, EveryClipMeetsTheQualityBounds) {
   }
 }
 
-// A ball on a straight line at the middle of the idling figure's target, swept against every body
+// Sweeps a ball on a straight line at the centre of the idling figure's target against every body
 // around the clip's peak.
 bool avoids_ball(const AuthorScene& scene, const Clip& clip, float elevation, float speed_mps) {
   const float azimuth = clip.annotation->direction;

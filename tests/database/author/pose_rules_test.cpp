@@ -34,7 +34,7 @@ const Eigen::Vector3f kZ = Eigen::Vector3f::UnitZ();
 
 constexpr float kTolerance = 0.01F;  // degrees
 
-// Rotations of the spine from a pose without any, degrees about an axis.
+// Rotations of the spine's joints from the identity pose, degrees about an axis.
 struct SpineAngles {
   float pelvis, waist, back, neck_and_head;
 };
@@ -94,8 +94,9 @@ TEST(LeanAway, InterpolatesBetweenHeadAndPelvis) {
                 {-7.5F, -7.5F, -18.75F, -37.5F});
 }
 
-// From the left a quarter turn brings the back to the threat: 65 degrees of the neck leave 25,
-// of which the back takes 12.5 but may 8, the waist 7.5, the pelvis 5.
+// For a threat from the left, a quarter turn brings the back to it: after 65 degrees of the neck,
+// 25 remain, of which the back's share is 12.5 but its maximum 8, the waist's 7.5 and the pelvis'
+// 5.
 TEST(TurnAway, SplitsTheRemainderOverBackWaistAndPelvis) {
   expect_angles(spine_angles(turn_away(Pose(), radians(90), 1), kZ), {-5, -7.5F, -8, -65});
   expect_angles(spine_angles(turn_away(Pose(), radians(-90), 1), kZ), {5, 7.5F, 8, 65});
@@ -219,7 +220,7 @@ TEST(ApplyRules, KeepsFeetInPlaceAndNeckAndArmsWithinHumanLimits) {
   }
 }
 
-// A fifth of the way: elbows from 18 degrees toward 150, head 0.4 of 50 degrees.
+// A fifth of the way: elbows from 18 degrees towards 150; the head turns 0.4 of 50 degrees.
 TEST(Startle, BlendsTwentyPercentAndTurnsTheHeadTowardTheThreat) {
   const AuthorScene scene;
   const Pose pose = startle(scene.figure, scene.start, scene.threat(Target::head, 50));

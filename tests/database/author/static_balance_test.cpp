@@ -59,7 +59,8 @@ TEST(StaticBalance, ReducesTheError) {
       const AimedThreat threat = scene.threat(target, azimuth, 0.5F);
       const BalanceProblem problem(scene.figure, scene.start, threat, kControls, kBraceDistance);
       const Pose before = problem.pose_of({Eigen::Vector3f::Zero(), kControls});
-      EXPECT_NEAR(problem.error_of(before).total(), kBraceDistance, 1e-4F);  // all else is right
+      // all other terms are 0
+      EXPECT_NEAR(problem.error_of(before).total(), kBraceDistance, 1e-4F);
       const Pose after = balanced_pose(scene.figure, scene.start, threat, kControls).pose;
       EXPECT_LT(problem.error_of(after, kSmoothing).total(),
                 0.95F * problem.error_of(before, kSmoothing).total())
@@ -68,7 +69,7 @@ TEST(StaticBalance, ReducesTheError) {
   }
 }
 
-// Against the five-point stencil, whose error is of fourth order.
+// Compares with the five-point stencil, whose error is of fourth order.
 TEST(StaticBalance, GradientMatchesFiniteDifferences) {
   const AuthorScene scene;
   const BalanceProblem problem(scene.figure, scene.start, scene.threat(Target::head, 35, 0.5F),

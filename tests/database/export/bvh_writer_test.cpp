@@ -31,7 +31,7 @@ using tests::error_of;
 constexpr double kPi = std::numbers::pi;
 constexpr double kDegree = kPi / 180;
 
-// Ours from the file's: forward is Z there, left X, up Y.
+// Rotation from the file's axes (Z forward, X left, Y up) to ours.
 Eigen::Matrix3d from_file() {
   Eigen::Matrix3d matrix;
   matrix << Vector3d::UnitZ().transpose(), Vector3d::UnitX().transpose(),
@@ -47,7 +47,7 @@ std::size_t joint_named(const Bvh& bvh, Role role) {
   return 0;
 }
 
-// Angle between two rotations, radians, exact for small ones.
+// Angle between two rotations, radians, accurate for small angles.
 double angle_between(const Eigen::Matrix3d& a, const Eigen::Matrix3d& b) {
   return 2 * std::asin(std::min(1.0, (a - b).norm() / std::sqrt(8)));
 }
@@ -76,7 +76,7 @@ void expect_read_back(const motion::Physique& character, const motion::Motion& m
           angle_between(turn, expected.orientation[role].cast<double>().toRotationMatrix()));
     }
   }
-  // The bounds that are promised; what they come to is printed.
+  // The documented bounds; the actual values are printed.
   EXPECT_LT(most_m, 1e-4) << what;
   EXPECT_LT(max_angle / kDegree, 0.01) << what;
   std::printf("%s: read back to %.1e mm and %.1e degrees\n", what.c_str(), 1e3 * most_m,
@@ -102,7 +102,7 @@ TEST(BvhWriter, AuthoredMotionRoundTrips) {
   }
 }
 
-// Rotations whose middle angle, about the character's left, is a quarter turn or nearly so.
+// Rotations whose middle angle, about the character's left, is a quarter turn or almost one.
 TEST(BvhWriter, GimbalLockRoundTrips) {
   std::mt19937 random(2);
   const motion::Physique character = motion::default_character();
@@ -123,7 +123,8 @@ TEST(BvhWriter, GimbalLockRoundTrips) {
   }
 }
 
-// The rate of the angles, where a somersault passes two locks and a spin goes round twice.
+// Bounds the angles' rate of change in a somersault, which passes two gimbal locks, and in a spin
+// of two turns.
 TEST(BvhWriter, AnglesAreContinuousAcrossFrames) {
   const motion::Physique character = motion::default_character();
   for (const Vector3f& axis : {Vector3f(0, 0, 1), Vector3f(0, 1, 0), Vector3f(1, 0, 0)}) {
@@ -193,7 +194,7 @@ TEST(BvhWriter, ImportKnowsEveryRoleAndTheUnitsAndGivesTheSameMotion) {
     ASSERT_EQ(found.poses.size(), clip->motion.poses.size());
     double most_m = 0;
     for (std::size_t k = 0; k < found.poses.size(); ++k) {
-      // Import puts the pelvis of the first pose above the origin.
+      // The import puts the pelvis of the first pose above the origin.
       Vector3f shift = -clip->motion.poses.front().root_position;
       shift.z() = 0;
       const motion::Pose pose = motion::placed(clip->motion.poses[k], 0, shift);
@@ -267,7 +268,7 @@ TEST(EulerAngles, ReproduceTheRotationNearTheGivenAngles) {
   }
 }
 
-// Noise of a float's size must not turn the two axes that are one against each other.
+// Rounding errors of floats must not rotate the two coinciding axes against each other.
 TEST(EulerAngles, KeepTheFirstAngleAtGimbalLock) {
   std::mt19937 random(4);
   for (int i = 0; i < 1000; ++i) {

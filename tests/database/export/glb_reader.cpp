@@ -12,7 +12,7 @@ namespace {
 using Eigen::Affine3d;
 using nlohmann::json;
 
-// Translation, rotation, scale by name of glTF.
+// Translation, rotation and scale, by their glTF names.
 using Transform = std::map<std::string, std::vector<double>>;
 
 std::size_t index_in(const json& object, const char* key) {
@@ -152,8 +152,8 @@ std::vector<Affine3d> scene_at_rest(const Glb& glb) {
   return scene_of(glb, transforms_at_rest(glb));
 }
 
-// glTF 2.0, 3.7.3: the sum over a vertex' joints of weight * joint * inverse bind * position; the
-// place of the mesh's own node does not count.
+// glTF 2.0, 3.7.3: the sum over a vertex's joints of weight * joint * inverse bind * position; the
+// transform of the mesh's own node is ignored.
 std::vector<Eigen::Vector3d> skinned_positions(const Glb& glb, std::size_t primitive,
                                                const std::vector<Affine3d>& nodes) {
   const json& skin = glb.document["skins"].at(0);

@@ -25,7 +25,7 @@ TEST(Glb, AccessorsRoundTripAligned) {
   buffer.add_indices(many);
   buffer.add(floats, GltfElement::vec3, GltfTarget::vertices, true);
   buffer.add(bytes, GltfElement::scalar, GltfTarget::none, false);
-  // The reader throws where a view is not at a multiple of 4 bytes.
+  // The reader throws where a buffer view is not at a multiple of 4 bytes.
   const tests::Glb glb = tests::read_glb(buffer.file({{"asset", {{"version", "2.0"}}}}));
   EXPECT_EQ(tests::numbers_of(glb, 0), as_doubles(bytes));
   EXPECT_EQ(tests::numbers_of(glb, 1), as_doubles(few));
@@ -34,7 +34,7 @@ TEST(Glb, AccessorsRoundTripAligned) {
   EXPECT_EQ(tests::numbers_of(glb, 4), as_doubles(bytes));
   const auto& accessors = glb.document["accessors"];
   EXPECT_EQ(accessors[1]["componentType"], 5123);  // 16 bits are enough
-  EXPECT_EQ(accessors[2]["componentType"], 5125);  // 65535 restarts a strip
+  EXPECT_EQ(accessors[2]["componentType"], 5125);  // 65535 is the 16-bit restart value
   EXPECT_EQ(accessors[3]["count"], 2);
   EXPECT_EQ(accessors[3]["min"], (std::vector<float>{-1.5F, 1e-30F, 2}));
   EXPECT_EQ(accessors[3]["max"], (std::vector<float>{0, 1, 3e38F}));

@@ -32,7 +32,8 @@ using tests::kNan;
 constexpr std::size_t kBodyPart = 0;
 constexpr std::size_t kAccentPart = 1;
 
-// glTF's axes, by its specification: X to the left, Y up, Z forward. Ours: X forward, Y left, Z up.
+// Rotation to glTF's axes, by its specification X left, Y up, Z forward, from ours: X forward, Y
+// left, Z up.
 Eigen::Matrix3d from_ours() {
   Eigen::Matrix3d matrix;
   matrix << Vector3d::UnitZ(), Vector3d::UnitX(), Vector3d::UnitY();
@@ -95,7 +96,7 @@ TEST(GltfWriter, QuaternionsAreUnitAndSignContinuous) {
   motion::Motion motion = random_motion(random, 40);
   for (std::size_t k = 0; k < motion.poses.size(); k += 2) {
     for (Eigen::Quaternionf& rotation : motion.poses[k].rotation) {
-      rotation.coeffs() *= -1.0005F;  // the same rotation, and a little off unit
+      rotation.coeffs() *= -1.0005F;  // the same rotation, slightly off unit length
     }
   }
   const Glb glb = tests::read_glb(make_glb(motion::default_character(), motion));
@@ -133,7 +134,7 @@ TEST(GltfWriter, SkinInTheBindPoseEqualsTheMesh) {
   }
 }
 
-// How far a point in the frame of a body's joint is outside its outline.
+// Distance of a point, in the frame of a body's joint, outside the body's outline.
 double outside(const motion::Shape& shape, const Vector3d& point) {
   const Vector3d local =
       shape.orientation.cast<double>().conjugate() * (point - shape.centre.cast<double>());
@@ -171,7 +172,7 @@ TEST(GltfWriter, SkinMovesWithTheOutlinesOfTheBodyModel) {
       }
       max[body] = std::max(max[body], distance);
     }
-    EXPECT_NEAR(max[motion::Body::chest], 0, 1e-5);  // boxes are touched from within
+    EXPECT_NEAR(max[motion::Body::chest], 0, 1e-5);  // boxes are touched from inside
     EXPECT_NEAR(max[motion::Body::left_shin], 0, 1e-5);
   }
 }
@@ -198,12 +199,12 @@ TEST(GltfWriter, FigureStandsUprightOnTheGroundAndShowsItsFaceInFront) {
   EXPECT_NEAR(whole.min().y(), 0, 1e-3);
   EXPECT_NEAR(whole.max().y(), 1.75, 0.01);
   EXPECT_NEAR(visor.center().x(), 0, 1e-6);
-  EXPECT_GT(visor.max().z(), skull.max().z());     // stands out in front
-  EXPECT_GT(visor.min().z(), skull.center().z());  // and only there
+  EXPECT_GT(visor.max().z(), skull.max().z());     // is in front of the face
+  EXPECT_GT(visor.min().z(), skull.center().z());  // and nowhere else
   EXPECT_GT(visor.min().y(), skull.min().y());
   EXPECT_LT(visor.max().y(), skull.max().y());
-  EXPECT_GT(visor.center().y(), skull.center().y());  // where the eyes are
-  // The left hand is on glTF's left.
+  EXPECT_GT(visor.center().y(), skull.center().y());  // at eye height
+  // The left hand is on the left in glTF.
   EXPECT_GT(scene[static_cast<std::size_t>(tests::node_named(glb, "left_hand"))].translation().x(),
             0.5);
 }
@@ -227,7 +228,7 @@ TEST(GltfWriter, BallFollowsItsTrackAndHasZeroScaleWhileAbsent) {
     EXPECT_LT((place.translation() - from_ours() * expected.cast<double>()).norm(), 1e-3);
     EXPECT_NEAR(place.linear().norm(), ball.positions[k] ? std::sqrt(3) : 0, 1e-6) << k;
   }
-  // Half-way between keys: on the straight line, and there until the key at which it is gone.
+  // Halfway between keys the ball is on the straight line, and visible until the key that hides it.
   const Affine3d between = tests::scene_at(glb, 3.5 / 30)[node];
   const Vector3f middle = 0.5F * (*ball.positions[3] + *ball.positions[4]);
   EXPECT_LT((between.translation() - from_ours() * middle.cast<double>()).norm(), 1e-5);
@@ -266,7 +267,7 @@ TEST(GltfWriter, AccessorBoundsMatchAndViewsFillTheBuffer) {
   int bounded = 0;
   for (std::size_t a = 0; a < glb.document["accessors"].size(); ++a) {
     const auto& accessor = glb.document["accessors"][a];
-    const std::vector<double> numbers = tests::numbers_of(glb, a);  // checks the place of each
+    const std::vector<double> numbers = tests::numbers_of(glb, a);  // checks the position of each
     const auto& view = glb.document["bufferViews"].at(accessor["bufferView"].get<std::size_t>());
     EXPECT_GE(view["byteOffset"].get<std::size_t>(), end);
     EXPECT_LT(view["byteOffset"].get<std::size_t>(), end + 4);

@@ -18,7 +18,7 @@ constexpr float kPi = std::numbers::pi_v<float>;
 const Vector3f kCores[] = {
     {0, 0, 0}, {0, 0, 0.3F}, {0, 0.2F, 0}, {0.1F, 0.2F, 0}, {0.1F, 0.2F, 0.3F}};
 
-// Sum of the tetrahedra from the origin to each triangle; above 0 where they wind outward.
+// Sum of the tetrahedra from the origin to each triangle; positive if they are wound outwards.
 double volume(const Mesh& mesh) {
   double sum = 0;
   for (const auto& [a, b, c] : mesh.triangles) {
@@ -27,7 +27,7 @@ double volume(const Mesh& mesh) {
   return sum;
 }
 
-// Steiner's formula: of all points within r of a box of half extents a, b, c.
+// Steiner's formula: the volume of all points within r of a box with half extents a, b, c.
 double volume_within(const Vector3f& core, float r) {
   const double a = core.x();
   const double b = core.y();
@@ -50,7 +50,7 @@ TEST(SolidMesh, IsClosedWithoutDegenerateTriangles) {
       EXPECT_EQ(count, 1);
       EXPECT_EQ(edges.count({edge.second, edge.first}), 1U) << core.transpose();
     }
-    // Euler: a closed surface without holes.
+    // Euler's formula for a closed surface without holes.
     EXPECT_EQ(mesh.positions.size() + mesh.triangles.size(), edges.size() / 2 + 2);
   }
 }

@@ -20,7 +20,7 @@ std::string refusal_of(const std::string& text) {
   return error;
 }
 
-// The sample with `what` replaced is refused, with the line and the words given.
+// The sample with `what` replaced is rejected, with this line and these words in the message.
 void expect_refused(const std::string& what, const std::string& with, int line,
                     const std::string& words) {
   const std::string error = refusal_of(replaced(kPlainBvh, what, with));
@@ -122,7 +122,7 @@ TEST(BvhErrors, AFrameWithAValueTooFewOrTooManyIsFound) {
   const std::string one_long = replaced(frame, "-10 ", "-10 -10 ");
   EXPECT_THAT(refusal_of(replaced(text, whole, frame + one_long + frame)),
               AllOf(StartsWith("bad.bvh:26: frame 3"), HasSubstr("13 values")));
-  // The counts add up, and yet the frames in between are not what they seem.
+  // The total is right, but two frames in the middle have the wrong length.
   EXPECT_THAT(refusal_of(replaced(text, whole, one_short + one_long + frame)),
               StartsWith("bad.bvh:25: frame 2"));
   EXPECT_THAT(refusal_of(replaced(text, whole, frame + frame + one_short)),
@@ -136,7 +136,7 @@ TEST(BvhErrors, WrongCountsAreRefused) {
   expect_refused("-12.5\n", "-12.5\nend of file\n", 26, "`end`");
 }
 
-// Would take 200 GB if it were believed.
+// Would take 200 GB if the count were trusted.
 TEST(BvhErrors, AnAbsurdFrameCountTakesNoMemory) {
   expect_refused("Frames: 2", "Frames: 2147483647", 25, "declares 2147483647 frames");
 }

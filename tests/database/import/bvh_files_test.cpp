@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Recorded files, where there are any: FLINCH_MOCAP_DIR.
+// Tests with recorded files, where there are any: FLINCH_MOCAP_DIR.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -24,7 +24,7 @@ struct Counted {
   std::vector<double> values;
 };
 
-/// Counts and values found in the plainest way: words between blanks, numbers by strtod.
+/// Counts and values read in the simplest way: words between blanks, numbers by strtod.
 Counted counted(const fs::path& path) {
   std::ifstream file(path);
   std::vector<std::string> words;
@@ -59,7 +59,8 @@ TEST(BvhFiles, EveryRecordingMatchesASimpleCount) {
   EXPECT_GT(files, 0);
 }
 
-/// A row of odd/README.md's table: what loads holds this, the rest is refused with these words.
+/// A row of the table in odd/README.md: a valid file's content, or the words with which it is
+/// rejected.
 struct OddFile {
   const char* name;
   int joints;

@@ -16,7 +16,7 @@ namespace {
 
 using tests::replaced;
 
-// The textbook matrices of rotations about X, Y and Z.
+// The textbook rotation matrices about X, Y and Z.
 Eigen::Matrix3d rotation_about(char axis, double degrees) {
   const double c = std::cos(degrees * std::numbers::pi / 180);
   const double s = std::sin(degrees * std::numbers::pi / 180);
@@ -41,7 +41,7 @@ std::string channels_in(const std::string& order) {
   return text;
 }
 
-/// Root with positions and `order`, a child with `child_order`, one frame.
+/// A root with position channels and rotations in `order`, a child with `child_order`, one frame.
 Bvh two_joints(const std::string& order, const std::string& child_order,
                const std::vector<double>& values) {
   std::ostringstream text;
@@ -78,7 +78,7 @@ TEST(BvhKinematics, EveryOrderOfRotationsIsTheProductOfMatricesInThatOrder) {
   EXPECT_EQ(orders, 6);
 }
 
-// By hand: a quarter turn about Z takes X to Y, then one about the turned X.
+// Derived by hand: a quarter turn about Z takes X to Y, then one about the rotated X.
 TEST(BvhKinematics, QuarterTurnMovesTheChild) {
   const BvhFrame frame =
       forward_kinematics(two_joints("ZXY", "XYZ", {0, 0, 0, 90, 0, 0, 90, 0, 0}), 0);

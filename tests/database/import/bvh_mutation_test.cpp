@@ -18,7 +18,7 @@ struct Counts {
   int refused = 0;
 };
 
-/// Anything but a sound Bvh or an Error fails the test, or the sanitizers.
+/// Any result other than a valid Bvh or an Error fails the test or trips the sanitizers.
 void try_to_parse(const std::string& text, Counts& counts) {
   Bvh bvh;
   const std::string error = tests::error_of([&] { bvh = parse_bvh(text, "mutant"); });

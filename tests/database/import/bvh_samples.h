@@ -34,7 +34,7 @@ Frame Time: 0.25
 -1 -2 -3 -4 -5 -6 -7 -8 -9 -10 -11 -12.5
 )";
 
-/// The text with every `what` replaced by `with`. There must be one.
+/// Returns the text with every `what` replaced by `with`; fails if there is none.
 inline std::string replaced(std::string text, const std::string& what, const std::string& with) {
   std::size_t position = text.find(what);
   if (position == std::string::npos) throw std::invalid_argument("nothing to replace: " + what);

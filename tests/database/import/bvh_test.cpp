@@ -23,7 +23,7 @@ Bvh parse(const std::string& text) {
   return parse_bvh(text, "test.bvh");
 }
 
-// The sample with something replaced must still be the very same figure and motion.
+// The sample with a replacement must still give the same figure and motion.
 void expect_same_as_plain(const std::string& text) {
   const Bvh plain = parse(kPlainBvh);
   const Bvh other = parse(text);
@@ -168,7 +168,7 @@ TEST(Bvh, JointsOfTheSameNameGiveAWarning) {
               ElementsAre(AllOf(HasSubstr("test.bvh:15: "), HasSubstr("Chest"))));
 }
 
-/// Writes numbers as much of Europe does: 1.234,5.
+/// Formats numbers as in much of Europe: 1.234,5.
 class CommaForPoint : public std::numpunct<char> {
   char do_decimal_point() const override { return ','; }
   char do_thousands_sep() const override { return '.'; }
@@ -176,7 +176,7 @@ class CommaForPoint : public std::numpunct<char> {
 
 TEST(Bvh, ParsesIndependentlyOfTheLocale) {
   const std::locale before = std::locale::global(std::locale(std::locale(), new CommaForPoint));
-  std::setlocale(LC_ALL, "de_DE.UTF-8");  // for the C library's part, where it is installed
+  std::setlocale(LC_ALL, "de_DE.UTF-8");  // for the C library, where it is installed
   double parsed = 0;
   const std::string error =
       tests::error_of([&] { parsed = parse(kPlainBvh).joints.at(1).offset.y(); });

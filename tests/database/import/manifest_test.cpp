@@ -86,7 +86,7 @@ TEST(Manifest, SnapsDirectionsToTheNearestOfEight) {
 
 struct BadManifest {
   std::string text;
-  std::string message;  // that the error has in it
+  std::string message;  // part of the expected error
 };
 
 TEST(Manifest, RefusesErrorsWithFileAndLine) {
@@ -135,7 +135,7 @@ TEST(Manifest, RefusesErrorsWithFileAndLine) {
   }
 }
 
-// A second of standing, as a BVH file.
+// Writes a second of standing as a BVH file.
 void write_standing(const std::string& path) {
   std::ofstream file(path);
   const Bvh bvh = tests::synthetic_bvh(

@@ -92,7 +92,7 @@ TEST_F(Mocap, TheCharacterIsAnAdultOfHumanProportions) {
   EXPECT_NEAR(rest.position[Role::left_upper_arm].z() / stature, 0.818F, 0.03F);
 }
 
-// Which joints the folders' own descriptions name for the roles.
+// Joint names for the roles according to the folders' own descriptions.
 struct FolderRoles {
   const char* file;
   const char* unit;
@@ -244,19 +244,19 @@ TEST_F(Mocap, RetargetingAddsAtMostOneCentimetreOfFootDrift) {
     std::printf("%-26s %9.2f %11.1f %10.2f %10.1f\n", clip.name.c_str(), drift.planted_s,
                 drift.source_m * 1e3F, drift.added_m * 1e3F, drift.lowest_sole_m * 1e3F);
     EXPECT_LE(drift.added_m, 0.010F) << clip.name;
-    // The roll turns the feet in ways that toes cannot bend away from the ground.
+    // The roll turns the feet so that bending the toes cannot keep them above the ground.
     const float deepest = clip.name == "dodge_high_back_1" ? -0.04F : -0.012F;
     EXPECT_GE(drift.lowest_sole_m, deepest) << clip.name;
     planted_s += drift.planted_s;
   }
-  EXPECT_GT(planted_s, 400);  // so that the bound above is one on something
+  EXPECT_GT(planted_s, 400);  // so that the bound above covers a real amount
 }
 
 TEST_F(Mocap, ClipsStartAtTheOriginFacingForward) {
   for (const Clip& clip : imported().library.clips) {
     const JointFrames frames = frames_at(clip, 0);
     EXPECT_LT(frames.position[Role::pelvis].head<2>().norm(), 1e-4F) << clip.name;
-    // The pelvis of a boxer is turned up to 45 degrees from where he looks.
+    // A boxer's pelvis is turned up to 45 degrees from the direction of view.
     EXPECT_LT(std::abs(facing(clip.motion.poses.front())), 1.0F) << clip.name;
   }
 }
@@ -343,7 +343,7 @@ TEST_F(Mocap, LegLiftClipsRaiseAFoot) {
   }
 }
 
-// One take that reached us through two converters, on two skeletons, at two rates.
+// One take that came through two converters, on two skeletons, at two rates.
 TEST_F(Mocap, DifferentConversionsOfOneTakeAgree) {
   const motion::Skeleton& skeleton = imported().library.character.skeleton;
   const auto retargeted = [&](const std::string& file) {

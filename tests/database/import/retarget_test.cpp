@@ -41,8 +41,8 @@ Quaternionf random_rotation(std::mt19937& random, float max_angle) {
   return Quaternionf(AngleAxisf(uniform(random), axis));
 }
 
-// A figure that stands on its feet, bends its knees, and does anything with its trunk and arms but
-// bend the elbows sideways.
+// Random poses of a figure that stands on its feet with bent knees; trunk and arms are arbitrary,
+// but the elbows bend only about their hinges.
 std::vector<Pose> standing_poses(int count, unsigned seed) {
   std::mt19937 random(seed);
   const JointFrames rest = forward_kinematics(skeleton(), motion::rest_pose(skeleton()));
@@ -77,7 +77,7 @@ SourceMotion understood(const SyntheticRig& rig, const std::vector<Pose>& poses)
   return source_motion(analyse_source(synthetic_bvh(skeleton(), rig, poses, kFrameTime)));
 }
 
-// Both placed alike: the pelvis of the first pose above the origin and facing +X.
+// Places both alike: the pelvis of the first pose above the origin and facing +X.
 Pose placed_like_first(const Pose& pose, const Pose& first) {
   const float yaw = [&] {
     const Vector3f left = first.rotation[Role::pelvis] * Vector3f::UnitY();
@@ -108,7 +108,7 @@ Segment whole(const SourceMotion& source) {
   return {0, source.duration_s(), 0};
 }
 
-// Arms that hang `angle` below the horizontal in the rest figure.
+// A rest figure whose arms hang `angle` below the horizontal.
 Pose arms_lowered(float angle) {
   Pose rest;
   rest.rotation[Role::left_upper_arm] = AngleAxisf(-angle, Vector3f::UnitX());
@@ -173,7 +173,7 @@ TEST(Retarget, StartsAtTheOriginWithTheActorFacingForward) {
   const Pose& first = motion.poses.front();
   EXPECT_NEAR(first.root_position.x(), 0, 1e-5);
   EXPECT_NEAR(first.root_position.y(), 0, 1e-5);
-  // The actor faces +X; heading is what to add to the pelvis' facing to get there.
+  // The actor faces +X; `heading` is the angle from the pelvis' facing to the actor's.
   const Vector3f left = first.rotation[Role::pelvis] * Vector3f::UnitY();
   EXPECT_NEAR(std::atan2(-left.x(), left.y()), -0.4, 1e-4);
 }
@@ -184,7 +184,7 @@ TEST(Retarget, ResamplesByTime) {
   const Segment segment{0.1, 0.4, 0};
   EXPECT_EQ(retarget(source, skeleton(), segment, 60).poses.size(), 19U);
   EXPECT_EQ(retarget(source, skeleton(), segment, 100).poses.size(), 31U);
-  // Half-way between two frames the head has turned half-way.
+  // Halfway between two frames the head has turned halfway.
   const SourceFrame between = sample(source, 2.5 / 60);
   const Quaternionf& one = source.frames[2].orientation[Role::head];
   const Quaternionf& other = source.frames[3].orientation[Role::head];
@@ -228,7 +228,7 @@ TEST(FootDrift, IsZeroOnTheOwnSkeletonAndMeasuresAddedDrift) {
   const FootDrift still = measure_foot_drift(source, skeleton(), segment, motion);
   EXPECT_LT(still.added_m, 1e-4F);
   EXPECT_LT(still.source_m, 1e-4F);
-  EXPECT_NEAR(still.planted_s, 4.0F, 1e-3F);  // two ankles and two balls for a second
+  EXPECT_NEAR(still.planted_s, 4.0F, 1e-3F);  // two ankles and two balls for one second
   EXPECT_NEAR(still.lowest_sole_m, 0, 2e-3F);
 
   for (std::size_t k = 0; k < motion.poses.size(); ++k) {

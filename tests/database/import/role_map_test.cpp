@@ -26,7 +26,7 @@ struct NamedRig {
   motion::PerRole<std::string> names;
 };
 
-// Joint names as the tools and data sets write them.
+// Joint names as tools and data sets write them.
 const NamedRig kRigs[] = {
     {"LaFAN1", rig_names({"Hips", "Spine", "Spine2", "Neck", "Head"},
                          {"LeftShoulder", "LeftArm", "LeftForeArm", "LeftHand"},

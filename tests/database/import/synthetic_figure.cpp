@@ -83,7 +83,7 @@ class Maker {
     }
   }
 
-  // World orientations are relative to the rest figure's, in the file's axes.
+  // World orientations relative to the rest figure's, in the file's axes.
   void add_frame(const motion::Pose& pose) {
     const JointFrames frames = forward_kinematics(skeleton_, pose);
     const std::size_t row = bvh_.values.size();

@@ -20,8 +20,8 @@ std::string counting(std::size_t count) {
   return bytes;
 }
 
-// Numbers of libxxhash 0.8.1, for each way through the algorithm: nothing, single bytes, a half
-// word, a word, all of these, stripes alone and stripes with a tail.
+// Results of libxxhash 0.8.1 for each path through the algorithm: nothing, single bytes, a half
+// word, a word, all of these, only stripes, and stripes with a tail.
 TEST(ContentHash, MatchesXxh64) {
   EXPECT_EQ(hash_of(""), 0xEF46DB3751D8E999U);
   EXPECT_EQ(hash_of("a"), 0xD24EC4F1A98C6E5BU);
@@ -47,7 +47,8 @@ TEST(ContentHash, ChangesWithEveryBitAndEveryLength) {
     EXPECT_TRUE(hashes.insert(hash_of(std::string(size, '\0'))).second) << size << " zeros";
 }
 
-// What a hash by words alone would miss: the signs of two numbers, each the top bit of a word.
+// A hash that only combines whole words would miss this: the signs of two numbers, each the top bit
+// of a word.
 TEST(ContentHash, ChangesWhenTwoSignBitsFlip) {
   std::string bytes = counting(640);
   std::set<std::uint64_t> hashes{hash_of(bytes)};

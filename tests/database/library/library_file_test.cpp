@@ -160,7 +160,7 @@ TEST(LibraryFile, CorruptContentWithAValidHeaderLoadsOnlyIfItKeepsTheInvariants)
   EXPECT_GT(counts.refused, 1000);
 }
 
-/// The float's bytes in the content, of which there is one place, replaced by another's.
+/// Returns the content with the bytes of one float, which must occur once, replaced by another's.
 std::string with_float(const std::string& content, float what, float with) {
   std::string bytes = content;
   const auto pattern = std::as_bytes(std::span(&what, 1));

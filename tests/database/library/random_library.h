@@ -19,8 +19,8 @@ inline motion::Clip random_clip(std::mt19937& random, const std::string& name, i
   return clip;
 }
 
-/// A sound library at 60 Hz: an idle clip of one pose, an annotated clip, its mirror image by name
-/// only, and a clip without annotation; `poses` poses each.
+/// A valid library at 60 Hz: an idle clip of one pose, an annotated clip, its mirror image in name
+/// only, and a clip without annotation, of `poses` poses each.
 inline database::ClipLibrary random_library(unsigned seed, int poses) {
   std::mt19937 random(seed);
   database::ClipLibrary library;

@@ -76,7 +76,7 @@ TEST(Quality, DetectsALossOfBalance) {
   EXPECT_LT(measure_quality(scene.figure, still_clip(pose)).balance_margin_m, 0);
 }
 
-// A head that turns 10 degrees a pose at 60 Hz does 600 degrees a second, of the neck's 700.
+// A head that turns 10 degrees per pose at 60 Hz reaches 600 of the neck's 700 degrees per second.
 TEST(Quality, MeasuresSpeedRelativeToHumanPeakSpeed) {
   const AuthorScene scene;
   Clip clip = still_clip(scene.start, 8);
@@ -90,7 +90,7 @@ TEST(Quality, MeasuresSpeedRelativeToHumanPeakSpeed) {
   EXPECT_EQ(quality.speed_joint, "neck");
 }
 
-// Constant acceleration of 3 m/s^2 of the whole figure.
+// The whole figure accelerates at a constant 3 m/s^2.
 TEST(Quality, MeasuresAcceleration) {
   const AuthorScene scene;
   Clip clip = still_clip(scene.start, 20);
