@@ -118,7 +118,7 @@ TEST(FeatureVectors, AreInvariantToRigidMotionOfTheWorld) {
   }
 }
 
-// A described threat is one to a character that stands still: a figure that does not sway has the
+// A described threat assumes a character that stands still: a figure that does not sway has the
 // same features, wherever its targets are.
 TEST(FeatureVectors, ForADescribedThreatMatchAStandingCharacter) {
   tests::SwayingFigure figure;

@@ -18,7 +18,7 @@ namespace {
 
 const std::vector<std::string> kNames(kFeatureNames.begin(), kFeatureNames.end());
 
-// An idle that sways 0.1 m to the left and turns its pelvis by 0.2 rad to the left within 1 s.
+// An idle motion that moves 0.1 m to the left and turns the pelvis by 0.2 rad to the left in 1 s.
 motion::Motion swaying_idle() {
   motion::Motion idle;
   const motion::Pose rest = motion::rest_pose(motion::default_character().skeleton);
@@ -32,7 +32,8 @@ motion::Motion swaying_idle() {
   return idle;
 }
 
-// Facing +Y at (1, 2): a ball 3 m ahead, 1 m to the left (-X) and 1.5 m up, flying back to it.
+// A character at (1, 2) that faces +Y, and a ball 3 m ahead, 1 m to the left (-X) and 1.5 m up that
+// flies towards it.
 TEST(Features, MatchAHandComputedScenario) {
   Scenario scenario;
   scenario.state = {.idle_time_s = 0, .position = {1, 2}, .facing = std::acos(-1.0F) / 2};

@@ -13,7 +13,7 @@ TEST(TimeOfBounce, MatchesTheTimeOfFall) {
   ball.position = {0, 0, 1.1};
   ball.radius = 0.1;
   ball.gravity_mps2 = 10;
-  // 1 m of free fall: sqrt(2 / 10) s.
+  // A free fall of 1 m takes sqrt(2 / 10) s.
   const auto fallen = time_of_bounce(ball, 1, 0);
   ASSERT_TRUE(fallen);
   EXPECT_NEAR(*fallen, std::sqrt(0.2), 1e-12);

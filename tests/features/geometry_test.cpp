@@ -29,7 +29,7 @@ PredictedCharacter upright() {
   return character;
 }
 
-/// That passes `point` with `velocity` after a second.
+/// A scenario whose threat passes `point` with `velocity` after one second.
 Scenario passing(const Eigen::Vector3f& point, const Eigen::Vector3f& velocity) {
   Scenario scenario;
   scenario.time_to_impact_s = 1;
@@ -40,11 +40,13 @@ Scenario passing(const Eigen::Vector3f& point, const Eigen::Vector3f& velocity) 
   return scenario;
 }
 
-// From the front, level at 10 m/s, 0.2 m to the character's left of its axis and at 1.3 m, where
-// the trunk's centre is at 1.2 m. The ball flies along -X, so its left is the character's right.
+// The ball comes from the front, horizontally at 10 m/s, 0.2 m to the left of the character's axis,
+// at a height of 1.3 m; the trunk's centre is at 1.2 m. It flies along -X, so its left is the
+// character's right.
 TEST(Geometry, MatchesAHandComputedPass) {
   const Geometry g = geometry_of(passing({0.5F, 0.2F, 1.3F}, {-10, 0, 0}), upright());
-  EXPECT_NEAR(g.contact_x, 0, kTolerance);  // nearest to the axis, wherever the ball was then
+  // nearest to the axis, whatever the ball's position then
+  EXPECT_NEAR(g.contact_x, 0, kTolerance);
   EXPECT_NEAR(g.contact_y, 0.2F, kTolerance);
   EXPECT_NEAR(g.contact_z, 1.3F, kTolerance);
   EXPECT_NEAR(g.approach_x, -1, kTolerance);
@@ -66,7 +68,7 @@ TEST(Geometry, MissesArePerpendicularToThePathWithTheRightLength) {
     const Eigen::Vector3f velocity = tests::random_vector(random, 20);
     const PredictedCharacter character = upright();
     const Geometry g = geometry_of(passing(point, velocity), character);
-    // Brute force: the least distance of points along the line.
+    // Brute force: the minimum distance over points of the line.
     const Eigen::Vector3f head = character.target_centres[0];
     float min_distance = 1e9F;
     for (int k = -4000; k <= 4000; ++k) {
@@ -84,7 +86,7 @@ TEST(Geometry, IsIndependentOfThePointAlongThePath) {
   late.time_to_impact_s += 0.004F;
   const Components a = components_of(geometry_of(early, character));
   const Components b = components_of(geometry_of(late, character));
-  // Gravity bends the path by g t v in 4 ms: a few millimetres of what 7 cm of flight are.
+  // Gravity bends the path by g t v in 4 ms: a few millimetres in 7 cm of flight.
   for (std::size_t i = 0; i < a.size(); ++i) EXPECT_NEAR(a[i], b[i], 0.02F) << kGeometryNames[i];
 }
 

@@ -41,8 +41,9 @@ double gap_at(const Threat& threat, const motion::Pose& pose, double time_s, flo
   return figure().gap(pose, ball.position_at(time_s), ball.radius);
 }
 
-/// When a threat is within kContactTolerance_m / 2 of the figure, by looking at very many moments:
-/// one every 2 mm of the ball's path while it may be near. Infinite if never before it bounces.
+/// Returns the first time at which a threat is within kContactTolerance_m / 2 of the figure, by
+/// dense sampling: every 2 mm of the ball's path while it may be near. Infinite if it bounces
+/// first.
 template <class PoseAt>
 double sampled_touch_s(const Threat& threat, const PoseAt& pose_at,
                        const PredictionOptions& options) {
@@ -64,7 +65,7 @@ double sampled_touch_s(const Threat& threat, const PoseAt& pose_at,
   return tests::kInfinityDouble;
 }
 
-/// Whether the prediction is what the samples allow. Counts impacts.
+/// Checks that the prediction agrees with the samples. Counts impacts.
 template <class PoseAt>
 void expect_as_sampled(const Threat& threat, const PredictedImpact& impact, const PoseAt& pose_at,
                        const PredictionOptions& options, int& impacts, int& misses) {
@@ -78,7 +79,7 @@ void expect_as_sampled(const Threat& threat, const PredictedImpact& impact, cons
   ++impacts;
   const double touch_s = static_cast<double>(impact.touch_s);
   EXPECT_LE(touch_s, std::min(sampled_s, static_cast<double>(options.horizon_s)) + 1e-6);
-  // At the time found it does touch, and what is named is what it touches. Time is a float.
+  // At the predicted time the ball touches the figure, at the named body. The time is a float.
   const double rounding_m =
       1e-6 + 1e-7 * touch_s * static_cast<double>(threat.velocity.norm() + 30);
   const motion::Pose pose = pose_at(impact.touch_s);
@@ -89,7 +90,7 @@ void expect_as_sampled(const Threat& threat, const PredictedImpact& impact, cons
   EXPECT_GE(impact.time_to_impact_s, impact.touch_s);
 }
 
-/// A ball whose centre passes `aside` from a random point of the figure's surface or inside, at
+/// A ball whose centre passes a random point on or in the figure at the distance `aside`, at
 /// `speed_mps`, after `time_s`.
 Threat thrown_near(std::mt19937& random, const motion::Pose& pose, float speed_mps, float time_s,
                    const Eigen::Vector3f& from, float aside) {
@@ -105,13 +106,13 @@ Threat thrown_near(std::mt19937& random, const motion::Pose& pose, float speed_m
   return threat;
 }
 
-/// Threats that are hard in one way or another.
+/// Threats that are difficult cases for the sweep.
 Threat hard_threat(std::mt19937& random, const motion::Pose& pose) {
   const Eigen::Vector3f anywhere = tests::random_direction(random);
   const float speed = uniform(random, 3, 30);
   const float time_s = uniform(random, 0.1F, 1.2F);
   switch (random() % 8) {
-    case 0:  // close by a surface, on either side
+    case 0:  // close to a surface, on either side
       return thrown_near(random, pose, speed, time_s, anywhere, uniform(random, 0.05F, 0.5F));
     case 1:  // from behind
       return thrown_near(random, pose, speed, time_s, {-1, 0, 0}, uniform(random, 0, 0.2F));
@@ -120,18 +121,18 @@ Threat hard_threat(std::mt19937& random, const motion::Pose& pose) {
       threat.position.z() = uniform(random, 1.9F, 6);
       return threat;
     }
-    case 3:  // a bullet
+    case 3:  // very fast
       return thrown_near(random, pose, 300, 0.05F, anywhere, uniform(random, 0, 0.3F));
-    case 4:  // hardly moving
+    case 4:  // almost at rest
       return thrown_near(random, pose, uniform(random, 0, 1), uniform(random, 0, 0.3F), anywhere,
                          uniform(random, 0, 0.3F));
-    case 5: {  // thrown up, to come down on it
+    case 5: {  // thrown up, falls back onto it
       Threat threat = thrown_near(random, pose, 1, 0, {0, 0, 1}, uniform(random, 0, 0.2F));
       threat.position.z() = uniform(random, 2, 3);
       threat.velocity = {uniform(random, -0.2F, 0.2F), 0, uniform(random, 0, 8)};
       return threat;
     }
-    case 6:  // flying off
+    case 6:  // flying away
       return thrown_near(random, pose, speed, -0.3F, anywhere, uniform(random, 0, 0.3F));
     default:
       return thrown_near(random, pose, speed, time_s, anywhere, uniform(random, 0, 0.1F));
@@ -174,7 +175,7 @@ TEST(PredictImpact, MatchesDenseSamplingForAHeldPose) {
   EXPECT_GT(misses, 80);
 }
 
-// A level throw at the head's middle, without gravity: the head is an upright capsule.
+// A horizontal throw at the middle of the head, without gravity: the head is an upright capsule.
 TEST(PredictImpact, TimesMatchAThrowAtTheHead) {
   const motion::Pose& pose = figure().standing;
   const motion::JointFrames frames = forward_kinematics(figure().character.skeleton, pose);
@@ -201,7 +202,7 @@ TEST(PredictImpact, TimesMatchAThrowAtTheHead) {
   EXPECT_LT((impact.normal - Eigen::Vector3f::UnitX()).norm(), 1e-5F);
 }
 
-// sqrt(2 h / g) of free fall onto the crown.
+// A fall onto the crown takes sqrt(2 h / g).
 TEST(PredictImpact, DroppedBallHitsTheHeadAfterItsFallTime) {
   const motion::CollisionShape head = figure().outlines(figure().standing)[Body::head];
   const float crown = static_cast<float>(head.centre.z() + head.half_length + head.radius);
@@ -213,7 +214,7 @@ TEST(PredictImpact, DroppedBallHitsTheHeadAfterItsFallTime) {
   ASSERT_EQ(impact.outcome, Outcome::impact);
   EXPECT_EQ(impact.body, Body::head);
   EXPECT_NEAR(impact.touch_s, std::sqrt(1 / kGravity), 1e-3F);
-  // Without a fall, or beside the figure, it comes to nothing.
+  // Without gravity, or beside the figure, it misses.
   EXPECT_EQ(
       predict_impact(threat, figure().collision_figure, figure().standing, {.gravity_mps2 = 0})
           .outcome,
@@ -223,7 +224,7 @@ TEST(PredictImpact, DroppedBallHitsTheHeadAfterItsFallTime) {
             Outcome::miss);
 }
 
-// Down at 45 degrees before the toes: it would reach them by going on into the ground.
+// Down at 45 degrees in front of the toes: it would reach them only by continuing below the ground.
 TEST(PredictImpact, ABallThatBouncesFirstMisses) {
   const motion::CollisionShape foot = figure().outlines(figure().standing)[Body::left_foot];
   Threat threat;
@@ -297,7 +298,7 @@ TEST(PredictImpact, IsInvariantToRigidMotionOfTheWorld) {
     const PredictedImpact here = predicted(threat, state);
     const PredictedImpact there = predicted(turned, moved);
     if (here.outcome != Outcome::impact || there.outcome != Outcome::impact) {
-      continue;  // a graze may fall on either side
+      continue;  // a grazing pass may count either way
     }
     ++impacts;
     EXPECT_NEAR(here.touch_s, there.touch_s, 2e-3F / threat.velocity.norm() + 1e-4F);
@@ -327,7 +328,7 @@ TEST(PredictImpact, HeldPoseEqualsASinglePoseIdleClip) {
 }
 
 TEST(PredictImpact, TakesPosesFromAnyFunctionOfTime) {
-  // Walks into a ball that hangs in the air 1 m ahead of its chest.
+  // The character walks into a ball at rest 1 m in front of its chest.
   const motion::CollisionShape chest = figure().outlines(figure().standing)[Body::chest];
   Threat threat;
   threat.position = chest.centre.cast<float>() + Eigen::Vector3f(1, 0, 0);
@@ -387,7 +388,7 @@ TEST(PredictImpact, InvalidInputIsUnusable) {
             Outcome::unusable);
 }
 
-/// Any float at all, or one of everyday size.
+/// Returns an arbitrary float, or one of ordinary magnitude.
 float any_float(std::mt19937& random) {
   if (random() % 4 == 0) return std::bit_cast<float>(static_cast<std::uint32_t>(random()));
   if (random() % 4 == 0) return 0;

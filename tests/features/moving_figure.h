@@ -11,8 +11,8 @@
 
 namespace flinch::tests {
 
-/// The default character, that stands with its arms down and sways to and fro: the trunk turns, the
-/// arms swing and the pelvis circles, up to about 0.5 m/s at the hands.
+/// The default character, standing with its arms down and swaying: the trunk turns, the arms swing
+/// and the pelvis circles, with up to about 0.5 m/s at the hands.
 struct SwayingFigure {
   motion::Physique character = motion::default_character();
   motion::BodyModel model = make_body_model(character);
@@ -27,7 +27,7 @@ struct SwayingFigure {
   SwayingFigure(const SwayingFigure&) = delete;
   SwayingFigure& operator=(const SwayingFigure&) = delete;
 
-  /// Straight from the joints, in double.
+  /// Computed directly from the joints, in double.
   motion::PerBody<motion::CollisionShape> outlines(const motion::Pose& pose) const {
     const motion::JointFrames frames = forward_kinematics(character.skeleton, pose);
     motion::PerBody<motion::CollisionShape> outlines;
@@ -46,7 +46,7 @@ struct SwayingFigure {
                 double radius) const {
     return clearance(ball, radius, outlines(pose)[body]).gap;
   }
-  /// From the nearest body.
+  /// Gap to the nearest body.
   double gap(const motion::Pose& pose, const Eigen::Vector3d& ball, double radius) const {
     double min_gap = std::numeric_limits<double>::infinity();
     for (const motion::CollisionShape& outline : outlines(pose)) {

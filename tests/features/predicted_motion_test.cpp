@@ -35,7 +35,7 @@ TEST(MotionBounds, ContainThePelvisAndBoundSurfaceSpeeds) {
     EXPECT_LE(change, static_cast<double>(bounds.max_speed_mps * step_s) + 1e-6);
     fastest = std::max(fastest, change / static_cast<double>(step_s));
   }
-  // And is not far above them.
+  // The bound is not far above the fastest point.
   EXPECT_GT(fastest, 0.4 * static_cast<double>(bounds.max_speed_mps));
 }
 
@@ -61,7 +61,7 @@ TEST(CollisionFigure, NoPoseExceedsItsReach) {
   for (int i = 0; i < 2000; ++i) {
     const motion::Pose pose = tests::random_pose(random);
     const Eigen::Vector3d direction = tests::random_direction(random).cast<double>();
-    // A surface beyond the reach would be nearer than this to a point 10 m away.
+    // A surface point beyond the reach would be nearer than this to a point 10 m away.
     const Eigen::Vector3d root = pose.root_position.cast<double>();
     const double extent = 10 - figure().gap(pose, root + 10 * direction, 0);
     EXPECT_LE(extent, reach + 1e-5);

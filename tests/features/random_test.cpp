@@ -12,7 +12,7 @@ namespace {
 
 using Words = std::array<std::uint32_t, 4>;
 
-// The known answers for philox4x32 with 10 rounds that Random123's authors publish (kat_vectors).
+// The known answers for philox4x32 with 10 rounds, published by Random123's authors (kat_vectors).
 TEST(Philox, MatchesThePublishedTestVectors) {
   EXPECT_EQ(philox4x32({0, 0, 0, 0}, {0, 0}),
             (Words{0x6627e8d5, 0xe169c58d, 0xbc57ac4c, 0x9b00dbd8}));
@@ -67,7 +67,7 @@ TEST(Random, NormalHasTheMomentsAndTailsOfANormalDistribution) {
     for (double& moment : moments) moment += (power *= value) / kCount;
     if (std::abs(value) > 2) ++beyond_two;
   }
-  // Five standard errors each: sqrt(1, 2, 15, 96) / sqrt(n).
+  // Five standard errors for each moment: sqrt(1, 2, 15, 96) / sqrt(n).
   EXPECT_NEAR(moments[0], 0, 0.016);
   EXPECT_NEAR(moments[1], 1, 0.023);
   EXPECT_NEAR(moments[2], 0, 0.062);

@@ -41,7 +41,7 @@ TEST(IdlePose, IsTheIdleClipInTheCharactersFrame) {
         motion::placed(motion::sample_ping_pong(idle, 0.25F + time_s), 1.1F, {3, 4, 0});
     EXPECT_LT(tests::distance(pose, expected), 1e-6F);
   }
-  // At 1 s the clip is at its end, so half a second before and after are the same pose.
+  // The clip turns round at 1 s, so the poses half a second before and after are equal.
   EXPECT_LT(tests::distance(idle_pose(idle, state, 0.25F), idle_pose(idle, state, 1.25F)), 1e-4F);
 }
 

@@ -13,7 +13,7 @@ namespace {
 
 constexpr float kPi = std::numbers::pi_v<float>;
 
-// Thrown straight up at 9.81 m/s a ball is 4.905 m up and at rest after 1 s, and back after 2 s.
+// A ball thrown straight up at 9.81 m/s is at rest 4.905 m higher after 1 s, and back after 2 s.
 TEST(Threat, FollowsAParabola) {
   Threat ball;
   ball.position = {1, 2, 3};
@@ -35,7 +35,7 @@ TEST(Threat, AdvancedStaysOnTheSamePath) {
   EXPECT_EQ(later.radius, ball.radius);
 }
 
-// The flight from perception is what Newton gives step by step.
+// The trajectory agrees with step-by-step integration of Newton's second law.
 TEST(Threat, MatchesNumericalIntegration) {
   Threat ball;
   ball.position = {3, -1, 1};
@@ -72,8 +72,8 @@ TEST(ThreatFromDescription, ReachesTheImpactPointOnTimeAtTheGivenSpeed) {
   }
 }
 
-// A character that faces +Y has its left at -X. A level ball from there flies towards +X; one from
-// 30 degrees above comes down with half its speed.
+// The left of a character that faces +Y is -X. A horizontal ball from there flies towards +X; a
+// ball from 30 degrees above descends with half its speed.
 TEST(ThreatFromDescription, AzimuthAndElevationGiveItsOrigin) {
   ThreatDescription approach{
       .azimuth = kPi / 2, .elevation = 0, .speed_mps = 20, .time_to_impact_s = 0.5F};

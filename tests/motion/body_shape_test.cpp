@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The parts' outlines, probed by points on their surfaces and a test of containment that knows
-// nothing of how the outlines were made.
+// Tests the bodies' outlines with points on their surfaces and a containment test that is
+// independent of how the outlines are made.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -13,7 +13,7 @@
 namespace flinch::motion {
 namespace {
 
-// How deep a point of the shape's own frame is inside, m: negative outside.
+// Depth of a point, in the shape's own frame, inside the shape, m: negative outside.
 float depth(const Shape& shape, const Eigen::Vector3f& point) {
   if (shape.kind == Shape::Kind::capsule) {
     const float on_axis = std::clamp(point.z(), -shape.half_length, shape.half_length);
@@ -122,7 +122,7 @@ TEST(BodyShapes, HeadReachesFromChinToCrown) {
   EXPECT_NEAR(middle - half, 1.75F * (1 - 0.130F), 1e-5F);  // the chin, Drillis and Contini
 }
 
-// A limb of muscle: volume pi r^2 (2 h + 4 r / 3) times 1060 kg/m^3.
+// The volume of a limb, pi r^2 (2 h + 4 r / 3), times the density of muscle, 1060 kg/m^3.
 TEST(BodyShapes, LimbVolumesMatchTheirMass) {
   const BodyModel model = make_body_model(default_character());
   for (Body body : {Body::left_upper_arm, Body::right_forearm, Body::left_shin}) {

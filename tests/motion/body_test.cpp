@@ -67,7 +67,7 @@ TEST(BodyModel, BodyMassesSumToTheCharactersMass) {
   }
 }
 
-// De Leva (1996), table 4, of a man of 75 kg: thigh 14.16 %, trunk 43.46 %, arm 4.94 %.
+// De Leva (1996), table 4, for a man of 75 kg: thigh 14.16 %, trunk 43.46 %, arm 4.94 %.
 TEST(BodyModel, MaleMassesMatchDeLeva) {
   const BodyModel model = make_body_model(with_sex(Sex::male));
   EXPECT_NEAR(model[Body::left_thigh].mass_kg, 10.62F, 1e-3F);
@@ -90,8 +90,8 @@ TEST(BodyModel, FemaleMassesMatchDeLeva) {
       0.4257F * 75 / 0.9999F, 1e-3F);
 }
 
-// The thigh's centre 40.95 % (36.12 %) from hip to knee; the hand's 36.24 % from wrist to fingertip
-// (de Leva's own second row for the hand, where it is 34.27 % for women).
+// The thigh's centre is at 40.95 % (women: 36.12 %) from hip to knee; the hand's at 36.24 % from
+// wrist to fingertip (de Leva's own second row for the hand, with 34.27 % for women).
 TEST(BodyModel, CentresOfMassMatchDeLevasFractions) {
   const Physique man = with_sex(Sex::male);
   const BodyModel male = make_body_model(man);
@@ -105,7 +105,7 @@ TEST(BodyModel, CentresOfMassMatchDeLevasFractions) {
   EXPECT_LT((female[Body::right_hand].centre_of_mass - 0.3427F * fingertip).norm(), 1e-4F);
 }
 
-// Head and neck together: 50.02 % from the crown to the seventh cervical vertebra.
+// Head and neck combined: 50.02 % from the crown to the seventh cervical vertebra.
 TEST(BodyModel, CombinedHeadAndNeckCentreMatchesDeLeva) {
   const Physique man = default_character();
   const BodyModel model = make_body_model(man);
@@ -118,8 +118,8 @@ TEST(BodyModel, CombinedHeadAndNeckCentreMatchesDeLeva) {
   EXPECT_NEAR(height, 1.75F + 0.5002F * (rest.position[Role::neck].z() - 1.75F), 1e-4F);
 }
 
-// A standing man's centre of mass is at 0.55 to 0.58 of his height with the arms down; raising the
-// arms to the T-pose lifts it a little, by less than 0.02.
+// The centre of mass of a standing man with the arms down is at 0.55 to 0.58 of his height; raising
+// the arms to the T-pose lifts it by less than 0.02.
 TEST(CentreOfMass, IsInThePelvisWhenStanding) {
   const Physique man = default_character();
   const BodyModel model = make_body_model(man);
@@ -135,7 +135,7 @@ TEST(CentreOfMass, IsInThePelvisWhenStanding) {
   EXPECT_NEAR(hanging.y(), 0, 1e-5F);
 }
 
-// Lifting one arm by an angle about the shoulder moves the whole centre by m_arm / m of the arm's.
+// Rotating one arm about the shoulder moves the whole centre of mass by m_arm / m of the arm's.
 TEST(CentreOfMass, MovesInProportionToTheMovedMass) {
   const Physique man = default_character();
   const BodyModel model = make_body_model(man);
@@ -170,7 +170,7 @@ TEST(TargetCentre, DescendsFromHeadToLegsInTheRestPose) {
   EXPECT_GT(height(Target::head), height(Target::trunk));
   EXPECT_GT(height(Target::trunk), height(Target::pelvis));
   EXPECT_GT(height(Target::pelvis), height(Target::legs));
-  // Thighs 14.16 %, shanks 4.33 %: weighted mean of their own heights.
+  // Thighs 14.16 %, shanks 4.33 %: the mean of their heights, weighted by mass.
   const float thigh = centre_of_mass(model, rest, Body::left_thigh).z();
   const float shin = centre_of_mass(model, rest, Body::left_shin).z();
   EXPECT_NEAR(height(Target::legs), (14.16F * thigh + 4.33F * shin) / 18.49F, 1e-5F);

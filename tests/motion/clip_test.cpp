@@ -113,7 +113,7 @@ TEST(Mirror, NegatesTheClipsDirectionAndRecordsItsSource) {
   EXPECT_EQ(image.mirrored_from, "duck");
   EXPECT_EQ(image.annotation->direction, -kPi / 4);
   EXPECT_EQ(image.annotation->peak_s, 0.2F);
-  clip.annotation->direction = kPi;  // behind is behind
+  clip.annotation->direction = kPi;  // a mirrored threat from behind still comes from behind
   EXPECT_EQ(mirrored(clip).annotation->direction, kPi);
 }
 

@@ -10,7 +10,7 @@
 namespace flinch::motion {
 namespace {
 
-/// A point of the surface or inside, by its definition rather than by the code under test.
+/// Containment by the definition of the shape, independent of the code under test.
 bool contains(const CollisionShape& outline, const Eigen::Vector3d& point) {
   const Eigen::Vector3d local = outline.orientation.conjugate() * (point - outline.centre);
   if (outline.kind == Shape::Kind::box) {
@@ -34,7 +34,7 @@ TEST(Clearance, GapIsTheRadiusAtWhichTheBallFirstReachesTheShape) {
     EXPECT_FALSE(contains(outline, centre));
     EXPECT_NEAR((centre - near.point).norm(), near.gap, 1e-12);
     EXPECT_TRUE(contains(outline, near.point - 1e-9 * near.normal));
-    // No point of a ball of nearly that radius is in the outline.
+    // No point of a ball with slightly less than that radius is in the outline.
     for (int k = 0; k < 50; ++k) {
       const Eigen::Vector3d inside = 0.999 * near.gap * random.vector(1).normalized();
       EXPECT_FALSE(contains(outline, centre + inside));

@@ -61,7 +61,7 @@ TEST(Blend, ReturnsTheEndPosesAtWeights0And1) {
   EXPECT_LT(tests::distance(blend(a, b, 1), b), 1e-5F);
 }
 
-// A joint that turns on from 170 to 190 degrees against the other crosses the half turn, where the
+// A joint that rotates from 170 to 190 degrees relative to the other passes a half turn, where the
 // shorter arc changes sides and a plain blend jumps by about 180 degrees.
 TEST(BlendAlongInitialArc, IsContinuousWhenTheShorterArcFlips) {
   const Pose still;
@@ -78,7 +78,7 @@ TEST(BlendAlongInitialArc, IsContinuousWhenTheShorterArcFlips) {
   for (int i = 0; i <= 100; ++i) {
     const float weight = 0.01F * static_cast<float>(i);
     Pose to = turned(170 + 0.2F * static_cast<float>(i));
-    if (i % 2 == 1) to.rotation[Role::left_upper_arm].coeffs() *= -1;  // signs mean nothing
+    if (i % 2 == 1) to.rotation[Role::left_upper_arm].coeffs() *= -1;  // signs are arbitrary
     const Pose pose = blend_along_initial_arc(still, to, weight, still, turned(170));
     const Pose plain = blend(still, to, weight);
     jump = std::max(jump, tests::distance(pose, last));

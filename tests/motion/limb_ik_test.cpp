@@ -87,8 +87,8 @@ TEST(LimbIk, KneesBendBackwardsAndElbowsForwards) {
   }
 }
 
-// Law of cosines: legs of bones a and b whose ends are d apart bend by pi - gamma with
-// d^2 = a^2 + b^2 - 2 a b cos gamma. Bones of 3 and 4 and a distance of 5 make a right angle.
+// Law of cosines: a leg with bones a and b whose ends are d apart bends by pi - gamma with d^2 =
+// a^2 + b^2 - 2 a b cos gamma. Bones of 3 and 4 and a distance of 5 give a right angle.
 TEST(LimbIk, Solves345Triangle) {
   Skeleton skeleton = default_character().skeleton;
   skeleton.offset[Role::left_shin] = {0, 0, -0.3F};
@@ -183,7 +183,7 @@ TEST(LimbIk, WithLimbEndPlacesTheEndAndMovesNothingElse) {
   std::mt19937 random(5);
   for (int i = 0; i < 200; ++i) {
     const Skeleton skeleton = tests::with_crooked_bones(default_character().skeleton, random);
-    const Pose pose = random_pose(random);  // also joints that no hinge allows
+    const Pose pose = random_pose(random);  // includes rotations that no hinge allows
     const Limb limb = kLimbs[static_cast<std::size_t>(i) % kLimbs.size()];
     const LimbRoles roles = roles_of(limb);
     const Eigen::Vector3f from = forward_kinematics(skeleton, pose).position[roles.upper];
@@ -219,7 +219,7 @@ TEST(LimbIk, StraighteningLegDoesNotTwist) {
   }
 }
 
-// A leg bent by any amount, as recordings have it: not about its hinge alone.
+// A leg bent by an arbitrary angle, as in recordings: not only about its hinge.
 Pose with_random_leg(std::mt19937& random) {
   Pose pose = rest_pose(default_character().skeleton);
   std::uniform_real_distribution<float> angle(-0.3F, 0.3F);
@@ -265,7 +265,7 @@ TEST(MoveLimbEnd, ReachesNearbyGoalsWithSmallRotations) {
     EXPECT_LT(missed, 0.031F);
     EXPECT_LT(moved.orientation[Role::left_foot].angularDistance(orientation), 2e-3F);
     if (reached) {
-      // A small way of the end is a small way of the knee, except near a straight leg.
+      // A small displacement of the end moves the knee little, except near a straight leg.
       EXPECT_LT((moved.position[Role::left_shin] - frames.position[Role::left_shin]).norm(), 0.2F);
     }
   }

@@ -29,7 +29,7 @@ inline Eigen::Quaternionf random_rotation(std::mt19937& random, float max_angle 
   return Eigen::Quaternionf(Eigen::AngleAxisf(uniform(random, 0, max_angle), axis));
 }
 
-/// Any rotation, each as likely as another.
+/// A uniformly distributed rotation.
 inline Eigen::Quaterniond uniform_rotation(std::mt19937& random) {
   std::normal_distribution<double> normal;
   Eigen::Vector4d coefficients;
@@ -46,7 +46,7 @@ inline motion::Pose random_pose(std::mt19937& random, float max_angle = 3.1F) {
   return pose;
 }
 
-/// Largest difference of any joint: of the root in m, of rotations in radians.
+/// Largest difference over the joints: of the root in m, of rotations in radians.
 inline float distance(const motion::Pose& a, const motion::Pose& b) {
   float max = (a.root_position - b.root_position).norm();
   for (motion::Role role : motion::kRoles) {
@@ -57,8 +57,8 @@ inline float distance(const motion::Pose& a, const motion::Pose& b) {
   return max;
 }
 
-/// The skeleton with bones that are not parallel to its axes, as recorded people's are; left and
-/// right stay mirror images.
+/// The skeleton with bones that are not parallel to its axes, as in skeletons of recorded people;
+/// left and right stay mirror images.
 inline motion::Skeleton with_crooked_bones(motion::Skeleton skeleton, std::mt19937& random) {
   const auto mirror = [](const Eigen::Vector3f& v) {
     return Eigen::Vector3f(v.x(), -v.y(), v.z());

@@ -8,7 +8,7 @@
 
 namespace flinch::tests {
 
-/// Outlines of a figure's parts near the origin, and balls that fly at them.
+/// Random outlines near the origin, and balls that fly at them.
 class RandomShapes {
  public:
   explicit RandomShapes(unsigned seed) : generator_(seed) {}

@@ -13,7 +13,7 @@ namespace {
 
 using tests::random_pose;
 
-// By 4x4 matrices in double, from the root down each chain.
+// Forward kinematics with 4x4 matrices in double, from the root down each chain.
 Eigen::Isometry3d by_matrices(const Skeleton& skeleton, const Pose& pose, Role role) {
   Eigen::Isometry3d local = Eigen::Isometry3d::Identity();
   const std::optional<Role> parent = parent_of(role);

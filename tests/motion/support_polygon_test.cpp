@@ -26,9 +26,9 @@ std::vector<Eigen::Vector2f> standing(const Skeleton& skeleton) {
   return support_polygon(skeleton, forward_kinematics(skeleton, rest_pose(skeleton)));
 }
 
-// Both feet of a man: 0.266 m long, 0.175 m between the ankles, so outer edges 0.175 + 0.19 * 2 *
-// 0.266 = 0.276 m apart at the balls. The hull is smaller than that rectangle and larger than the
-// part of it between the ankles' lines.
+// Both feet of a man: 0.266 m long, with 0.175 m between the ankles, so the outer edges at the
+// balls are 0.175 + 0.19 * 2 * 0.266 = 0.276 m apart. The hull is smaller than that rectangle and
+// larger than the part of it between the ankles' lines.
 TEST(SupportPolygon, SpansBothFeet) {
   const std::vector<Eigen::Vector2f> polygon = standing(default_character().skeleton);
   const float length = 0.152F * 1.75F;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// In a file of its own: where the compiler sees only one of the operators inlined it takes free()
-// for a mismatch.
+// In a separate file: where the compiler inlines only one of the operators, it reports a mismatched
+// free().
 #include "tests/scenes/allocation_count.h"
 
 #include <cstdlib>
@@ -19,14 +19,14 @@ void* operator new(std::size_t size) {
 void* operator new(std::size_t size, std::align_val_t alignment) {
   ++count;
   const auto boundary = static_cast<std::size_t>(alignment);
-  // aligned_alloc wants whole multiples of the boundary.
+  // aligned_alloc requires a multiple of the alignment.
   if (void* memory = std::aligned_alloc(boundary, (size + boundary - 1) / boundary * boundary)) {
     return memory;
   }
   throw std::bad_alloc();
 }
 
-// What std::stable_sort asks for; the library's own would come from elsewhere than our delete.
+// std::stable_sort calls this one; the standard library's own would not match our delete.
 void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
   ++count;
   return std::malloc(size);

@@ -5,7 +5,7 @@
 
 namespace flinch::tests {
 
-/// How often this thread has called operator new, which allocation_count.cpp replaces.
+/// Returns how often this thread has called operator new, which allocation_count.cpp replaces.
 std::size_t allocation_count();
 
 }  // namespace flinch::tests

@@ -7,7 +7,7 @@
 
 namespace flinch::tests {
 
-/// What the Error says that `action` throws; empty when it throws none.
+/// Returns the message of the Error that `action` throws; empty when it throws none.
 template <class Action>
 std::string error_of(Action action) {
   try {

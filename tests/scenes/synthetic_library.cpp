@@ -15,7 +15,7 @@
 namespace flinch::scenes {
 namespace {
 
-// Standing with the arms down.
+// Returns a standing pose with the arms down.
 motion::Pose standing_pose(const motion::Skeleton& skeleton) {
   constexpr float kDown = 75 * std::numbers::pi_v<float> / 180;
   motion::Pose pose = motion::rest_pose(skeleton);
@@ -25,7 +25,7 @@ motion::Pose standing_pose(const motion::Skeleton& skeleton) {
   return pose;
 }
 
-// The pose with its pelvis moved and its feet where they were.
+// Returns the pose with its pelvis moved and its feet where they were.
 motion::Pose with_pelvis_moved(const motion::Skeleton& skeleton, const motion::Pose& pose,
                                const Eigen::Vector3f& by) {
   const motion::JointFrames feet = motion::forward_kinematics(skeleton, pose);
@@ -39,7 +39,7 @@ motion::Pose with_pelvis_moved(const motion::Skeleton& skeleton, const motion::P
                                feet.orientation[motion::Role::right_foot]);
 }
 
-// From standing to `peak` in half a second, and back.
+// Returns a motion from standing to `peak` in half a second, and back.
 motion::Motion there_and_back(const motion::Pose& standing, const motion::Pose& peak) {
   motion::Motion motion;
   for (int k = 0; k <= 60; ++k) {

@@ -5,9 +5,9 @@
 
 namespace flinch::scenes {
 
-/// A small library whose clips are posed by rule, for tests that need one anywhere: the default
-/// character raises its hands, ducks, turns its shoulder, steps aside and lifts a leg, each also
-/// mirrored where it has a side.
+/// Makes a small library whose clips are posed by rule, for tests of any room: the default
+/// character raises its hands, ducks, turns its shoulder, steps aside and lifts a leg; clips with a
+/// side are also mirrored.
 database::ClipLibrary synthetic_library();
 
 }  // namespace flinch::scenes

@@ -10,7 +10,7 @@
 
 namespace flinch::tests {
 
-/// A fresh folder that is gone, with all in it, at the end of the scope.
+/// A new folder that is deleted with its content at the end of the scope.
 class TemporaryFolder {
  public:
   TemporaryFolder() {
