@@ -11,16 +11,16 @@
 
 #include "database/library/file_header.h"
 
-// Damage to files, for tests of their readers. A test without a single case fails.
+// Damage to files, for tests of their readers. A test without any case fails.
 namespace flinch::tests {
 
-/// One byte of a file changed: some of its bits flipped.
+/// A change to one byte of a file: some of its bits are flipped.
 struct Flip {
   std::size_t byte = 0;
   int bits = 1;  ///< 1 to 255
 };
 
-/// Each bit of a file of `size` bytes, one at a time.
+/// Returns flips of each single bit of a file of `size` bytes.
 inline std::vector<Flip> every_bit(std::size_t size) {
   std::vector<Flip> flips;
   for (std::size_t byte = 0; byte < size; ++byte) {
@@ -29,7 +29,7 @@ inline std::vector<Flip> every_bit(std::size_t size) {
   return flips;
 }
 
-/// Each of these bytes changed to another one, drawn at random.
+/// Returns flips that change each of these bytes to a random other value.
 template <class Random>
 std::vector<Flip> random_flips(const std::vector<std::size_t>& bytes, Random& random) {
   std::vector<Flip> flips;
@@ -38,7 +38,7 @@ std::vector<Flip> random_flips(const std::vector<std::size_t>& bytes, Random& ra
   return flips;
 }
 
-/// Places in a file of `size` bytes: each of the first `dense`, then one per `step`.
+/// Returns positions in a file of `size` bytes: each of the first `dense`, then every `step`-th.
 inline std::vector<std::size_t> places(std::size_t size, std::size_t step = 1,
                                        std::size_t dense = 0) {
   std::vector<std::size_t> all;
@@ -46,7 +46,7 @@ inline std::vector<std::size_t> places(std::size_t size, std::size_t step = 1,
   return all;
 }
 
-/// Calls `check` with the file that each flip makes of a whole one, and with the flip.
+/// Calls `check` for each flip with the changed file and the flip.
 template <class Check>
 void for_each_flip(std::string file, const std::vector<Flip>& flips, Check check) {
   ASSERT_FALSE(flips.empty());
@@ -61,7 +61,7 @@ void for_each_flip(std::string file, const std::vector<Flip>& flips, Check check
   }
 }
 
-/// Fails unless `is_refused` says so of the file after each flip.
+/// Fails unless `is_refused` returns true for the file after each flip.
 template <class IsRefused>
 void expect_flips_are_refused(const std::string& file, const std::vector<Flip>& flips,
                               IsRefused is_refused) {
@@ -70,8 +70,8 @@ void expect_flips_are_refused(const std::string& file, const std::vector<Flip>& 
   });
 }
 
-/// Fails unless `is_refused` says so of the file cut to each of these sizes, and of the file with a
-/// byte more.
+/// Fails unless `is_refused` returns true for the file truncated to each of these sizes, and for
+/// the file with one byte appended.
 template <class IsRefused>
 void expect_wrong_sizes_are_refused(const std::string& file, const std::vector<std::size_t>& sizes,
                                     IsRefused is_refused) {
@@ -83,26 +83,26 @@ void expect_wrong_sizes_are_refused(const std::string& file, const std::vector<s
   EXPECT_TRUE(is_refused(file + '\0')) << "a byte too many";
 }
 
-/// The content of a file, after its header.
+/// Returns the content of a file, after its header.
 inline std::string content_of(const std::string& file) {
   return file.substr(database::kFileHeaderSize);
 }
 
-/// The content behind a header that fits it: what only the checks of the content can refuse.
+/// Returns the content with a valid header, so that only the checks of the content can reject it.
 inline std::string with_header(const database::FileFormat& format, const std::string& content) {
   const auto header = database::make_file_header(format, database::bytes_of(content));
   return std::string(reinterpret_cast<const char*>(header.data()), header.size()) + content;
 }
 
-/// How many damaged files a reader refused and how many it read.
+/// Number of damaged files that a reader rejected and that it read.
 struct ReadCounts {
   int refused = 0;
   int read = 0;
 };
 
-/// Damages the content of a file `count` times behind a header that fits it. `damage` changes a
-/// copy of the content by draws of a generator; `reads` returns whether the file is read, and
-/// checks what was read.
+/// Damages the content of a file `count` times and gives it a valid header. `damage` changes a copy
+/// of the content with a random generator; `reads` returns whether the file is read, and checks the
+/// result.
 template <class Damage, class Reads>
 ReadCounts try_damaged_content(const database::FileFormat& format, const std::string& file,
                                int count, unsigned seed, Damage damage, Reads reads) {

@@ -5,7 +5,7 @@
 
 namespace flinch::tests {
 
-/// What no reader or job may take for a number.
+/// Values that no reader or job may accept as a number.
 inline constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 inline constexpr float kInfinity = std::numeric_limits<float>::infinity();
 inline constexpr double kNanDouble = std::numeric_limits<double>::quiet_NaN();

@@ -27,7 +27,7 @@ class TemporaryFolder {
   std::string operator/(const std::string& name) const { return path_ + "/" + name; }
   const std::string& path() const { return path_; }
 
-  /// Writes a file of these bytes, in place of an older one; returns its path.
+  /// Writes a file with these bytes, replacing an existing one; returns its path.
   std::string write(const std::string& name, const std::string& bytes) const {
     std::ofstream file(*this / name, std::ios::binary);
     file << bytes;
