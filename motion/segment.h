@@ -6,7 +6,8 @@
 
 namespace flinch::motion {
 
-/// The point of the segment from `from` to `to`, which may coincide, that is nearest to `point`.
+/// Returns the point of the segment from `from` to `to` that is nearest to `point`. The two ends
+/// may coincide.
 template <class Scalar, int size>
 Eigen::Matrix<Scalar, size, 1> nearest_on_segment(const Eigen::Matrix<Scalar, size, 1>& from,
                                                   const Eigen::Matrix<Scalar, size, 1>& to,

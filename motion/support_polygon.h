@@ -18,20 +18,20 @@ struct SoleOutline {
 /// Returns the sole of a skeleton's foot: a mean adult footprint scaled to the foot's length (see
 /// measure_foot). It is flat on the ground in the rest pose.
 SoleOutline sole_outline(const Skeleton& skeleton, Side side);
-/// Of both feet.
+/// Returns the soles of both feet.
 PerSide<SoleOutline> sole_outlines(const Skeleton& skeleton);
 
-/// The points of a sole in the world, m, those of the foot before those of the toes. For offline
-/// use: allocates.
+/// Returns the points of a sole in the world, m: those of the foot, then those of the toes. For
+/// offline use: allocates.
 std::vector<Eigen::Vector3f> sole_points(const SoleOutline& sole, const JointFrames& frames,
                                          Side side);
 
-/// The z of the lowest of these points, m; infinite of no points.
+/// Returns the z of the lowest of these points, m; infinity for no points.
 float lowest_z(std::span<const Eigen::Vector3f> points);
 
-/// Of the sides for which `stands` holds, the one whose ankle is nearer to the centre of mass as
-/// seen from above, the left one of two as near; none where neither stands. `ankle_of` returns a
-/// side's ankle, world.
+/// Returns the support foot: of the sides for which `stands` returns true, the one whose ankle is
+/// nearer to the centre of mass as seen from above, the left one on a tie; nothing where neither
+/// stands. `ankle_of` returns a side's ankle, world.
 template <class Stands, class AnkleOf>
 std::optional<Side> support_foot(const Eigen::Vector3f& centre, Stands stands, AnkleOf ankle_of) {
   std::optional<Side> support;

@@ -13,8 +13,9 @@ struct AimedThreat {
   Eigen::Vector3f target_point = Eigen::Vector3f::Zero();  ///< where it will strike, m
 };
 
-/// What counts as slow and fast, small and large: the ends of normalisation. Speeds are those of
-/// spiked volleyballs (Hermens 2006, section 3.1); radii those of a tennis ball and of a gym ball.
+/// The range of threats that maps to [0, 1]: from slow to fast and from small to large. Speeds are
+/// those of spiked volleyballs (Hermens 2006, section 3.1); radii are those of a tennis ball and a
+/// gym ball.
 struct ThreatRange {
   float min_speed_mps = 22.8F;
   float max_speed_mps = 29.7F;
@@ -22,23 +23,23 @@ struct ThreatRange {
   float max_radius_m = 0.2F;
 };
 
-/// How much of each rule is used, each in [0, 1] (table 3.1).
+/// Strength of each rule, in [0, 1] (table 3.1).
 struct RuleControls {
-  float lean = 0;  ///< from the threat's speed; all others from its size
+  float lean = 0;  ///< from the threat's speed; all others are from its size
   float turn = 0;
   float recoil = 0;
-  motion::PerSide<float> reach{};   ///< 0 reaches farthest out
-  motion::PerSide<float> swivel{};  ///< 0 lifts the elbow farthest out
+  motion::PerSide<float> reach{};   ///< 0 reaches farthest
+  motion::PerSide<float> swivel{};  ///< 0 raises the elbow farthest
 };
 
-/// The value's place between `min` and `max`, clamped to [0, 1].
+/// Maps `min` to 0 and `max` to 1, clamped to [0, 1].
 float normalised(float value, float min, float max);
 
 /// Table 3.1. Speeds and sizes beyond the range are clamped.
 RuleControls rule_controls(const AimedThreat& threat, const ThreatRange& range = {});
 
-/// Equation 3.4: how much of the responses for head and for pelvis answers a threat at a point.
-/// W_i = (D_total - D_i) / D_total; they add up to 1.
+/// Equation 3.4: weights of the responses for head and for pelvis to a threat at a given point. W_i
+/// = (D_total - D_i) / D_total; they add up to 1.
 struct TargetWeights {
   float head = 1;
   float pelvis = 0;
@@ -50,21 +51,23 @@ TargetWeights target_weights(float distance_to_head_m, float distance_to_pelvis_
 void check_threat(const motion::Figure& figure, const motion::Pose& pose,
                   const AimedThreat& threat);
 
-/// The rules, to be used in this order. `travel` is the unit direction in which the threat travels,
-/// in the frame of the character's facing. Angles are in degrees in table 3.2, radians here.
+/// The rules, to be applied in this order. `travel` is the unit direction in which the threat
+/// travels, in the frame of the character's facing. Angles are in degrees in table 3.2, radians
+/// here.
 
-/// Leans the trunk and neck away: about y by travel_x, about x by -travel_y, times table 3.2's
-/// maxima and `lean`. The pelvis' part is reversed for the pelvis (section 3.4), others fade.
+/// Leans the trunk and neck away from the threat: about y by travel_x, about x by -travel_y, times
+/// table 3.2's maxima and `lean`. The pelvis leans with the weight for the head minus that for the
+/// pelvis (section 3.4), the other parts with the weight for the head.
 motion::Pose lean_away(const motion::Pose& pose, const Eigen::Vector3f& travel, float lean,
                        const TargetWeights& weights);
 
-/// Turns the back of the head toward the threat at `azimuth`, radians counter-clockwise from where
-/// the head faces: neck and head up to 65 degrees, then 50, 30 and 20 % of what remains over back,
-/// waist and pelvis, up to their maxima, all times `turn`. A threat straight ahead is turned from
-/// to the right.
+/// Turns the back of the head towards the threat at `azimuth`, radians counter-clockwise from where
+/// the head faces. Neck and head turn up to 65 degrees; back, waist and pelvis turn by 50, 30 and
+/// 20 % of the remainder, up to their maxima; all are multiplied by `turn`. For a threat straight
+/// ahead, the figure turns to the right.
 motion::Pose turn_away(const motion::Pose& pose, float azimuth, float turn);
 
-/// Draws the shoulders up.
+/// Raises the shoulders.
 motion::Pose recoil(const motion::Pose& pose, float amount);
 
 /// What the rules need to know of a threat, as the character stands when it perceives.
@@ -78,25 +81,26 @@ struct ThreatGeometry {
 ThreatGeometry threat_geometry(const motion::Figure& figure, const motion::Pose& pose,
                                const AimedThreat& threat);
 
-/// Whether the threat comes from behind the shoulders, so that hands go to the back of the head.
+/// Returns whether the threat comes from behind the shoulders, so that hands cover the back of the
+/// head.
 bool guards_head_from_behind(const motion::JointFrames& trunk, const ThreatGeometry& geometry);
 
-/// By how much a reach control of 1 brings a hand nearer to its shoulder than one of 0, m.
+/// Returns by how much a reach control of 1 brings a hand nearer to its shoulder than one of 0, m.
 float reach_range(const motion::Figure& figure, const TargetWeights& weights);
 
-/// Puts both hands on the threat's line, at 0.9 to 0.3 m (head) or 0.5 to 0.4 m (pelvis) from their
-/// shoulders (lengths of a figure of 1.75 m, scaled to this one), between threat and body, elbows
-/// at 70 to 10 degrees from down; side by side, so that palms do not coincide. A threat behind the
-/// shoulders is met by both hands on the back of the head. Out of reach, hands stop short. `trunk`
-/// are the pose's joints.
+/// Puts both hands on the threat's line, between threat and body, at 0.9 to 0.3 m (head) or 0.5 to
+/// 0.4 m (pelvis) from their shoulders (lengths for a figure of 1.75 m, scaled to this one), with
+/// the elbows at 70 to 10 degrees from straight down. The hands are side by side, so that the palms
+/// do not coincide. For a threat from behind the shoulders, both hands cover the back of the head.
+/// Hands that cannot reach their places stop short. `trunk` holds the pose's joint frames.
 void block(const motion::Figure& figure, const motion::JointFrames& trunk,
            const ThreatGeometry& geometry, const RuleControls& controls, motion::Pose& pose);
 
-/// Both palms on the back of the head, elbows forward beside the face.
+/// Puts both palms on the back of the head, elbows forward beside the face.
 motion::Pose cover_head(const motion::Figure& figure, const motion::Pose& pose);
 
-/// All four rules, with the feet put to `feet` and the pelvis as low as they need: the sustained
-/// pose before balance. `feet_reach` tells whether they came there.
+/// Applies all four rules, with the feet at `feet` and the pelvis as low as they require: the
+/// sustained pose before balance. Sets `feet_reach` to whether the feet reached their places.
 motion::Pose apply_rules(const motion::Figure& figure, const motion::Pose& pose,
                          const ThreatGeometry& geometry, const RuleControls& controls,
                          const motion::PerSide<motion::FootPose>& feet, bool* feet_reach = nullptr);
