@@ -10,10 +10,12 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <cstdlib>
+#include <string>
 #include <vector>
 
 #include "runtime/library.h"
+#include "tests/bench/measures.h"
+#include "tests/bench/study.h"
 
 namespace flinch {
 namespace {
@@ -23,17 +25,13 @@ struct Cost {
   long page_faults = 0;
 };
 
-double seconds(const timeval& time) {
-  return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
-}
-
 Cost cost_so_far() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
-  return {seconds(usage.ru_utime) + seconds(usage.ru_stime), usage.ru_minflt};
+  return {bench::process_cpu_s(), usage.ru_minflt};
 }
 
-Cost cost_of_loading(const char* path) {
+Cost cost_of_loading(const std::string& path) {
   const Cost before = cost_so_far();
   runtime::Library library;
   if (library.load(path) != database::LoadStatus::ok) return {};
@@ -42,7 +40,7 @@ Cost cost_of_loading(const char* path) {
 }
 
 /// In a process of its own, which has loaded nothing before.
-Cost cost_in_new_process(const char* path) {
+Cost cost_in_new_process(const std::string& path) {
   Cost cost;
   int ends[2];
   if (pipe(ends) != 0) return cost;
@@ -59,14 +57,14 @@ Cost cost_in_new_process(const char* path) {
   return cost;
 }
 
-int study(const char* path, int processes) {
+void run(const bench::StudyArguments& arguments) {
+  const std::string& path = arguments.text(0);
+  const int processes = arguments.number_or(1, 21);
+  if (processes < 1) throw Error("", "at least one process is needed");
   std::vector<Cost> costs;
   for (int i = 0; i < processes; ++i) {
     costs.push_back(cost_in_new_process(path));
-    if (costs.back().cpu_s < 0) {
-      std::fprintf(stderr, "first_load: %s: the file was refused\n", path);
-      return 1;
-    }
+    if (costs.back().cpu_s < 0) throw Error(path, "the file was refused");
   }
   std::sort(costs.begin(), costs.end(),
             [](const Cost& a, const Cost& b) { return a.cpu_s < b.cpu_s; });
@@ -74,17 +72,12 @@ int study(const char* path, int processes) {
   std::printf("first load: %.2f ms of CPU (%.2f to %.2f in %d processes), %ld page faults\n",
               1e3 * median.cpu_s, 1e3 * costs.front().cpu_s, 1e3 * costs.back().cpu_s, processes,
               median.page_faults);
-  return 0;
 }
 
 }  // namespace
 }  // namespace flinch
 
-int main(int argument_count, char** arguments) {
-  const int processes = argument_count > 2 ? std::atoi(arguments[2]) : 21;
-  if (argument_count < 2 || processes < 1) {
-    std::fprintf(stderr, "usage: first_load SELECTOR [PROCESSES]\n");
-    return 2;
-  }
-  return flinch::study(arguments[1], processes);
+int main(int count, char** arguments) {
+  return flinch::bench::study_main(count, arguments, {"first_load SELECTOR [PROCESSES]", 1, 2},
+                                   flinch::run);
 }

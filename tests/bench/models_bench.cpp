@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <ctime>
 #include <flann/flann.hpp>
 #include <functional>
 #include <random>
@@ -16,6 +15,7 @@
 #include "models/fit/network_fit.h"
 #include "models/fit/pairwise_linear_fit.h"
 #include "models/selector.h"
+#include "tests/bench/measures.h"
 #include "tests/models/fit/libsvm_oracle.h"
 #include "tests/models/training_sets.h"
 #include "train/fit/selector_writer.h"
@@ -62,24 +62,14 @@ std::vector<features::FeatureVector> make_queries() {
   return queries;
 }
 
+using bench::quantile;
 using Choose = std::function<int(const features::FeatureVector&)>;
-
-double microseconds(clockid_t clock) {
-  timespec now{};
-  clock_gettime(clock, &now);
-  return 1e6 * static_cast<double>(now.tv_sec) + 1e-3 * static_cast<double>(now.tv_nsec);
-}
-
-double quantile(std::vector<double>& values, double share) {
-  std::sort(values.begin(), values.end());
-  return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
-}
 
 template <typename Call>
 double microseconds_of(const Call& call, clockid_t clock) {
-  const double begin = microseconds(clock);
+  const double begin_s = bench::clock_s(clock);
   call();
-  return microseconds(clock) - begin;
+  return 1e6 * (bench::clock_s(clock) - begin_s);
 }
 
 /// Of this thread's processor time, in which others that want the processor do not show, without

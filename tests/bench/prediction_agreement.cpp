@@ -4,13 +4,14 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
-#include <cstdlib>
 #include <string>
 #include <vector>
 
-#include "database/library/library_file.h"
+#include "database/import/library_writer.h"
 #include "features/impact_prediction.h"
 #include "runtime/perception.h"
+#include "tests/bench/measures.h"
+#include "tests/bench/study.h"
 #include "train/scenario/scenario_sampling.h"
 
 namespace flinch {
@@ -70,13 +71,10 @@ Agreement agreement_of(const database::ClipLibrary& library,
   return agreement;
 }
 
-void print(const char* name, std::vector<double> values) {
+void print(const char* name, const std::vector<double>& values) {
   if (values.empty()) return;
-  std::sort(values.begin(), values.end());
-  const auto share = [&](std::size_t percent) {
-    return values[(values.size() - 1) * percent / 100];
-  };
-  std::printf("| %s | %.1f | %.1f | %.1f |\n", name, share(50), share(99), share(100));
+  std::printf("| %s | %.1f | %.1f | %.1f |\n", name, bench::quantile(values, 0.5),
+              bench::quantile(values, 0.99), bench::quantile(values, 1));
 }
 
 void print(const Agreement& agreement, std::uint64_t count) {
@@ -104,23 +102,19 @@ void print(const Agreement& agreement, std::uint64_t count) {
   print("`touch_s`, before the trainer's by", agreement.lead_ms);
 }
 
+void run(const bench::StudyArguments& arguments) {
+  const database::ClipLibrary library = database::load_library(arguments.text(0));
+  const auto count = arguments.number_or<std::uint64_t>(1, 20000);
+  const auto seed = arguments.number_or<std::uint64_t>(2, 1);
+  print(agreement_of(library, {}, count, seed), count);
+  std::printf("\nAs a human perceives them:\n\n");
+  print(agreement_of(library, runtime::human_limits(), count, seed), count);
+}
+
 }  // namespace
 }  // namespace flinch
 
-int main(int argc, char** argv) {
-  if (argc < 2 || argc > 4) {
-    std::fprintf(stderr, "Usage: prediction_agreement LIBRARY [SCENARIOS [SEED]]\n");
-    return 2;
-  }
-  flinch::database::ClipLibrary library;
-  if (flinch::database::read_library(std::string(argv[1]), library) !=
-      flinch::database::LoadStatus::ok) {
-    std::fprintf(stderr, "prediction_agreement: %s: not a library that can be read\n", argv[1]);
-    return 1;
-  }
-  const std::uint64_t count = argc > 2 ? std::strtoull(argv[2], nullptr, 10) : 20000;
-  const std::uint64_t seed = argc > 3 ? std::strtoull(argv[3], nullptr, 10) : 1;
-  print(flinch::agreement_of(library, {}, count, seed), count);
-  std::printf("\nAs a human perceives them:\n\n");
-  print(flinch::agreement_of(library, flinch::runtime::human_limits(), count, seed), count);
+int main(int count, char** arguments) {
+  return flinch::bench::study_main(
+      count, arguments, {"prediction_agreement LIBRARY [SCENARIOS [SEED]]", 1, 3}, flinch::run);
 }

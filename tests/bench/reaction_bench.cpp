@@ -3,9 +3,9 @@
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
-#include <ctime>
 
 #include "reaction/reaction_clips.h"
+#include "tests/bench/measures.h"
 #include "tests/reaction/reaction_scenes.h"
 
 namespace flinch {
@@ -13,21 +13,13 @@ namespace {
 
 using reaction::ReactionPhase;
 
-/// Of this thread, so that other programs do not count.
-double cpu_us() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return 1e6 * static_cast<double>(now.tv_sec) + 1e-3 * static_cast<double>(now.tv_nsec);
-}
-
-void report(benchmark::State& state, std::vector<double>& frames_us) {
-  std::sort(frames_us.begin(), frames_us.end());
+void report(benchmark::State& state, const std::vector<double>& frames_us) {
   double sum = 0;
   for (double frame_us : frames_us) sum += frame_us;
   const auto count = static_cast<double>(frames_us.size());
   state.counters["mean_us"] = sum / count;
-  state.counters["p99_us"] = frames_us[static_cast<std::size_t>(0.99 * count)];
-  state.counters["max_us"] = frames_us.back();
+  state.counters["p99_us"] = bench::quantile(frames_us, 0.99);
+  state.counters["max_us"] = bench::quantile(frames_us, 1);
 }
 
 /// A second of reaction an iteration; reports the frames in which the phase is one of `phases`.
@@ -44,9 +36,9 @@ void frames(benchmark::State& state, const std::vector<ReactionPhase>& phases, d
     for (int k = 1; k <= 60; ++k) {
       const motion::Pose wanted =
           scenes::pose_at(*reaction_case.motion, reaction_case.begin_s + k * scenes::kFrame_s);
-      const double begin_us = cpu_us();
+      const double begin_s = bench::thread_cpu_s();
       reaction.advance(scenes::kFrame_s, wanted, wanted);
-      const double frame_us = cpu_us() - begin_us;
+      const double frame_us = 1e6 * (bench::thread_cpu_s() - begin_s);
       if (std::count(phases.begin(), phases.end(), reaction.phase()) > 0) {
         frames_us.push_back(frame_us);
       }

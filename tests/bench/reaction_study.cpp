@@ -6,15 +6,17 @@
 // over the motions by rule and, where a library is given, over each of its clips as well.
 #include <algorithm>
 #include <cstdio>
-#include <ctime>
 
-#include "database/library/library_file.h"
+#include "database/import/library_writer.h"
 #include "reaction/reaction_clips.h"
+#include "tests/bench/measures.h"
+#include "tests/bench/study.h"
 #include "tests/reaction/reaction_scenes.h"
 
 namespace flinch {
 namespace {
 
+using bench::quantile;
 using motion::Role;
 using scenes::kFrame_s;
 using scenes::ReactionCase;
@@ -27,12 +29,6 @@ struct Study {
   std::vector<scenes::NamedMotion> motions;
   std::shared_ptr<const sim::FigureModel> plan;
 };
-
-double quantile(std::vector<double> values, double share) {
-  if (values.empty()) return 0;
-  std::sort(values.begin(), values.end());
-  return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
-}
 
 /// Of joints of two poses, the largest distance, mm.
 double distance_mm(const Study& study, const motion::Pose& first, const motion::Pose& second) {
@@ -52,12 +48,6 @@ struct Played {
   motion::Body most_hit = motion::Body::pelvis;
 };
 
-double cpu_us() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return 1e6 * static_cast<double>(now.tv_sec) + 1e-3 * static_cast<double>(now.tv_nsec);
-}
-
 Played play(const Study& study, const ReactionCase& reaction_case, double frame_s) {
   reaction::Reaction reaction(study.plan);
   scenes::begin(reaction, reaction_case);
@@ -66,10 +56,10 @@ Played play(const Study& study, const ReactionCase& reaction_case, double frame_
   for (int k = 1; k * frame_s < kDuration_s + 1e-9; ++k) {
     const motion::Pose wanted =
         scenes::pose_at(*reaction_case.motion, reaction_case.begin_s + k * frame_s);
-    const double begin_us = cpu_us();
+    const double begin_s = bench::thread_cpu_s();
     reaction.advance(frame_s, wanted, wanted);
     if (reaction.phase() < reaction::ReactionPhase::returning) {
-      played.frames_us.push_back(cpu_us() - begin_us);
+      played.frames_us.push_back(1e6 * (bench::thread_cpu_s() - begin_s));
     }
     played.poses.push_back(reaction.pose());
     played.knocked_over |= reaction.phase() == reaction::ReactionPhase::knocked_over;
@@ -157,10 +147,10 @@ void print_search(const Study& study, const database::ClipLibrary& library,
   double spent_us = 0;
   for (const ReactionCase& reaction_case : cases) {
     const Played played = play(study, reaction_case, kFrame_s);
-    const double begin_us = cpu_us();
+    const double begin_s = bench::thread_cpu_s();
     const auto match =
         clips.find(played.poses[5], played.poses[6], static_cast<float>(kFrame_s), 10.0F);
-    spent_us += cpu_us() - begin_us;
+    spent_us += 1e6 * (bench::thread_cpu_s() - begin_s);
     if (match) distances.push_back(static_cast<double>(match->distance_m));
   }
   const double near = static_cast<double>(reaction::ReactionClips::kMaxMatchDistance_m);
@@ -184,26 +174,21 @@ std::vector<ReactionCase> print(const char* title, const Study& study) {
   return cases;
 }
 
-int run(int count, char** arguments) {
+void run(const bench::StudyArguments& arguments) {
   const motion::Physique man = motion::default_character();
   print("Motions by rule",
         {man, scenes::motions_by_rule(man.skeleton), reaction::make_figure_model(man)});
-  if (count < 2) return 0;
-  database::ClipLibrary library;
-  const auto status = database::read_library(std::string(arguments[1]), library);
-  if (status != database::LoadStatus::ok) {
-    std::fprintf(stderr, "%s: %s\n", arguments[1], database::message_of(status));
-    return 1;
-  }
+  if (!arguments.has(0)) return;
+  const database::ClipLibrary library = database::load_library(arguments.text(0));
   Study study{library.character, {}, reaction::make_figure_model(library.character)};
   for (const motion::Clip& clip : library.clips) study.motions.push_back({clip.name, clip.motion});
   print_search(study, library, print("The library's clips", study));
-  return 0;
 }
 
 }  // namespace
 }  // namespace flinch
 
 int main(int count, char** arguments) {
-  return flinch::run(count, arguments);
+  return flinch::bench::study_main(count, arguments, {"reaction_study [LIBRARY]", 0, 1},
+                                   flinch::run);
 }

@@ -6,13 +6,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
-#include <ctime>
 #include <string>
 #include <vector>
 
-#include "database/library/library_file.h"
+#include "database/import/library_writer.h"
 #include "runtime/response/response.h"
+#include "tests/bench/measures.h"
+#include "tests/bench/study.h"
 #include "train/fit/labels.h"
 #include "train/simulate/simulate.h"
 
@@ -24,13 +24,9 @@ using motion::Body;
 constexpr double kMaxChange = 0.005;  // of an impulse that counts as the same
 constexpr std::size_t kWorst = 10;
 
-double cpu_s() {
-  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
-}
-
 /// Adds to `sum_s` the time since `begin_s`, and begins anew.
 void add_time(double& begin_s, double& sum_s) {
-  const double now_s = cpu_s();
+  const double now_s = bench::process_cpu_s();
   sum_s += now_s - begin_s;
   begin_s = now_s;
 }
@@ -88,7 +84,7 @@ Pair try_both_ways(const train::SimulationSetup& setup, const features::Scenario
   const sim::Ball ball{scenario.threat.position.cast<double>(),
                        scenario.threat.velocity.cast<double>(), double{scenario.threat.radius},
                        double{scenario.threat.mass_kg}};
-  double time_s = cpu_s();
+  double time_s = bench::process_cpu_s();
   const motion::Motion motion = performed(setup, scenario, clip, duration_s);
   add_time(time_s, study.posing_s);
   const sim::SimulationResult slow = setup.simulator.simulate(motion, &ball, duration_s);
@@ -194,18 +190,9 @@ void print(Study study) {
   }
 }
 
-int run(int count, char** arguments) {
-  if (count < 2) {
-    std::fprintf(stderr, "usage: rehearsal_study LIBRARY [SCENARIOS]\n");
-    return 2;
-  }
-  database::ClipLibrary library;
-  const auto status = database::read_library(std::string(arguments[1]), library);
-  if (status != database::LoadStatus::ok) {
-    std::fprintf(stderr, "%s: %s\n", arguments[1], database::message_of(status));
-    return 1;
-  }
-  const auto scenarios = static_cast<std::uint64_t>(count > 2 ? std::atoi(arguments[2]) : 200);
+void run(const bench::StudyArguments& arguments) {
+  const database::ClipLibrary library = database::load_library(arguments.text(0));
+  const auto scenarios = arguments.number_or<std::uint64_t>(1, 200);
   const train::SimulationSetup setup(library, {});
   const train::CostModel model = train::make_cost_model(
       train::make_store_header(setup), train::CostModel{}.vulnerability, train::CostModel{}.brawn);
@@ -214,12 +201,12 @@ int run(int count, char** arguments) {
     compare_scenario(setup, model, number, study);
   }
   print(std::move(study));
-  return 0;
 }
 
 }  // namespace
 }  // namespace flinch
 
 int main(int count, char** arguments) {
-  return flinch::run(count, arguments);
+  return flinch::bench::study_main(count, arguments, {"rehearsal_study LIBRARY [SCENARIOS]", 1, 2},
+                                   flinch::run);
 }

@@ -6,11 +6,12 @@
 // and prints what docs/response.md quotes.
 #include <algorithm>
 #include <cstdio>
-#include <cstdlib>
 #include <random>
 #include <vector>
 
-#include "database/library/library_file.h"
+#include "database/import/library_writer.h"
+#include "tests/bench/measures.h"
+#include "tests/bench/study.h"
 #include "tests/runtime/response/response_quality.h"
 
 namespace flinch {
@@ -25,15 +26,16 @@ void print_rows(const char* name, const char* unit, float scale, std::vector<Row
   if (rows.empty()) return;
   std::sort(rows.begin(), rows.end(), [](const Row& a, const Row& b) { return a.value < b.value; });
   const auto at = [&](double share) {
-    const double place = share * static_cast<double>(rows.size() - 1);
-    return scale * rows[static_cast<std::size_t>(place)].value;
+    return scale * rows[bench::quantile_index(rows.size(), share)].value;
   };
   std::printf("| %s, %s | %zu | %.3g | %.3g | %.3g | %.3g | %s |\n", name, unit, rows.size(),
               double{at(0.5)}, double{at(0.95)}, double{at(0.99)}, double{at(1)},
               rows.back().what.c_str());
 }
 
-int study(const database::ClipLibrary& library, int threats) {
+void run(const bench::StudyArguments& arguments) {
+  const database::ClipLibrary library = database::load_library(arguments.text(0));
+  const int threats = arguments.number_or(1, 200);
   const runtime::PreparedLibrary prepared = runtime::prepare(library);
   std::mt19937 random(1);
   std::uniform_real_distribution<float> part(0, 1);
@@ -69,19 +71,12 @@ int study(const database::ClipLibrary& library, int threats) {
   print_rows("centre of mass beyond the standing sole when the other foot lifts", "mm", 1e3F, lift);
   print_rows("extrapolated centre of mass beyond it, then", "mm", 1e3F, extrapolated);
   print_rows("peak from impact, where there is time", "frames of 1/60 s", 60, peak);
-  return 0;
 }
 
 }  // namespace
 }  // namespace flinch
 
-int main(int argument_count, char** arguments) {
-  using namespace flinch;
-  database::ClipLibrary library;
-  if (argument_count < 2 ||
-      database::read_library(arguments[1], library) != database::LoadStatus::ok) {
-    std::fprintf(stderr, "usage: response_study LIBRARY [THREATS]\n");
-    return 2;
-  }
-  return study(library, argument_count > 2 ? std::atoi(arguments[2]) : 200);
+int main(int count, char** arguments) {
+  return flinch::bench::study_main(count, arguments, {"response_study LIBRARY [THREATS]", 1, 2},
+                                   flinch::run);
 }

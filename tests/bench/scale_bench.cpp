@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <benchmark/benchmark.h>
-#include <sys/resource.h>
-
-#include <ctime>
 
 #include "database/author/authored_library.h"
 #include "motion/default_character.h"
+#include "tests/bench/measures.h"
 #include "tests/scenes/temporary_folder.h"
 #include "train/simulate/simulate.h"
 #include "train/simulate/worker_messages.h"
@@ -13,18 +11,6 @@
 
 namespace flinch::train {
 namespace {
-
-double thread_cpu_s() {
-  timespec time{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
-
-double peak_megabytes() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return static_cast<double>(usage.ru_maxrss) / 1024;
-}
 
 /// The default library and all that is made ready once.
 struct Scene {
@@ -42,7 +28,7 @@ void simulate_scenarios(benchmark::State& state) {
   SimulationRun run;
   run.wanted = {0, static_cast<std::uint64_t>(state.range(0))};
   run.batch.threads = static_cast<int>(state.range(1));
-  run.batch.cpu_s = thread_cpu_s;
+  run.batch.cpu_s = bench::thread_cpu_s;
   run.memory = plan_memory(setup, std::uint64_t{1} << 30, run.batch.threads);
   SimulationProgress last;
   run.report = [&last](const SimulationProgress& progress) { last = progress; };
@@ -57,7 +43,7 @@ void simulate_scenarios(benchmark::State& state) {
   state.counters["rehearsing_share"] = last.cpu.rehearsing_s / cpu_s;
   state.counters["simulations_per_cpu_s"] = simulations / cpu_s;
   state.counters["hit_rate"] = static_cast<double>(last.counts.hits) / simulations;
-  state.counters["peak_megabytes"] = peak_megabytes();
+  state.counters["peak_megabytes"] = bench::peak_memory_mib();
 }
 BENCHMARK(simulate_scenarios)
     ->ArgNames({"scenarios", "threads"})

@@ -7,14 +7,17 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <ctime>
 #include <numeric>
 
-#include "database/library/library_file.h"
+#include "database/import/library_writer.h"
+#include "tests/bench/measures.h"
+#include "tests/bench/study.h"
 #include "tests/sim/random_hits.h"
 
 namespace flinch {
 namespace {
+
+using bench::quantile;
 
 constexpr std::size_t kHits = 200;
 
@@ -22,13 +25,6 @@ struct Study {
   motion::Physique character;
   std::vector<scenes::NamedMotion> motions;
 };
-
-double quantile(std::vector<double> values, double share) {
-  if (values.empty()) return 0;
-  std::sort(values.begin(), values.end());
-  const double place = share * static_cast<double>(values.size() - 1);
-  return values[static_cast<std::size_t>(std::lround(place))];
-}
 
 double sum_of(const motion::PerBody<double>& impulse) {
   return std::accumulate(impulse.begin(), impulse.end(), 0.0);
@@ -82,7 +78,7 @@ Outcome outcome_of(const Study& study, const std::vector<scenes::Hit>& hits,
                    const sim::SimulationOptions& options) {
   const sim::Simulator simulator(study.character, options);
   Outcome outcome;
-  const std::clock_t begin = std::clock();
+  const double begin_s = bench::process_cpu_s();
   for (const scenes::Hit& hit : hits) {
     const motion::Motion& motion = study.motions[hit.motion].motion;
     const double duration_s = static_cast<double>(motion.duration_s());
@@ -91,7 +87,7 @@ Outcome outcome_of(const Study& study, const std::vector<scenes::Hit>& hits,
     outcome.most_steps = std::max(outcome.most_steps, outcome.results.back().steps);
     outcome.messages += outcome.results.back().solver_messages;
   }
-  outcome.cpu_s = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+  outcome.cpu_s = bench::process_cpu_s() - begin_s;
   return outcome;
 }
 
@@ -164,25 +160,20 @@ void print(const char* title, const Study& study) {
   print_restitution(study, hits);
 }
 
-int run(int count, char** arguments) {
+void run(const bench::StudyArguments& arguments) {
   const motion::Physique man = motion::default_character();
   print("Motions by rule", {man, scenes::motions_by_rule(man.skeleton)});
-  if (count < 2) return 0;
-  database::ClipLibrary library;
-  const auto status = database::read_library(std::string(arguments[1]), library);
-  if (status != database::LoadStatus::ok) {
-    std::fprintf(stderr, "%s: %s\n", arguments[1], database::message_of(status));
-    return 1;
-  }
+  if (!arguments.has(0)) return;
+  const database::ClipLibrary library = database::load_library(arguments.text(0));
   Study study{library.character, {}};
   for (const motion::Clip& clip : library.clips) study.motions.push_back({clip.name, clip.motion});
   print("The library's clips", study);
-  return 0;
 }
 
 }  // namespace
 }  // namespace flinch
 
 int main(int count, char** arguments) {
-  return flinch::run(count, arguments);
+  return flinch::bench::study_main(count, arguments, {"simulation_study [LIBRARY]", 0, 1},
+                                   flinch::run);
 }

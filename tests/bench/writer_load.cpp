@@ -8,10 +8,10 @@
 // writer (us), and that answering a message takes it beside (us): what bench_scale measures.
 // SCENARIOS are 10 million unless given. The ranges are those that the program would hand out.
 #include <cstdio>
-#include <cstdlib>
 #include <queue>
 
 #include "features/random.h"
+#include "tests/bench/study.h"
 #include "train/simulate/scenario_scheduler.h"
 
 namespace flinch::train {
@@ -70,14 +70,10 @@ Load load_of(const Cluster& cluster, const Costs& costs, std::uint64_t scenarios
   return load;
 }
 
-int run(int count, char** arguments) {
-  if (count < 4) {
-    std::fprintf(stderr, "writer_load SIMULATE_MS WRITE_US MESSAGE_US [SCENARIOS]\n");
-    return 2;
-  }
-  const Costs costs{1e-3 * std::atof(arguments[1]), 1e-6 * std::atof(arguments[2]),
-                    1e-6 * std::atof(arguments[3])};
-  const std::uint64_t scenarios = count > 4 ? std::strtoull(arguments[4], nullptr, 10) : 10'000'000;
+void run(const bench::StudyArguments& arguments) {
+  const Costs costs{1e-3 * arguments.number<double>(0), 1e-6 * arguments.number<double>(1),
+                    1e-6 * arguments.number<double>(2)};
+  const auto scenarios = arguments.number_or<std::uint64_t>(3, 10'000'000);
   std::printf(
       "| cores | processes | threads of each | minutes | writer busy | helpers wait | of the ideal "
       "|\n| --: | --: | --: | --: | --: | --: | --: |\n");
@@ -93,12 +89,13 @@ int run(int count, char** arguments) {
                   100 * ideal_s / load.took_s);
     }
   }
-  return 0;
 }
 
 }  // namespace
 }  // namespace flinch::train
 
 int main(int count, char** arguments) {
-  return flinch::train::run(count, arguments);
+  return flinch::bench::study_main(
+      count, arguments, {"writer_load SIMULATE_MS WRITE_US MESSAGE_US [SCENARIOS]", 3, 4},
+      flinch::train::run);
 }

@@ -1,20 +1,15 @@
 // SPDX-License-Identifier: MIT
-#include <exception>
-#include <iostream>
-
 #include "database/import/library_writer.h"
+#include "tests/bench/study.h"
 #include "tests/scenes/synthetic_library.h"
 
-/// Writes the synthetic library: `make_synthetic_library FILE [NAME]`.
-int main(int argument_count, char** arguments) {
-  if (argument_count < 2) return 2;
-  try {
-    flinch::database::ClipLibrary library = flinch::scenes::synthetic_library();
-    if (argument_count > 2) library.name = arguments[2];
-    flinch::database::write_library(library, arguments[1]);
-  } catch (const std::exception& error) {
-    std::cerr << error.what() << '\n';
-    return 1;
-  }
-  return 0;
+/// Writes the synthetic library.
+int main(int count, char** arguments) {
+  return flinch::bench::study_main(count, arguments, {"make_synthetic_library FILE [NAME]", 1, 2},
+                                   [](const flinch::bench::StudyArguments& given) {
+                                     flinch::database::ClipLibrary library =
+                                         flinch::scenes::synthetic_library();
+                                     if (given.has(1)) library.name = given.text(1);
+                                     flinch::database::write_library(library, given.text(0));
+                                   });
 }

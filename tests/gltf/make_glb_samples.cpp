@@ -9,6 +9,7 @@
 #include "database/export/gltf_writer.h"
 #include "database/import/file_io.h"
 #include "motion/error.h"
+#include "tests/bench/study.h"
 #include "tests/scenes/synthetic_library.h"
 
 namespace {
@@ -87,16 +88,11 @@ void write_broken(const std::string& folder) {
 }  // namespace
 
 int main(int count, char** arguments) {
-  if (count != 3) {
-    std::fputs("usage: make_glb_samples SOUND BROKEN\n", stderr);
-    return 2;
-  }
-  try {
-    for (int i = 1; i < count; ++i) std::filesystem::create_directories(arguments[i]);
-    write_samples(arguments[1]);
-    write_broken(arguments[2]);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "make_glb_samples: %s\n", error.what());
-    return 1;
-  }
+  return flinch::bench::study_main(count, arguments, {"make_glb_samples SOUND BROKEN", 2, 2},
+                                   [](const flinch::bench::StudyArguments& folders) {
+                                     for (std::size_t i = 0; i < 2; ++i)
+                                       std::filesystem::create_directories(folders.text(i));
+                                     write_samples(folders.text(0));
+                                     write_broken(folders.text(1));
+                                   });
 }
