@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "database/library/library_file.h"
+#include "runtime/response/prepared_library.h"
 #include "tests/runtime/response/response_quality.h"
 
 namespace flinch {
