@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
-# Installs the run time's libraries and headers as the CMake package `flinch`, its C interface also
-# for pkg-config, the reaction to a hit as the package's component `reaction`, and the program.
+# Installs the run time's libraries and the public headers as the CMake package `flinch`, its C
+# interface also for pkg-config, the reaction to a hit as the package's component `reaction`, and
+# the program.
 # The offline libraries stay behind: a game has no use for them, and the program does their work.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
@@ -10,12 +11,18 @@ list(FILTER runtime_libraries INCLUDE REGEX "^flinch_")
 list(REMOVE_ITEM runtime_libraries flinch_flags)
 install(TARGETS ${runtime_libraries} EXPORT flinch ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 
-# Headers keep their folder: `#include "runtime/response/response.h"`.
-foreach(library IN LISTS runtime_libraries)
-  get_target_property(folder ${library} SOURCE_DIR)
-  file(GLOB headers CONFIGURE_DEPENDS ${folder}/*.h)
-  file(RELATIVE_PATH name ${PROJECT_SOURCE_DIR} ${folder})
-  install(FILES ${headers} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/flinch/${name})
+# The public headers alone. They keep their folder, as in `#include "runtime/character.h"`, but for
+# that of the C interface.
+foreach(header IN LISTS FLINCH_PUBLIC_HEADERS)
+  if(header IN_LIST FLINCH_REACTION_HEADERS AND NOT TARGET flinch_reaction)
+    continue()
+  endif()
+  cmake_path(GET header PARENT_PATH folder)
+  set(destination ${CMAKE_INSTALL_INCLUDEDIR}/flinch/${folder})
+  if(header STREQUAL "runtime/c/flinch.h")
+    set(destination ${CMAKE_INSTALL_INCLUDEDIR})
+  endif()
+  install(FILES ${PROJECT_SOURCE_DIR}/${header} DESTINATION ${destination})
 endforeach()
 
 set(package_directory ${CMAKE_INSTALL_LIBDIR}/cmake/flinch)
@@ -31,7 +38,6 @@ install(EXPORT flinch NAMESPACE flinch:: FILE flinchTargets.cmake DESTINATION ${
 # finds its prefix from where it is.
 install(TARGETS flinch_shared flinch_static EXPORT flinch_c
   LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
-install(FILES ${PROJECT_SOURCE_DIR}/runtime/flinch.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(EXPORT flinch_c NAMESPACE flinch:: FILE flinchCTargets.cmake
   DESTINATION ${package_directory})
 file(RELATIVE_PATH to_prefix /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
@@ -48,12 +54,6 @@ if(TARGET flinch_reaction)
   install(EXPORT flinch_reaction NAMESPACE flinch:: FILE flinchReactionTargets.cmake
     DESTINATION ${package_directory})
   install(FILES ${CMAKE_CURRENT_LIST_DIR}/FindODE.cmake DESTINATION ${package_directory})
-  foreach(header reaction/reacting_character reaction/reaction reaction/reaction_clips
-          reaction/recovery sim/rehearsal/rehearsal sim/rehearsal/simulator sim/simulation_options)
-    get_filename_component(folder ${header} DIRECTORY)
-    install(FILES ${PROJECT_SOURCE_DIR}/${header}.h
-      DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/flinch/${folder})
-  endforeach()
 endif()
 
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})

@@ -52,7 +52,8 @@ float head_height(const runtime::Library& library, const motion::Pose& pose) {
 
 void print_what_it_does(const runtime::Library& library, const runtime::Character& character,
                         float time_s) {
-  const motion::Clip& clip = library.prepared().clip(character.clip());
+  const motion::Clip& clip =
+      library.clip_library().clips[static_cast<std::size_t>(character.clip())];
   std::printf("%5.2f s  %-10s  %-36s  head at %.2f m", static_cast<double>(time_s),
               name_of(character.phase()), clip.name.c_str(),
               static_cast<double>(head_height(library, character.pose())));

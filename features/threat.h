@@ -7,43 +7,42 @@
 
 namespace flinch::features {
 
-/// Acceleration of free fall, m/s^2, downwards.
+/// Acceleration of gravity, m/s^2, downwards.
 inline constexpr float kGravity = 9.81F;
 
-/// Something that approaches, at the moment of perception. World frame.
+/// Something that approaches in free fall, at the moment of perception. World frame, Z up.
 struct Threat {
   Eigen::Vector3f position = Eigen::Vector3f::Zero();  ///< of its centre, m
   Eigen::Vector3f velocity = Eigen::Vector3f::Zero();  ///< m/s
   float radius = 0.105F;                               ///< m; a volleyball's by default
-  float mass_kg = 0.27F;
+  float mass_kg = 0.27F;                               ///< a volleyball's by default
 };
 
-/// Where a falling threat is `time_s` after perception: p + v t - g t^2 / 2.
+/// The position of a falling threat `time_s` after perception: p + v t - g t^2 / 2.
 Eigen::Vector3f position_at(const Threat& threat, float time_s);
 
 /// Its velocity then: v - g t.
 Eigen::Vector3f velocity_at(const Threat& threat, float time_s);
 
-/// The threat as it is `time_s` later.
+/// The threat `time_s` later: its position and velocity then.
 Threat advanced(const Threat& threat, float time_s);
 
-/// An impact as people describe it. Angles in radians.
+/// An impact as people describe it.
 struct ThreatDescription {
-  /// Where the threat comes from, counter-clockwise from the character's facing: 0 is the front,
-  /// pi/2 the character's left.
+  /// Where the threat comes from, radians counter-clockwise from the character's facing: 0 is the
+  /// front, pi/2 the character's left.
   float azimuth = 0;
-  /// How far above the horizontal it comes from, at the impact.
-  float elevation = 0;
-  float speed_mps = 20;  ///< at the impact
-  float time_to_impact_s = 0.5F;
-  float radius = 0.105F;  ///< m
+  float elevation = 0;            ///< how far above the horizontal it comes from at impact, radians
+  float speed_mps = 20;           ///< at impact
+  float time_to_impact_s = 0.5F;  ///< from perception
+  float radius = 0.105F;          ///< m
   float mass_kg = 0.27F;
 };
 
-/// The threat whose centre comes to `impact_point` after `approach.time_to_impact_s` with the
-/// approach's speed and direction, run backwards to perception under gravity (Hermens 2006, section
-/// 3.1, keeps the values at the collision the same way). `facing` is the character's at perception
-/// (CharacterState::facing), radians.
+/// The threat whose centre reaches `impact_point` (world, m) after `approach.time_to_impact_s` with
+/// the speed and direction described, run backwards to perception under gravity (Hermens 2006,
+/// section 3.1, keeps the values at the collision the same way). `facing` is that of the character
+/// at perception (CharacterState::facing), radians.
 Threat threat_from_description(const ThreatDescription& approach,
                                const Eigen::Vector3f& impact_point, float facing);
 

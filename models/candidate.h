@@ -6,8 +6,8 @@
 
 namespace flinch::models {
 
-/// One clip that a selector considered, with what its model predicts for it. A model ranks either
-/// by votes or by expected costs; its candidates() says which.
+/// One clip that a selector considered, with what its model predicts for it. A model ranks
+/// either by votes or by expected costs.
 struct Candidate {
   int clip = 0;    ///< index in the library
   float vote = 0;  ///< share of the votes cast, in [0, 1]; 0 for a model without votes

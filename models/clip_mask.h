@@ -11,7 +11,7 @@ using ClipMask = std::pmr::vector<bool>;
 
 /// Memory resource for a selection's result and scratch space. The amount allocated depends only on
 /// the model and on the allowed clips, never on the threat, so a caller that may not allocate can
-/// measure it beforehand (see runtime/workspace.h).
+/// measure it beforehand (see runtime/selection.h).
 using MemoryResource = std::pmr::memory_resource*;
 
 }  // namespace flinch::models

@@ -6,8 +6,8 @@
 
 namespace flinch::motion {
 
-/// The rigid parts of the figure. Each is driven by the joint of one role; the clavicles belong to
-/// the chest, the toes to the foot.
+/// The rigid bodies of the figure. The joint of one role moves each; clavicles belong to the chest,
+/// toes to the foot.
 enum class Body : std::uint8_t {
   pelvis,
   abdomen,
@@ -28,15 +28,17 @@ enum class Body : std::uint8_t {
   right_foot,
 };
 
+/// The number of bodies.
 inline constexpr int kBodyCount = 17;
 
+/// All bodies, parents first, for range-based loops.
 inline constexpr std::array<Body, kBodyCount> kBodies = [] {
   std::array<Body, kBodyCount> bodies{};
   for (int i = 0; i < kBodyCount; ++i) bodies[static_cast<std::size_t>(i)] = static_cast<Body>(i);
   return bodies;
 }();
 
-/// One value a body.
+/// One value per body.
 template <class T>
 class PerBody {
  public:
@@ -51,58 +53,62 @@ class PerBody {
   std::array<T, kBodyCount> values_{};
 };
 
-/// The role whose joint drives the body, at its near end.
+/// The role whose joint moves the body, at its near end.
 Role role_of(Body body);
-/// The body that carries a role's joint frame.
+/// The body that the frame of a role's joint is fixed to.
 Body body_of(Role role);
-/// The body that `body` is jointed to; nothing for the pelvis.
+/// The parent that a joint connects `body` to; none for the pelvis.
 std::optional<Body> parent_of(Body body);
+/// The name in files and messages, such as "left_upper_arm".
 std::string_view name_of(Body body);
-/// The target that a hit on the body belongs to: head and neck; chest, abdomen and arms to the
-/// trunk; pelvis; thighs, shins and feet to the legs.
+/// The target that a hit on the body counts for: head for head and neck; trunk for chest, abdomen
+/// and arms; pelvis; legs for thighs, shins and feet.
 Target target_of(Body body);
 
-/// Which of de Leva's tables a character's masses come from.
+/// Which of de Leva's tables gives a character's masses.
 enum class Sex : std::uint8_t { female, male };
+/// The name in files and messages: "female" or "male".
 std::string_view name_of(Sex sex);
+/// The sex with this name, if there is one.
 std::optional<Sex> sex_named(std::string_view name);
 
-/// Who moves: a skeleton and what it weighs.
+/// A character's skeleton and mass.
 struct Physique {
   Skeleton skeleton;
   float mass_kg = 70;
   Sex sex = Sex::male;
 };
 
-/// A body's outline for contact, in the frame of its joint.
+/// The outline of a body for contacts, in the frame of its joint.
 struct Shape {
   enum class Kind : std::uint8_t { capsule, box };
   Kind kind = Kind::capsule;
   Eigen::Vector3f centre = Eigen::Vector3f::Zero();                 ///< m
   Eigen::Quaternionf orientation = Eigen::Quaternionf::Identity();  ///< Z is a capsule's axis
   float radius = 0;                                                 ///< of a capsule, m
-  float half_length = 0;  ///< of a capsule, axis without its caps, m
+  float half_length = 0;  ///< of a capsule's axis, without the caps, m
   Eigen::Vector3f half_extents = Eigen::Vector3f::Zero();  ///< of a box, m
 };
 
-/// What a body weighs and where it is, in the frame of its joint.
+/// Mass and outline of a body, in the frame of its joint.
 struct BodyProperties {
   float mass_kg = 0;
   Eigen::Vector3f centre_of_mass = Eigen::Vector3f::Zero();  ///< m
   Shape shape;
 };
 
+/// The masses and outlines of a whole figure.
 using BodyModel = PerBody<BodyProperties>;
 
-/// Masses and centres from de Leva (1996; see de_leva.h), scaled to the character; outlines from
-/// its bone lengths and mass. The masses add up to the character's.
+/// Makes the figure of a character: masses and centres of mass from de Leva (1996), scaled to the
+/// character; outlines from its bone lengths and mass. The masses add up to the character's.
 ///
 /// Joints stand for de Leva's landmarks: chest for the xiphion, abdomen for the navel, neck for
-/// both suprasternale and cervicale. Limbs and neck are capsules that end at the joints, as thick
-/// as their mass needs; pelvis, abdomen, chest, hands and feet are boxes, the head an upright
-/// capsule from chin to crown. In the rest pose adjacent parts about touch, others are clear of
-/// each other, and the feet's boxes lie on the ground. A bone without length gets a part of a few
-/// millimetres.
+/// both suprasternale and cervicale. Limbs and neck are capsules that end at the joints and are as
+/// thick as their mass needs; pelvis, abdomen, chest, hands and feet are boxes; the head is an
+/// upright capsule from chin to crown. In the rest pose neighbours almost touch, other bodies are
+/// clear of each other, and the boxes of the feet lie on the ground. A bone without length gets a
+/// body of a few millimetres.
 BodyModel make_body_model(const Physique& character);
 
 /// The centre of mass of one body, world, m.
@@ -111,8 +117,8 @@ Eigen::Vector3f centre_of_mass(const BodyModel& model, const JointFrames& frames
 /// The centre of mass of the whole figure, world, m.
 Eigen::Vector3f centre_of_mass(const BodyModel& model, const JointFrames& frames);
 
-/// The middle of a target part, world, m: the mass-weighted mean of the centres of its core bodies
-/// (head; chest and abdomen; pelvis; both thighs and shins).
+/// The centre of a target, world, m: the mass-weighted mean of the centres of mass of its core
+/// bodies (head; chest and abdomen; pelvis; both thighs and shins).
 Eigen::Vector3f target_centre(const BodyModel& model, const JointFrames& frames, Target target);
 
 }  // namespace flinch::motion

@@ -12,20 +12,24 @@
 
 namespace flinch::motion {
 
-/// The part of the body that a threat aims at and a clip protects, from the top down: neighbours
+/// The part of the body that a threat will hit and a clip protects, from the top down: neighbours
 /// on the body are neighbours here.
 enum class Target : std::uint8_t { head, trunk, pelvis, legs };
+/// The number of targets.
 inline constexpr int kTargetCount = 4;
-/// "head", "trunk", "pelvis" or "legs".
+/// The name in files and messages: "head", "trunk", "pelvis" or "legs".
 std::string_view name_of(Target target);
+/// The target with this name, if there is one.
 std::optional<Target> target_named(std::string_view name);
 
-/// How far a clip goes.
+/// How large the movement of a clip is.
 enum class Degree : std::uint8_t { mild, exaggerated };
+/// The name in files and messages: "mild" or "exaggerated".
 std::string_view name_of(Degree degree);
+/// The degree with this name, if there is one.
 std::optional<Degree> degree_named(std::string_view name);
 
-/// What a clip protects against and when. Times are seconds from the clip's first pose and obey
+/// What a clip protects against, and when. Times are seconds from the clip's first pose, with
 /// 0 <= onset < peak <= end <= duration.
 struct Annotation {
   Target target = Target::head;
@@ -35,18 +39,19 @@ struct Annotation {
   Degree degree = Degree::mild;
   float onset_s = 0;  ///< when the protective movement begins
   float peak_s = 0;   ///< when it protects most
-  float end_s = 0;    ///< when it is over
+  float end_s = 0;    ///< when the movement has ended
 };
 
-/// What a clip is to its library.
+/// The role of a clip in its library.
 enum class Purpose : std::uint8_t {
-  anticipation,  ///< may answer a threat if annotated
-  idle,          ///< standing, from which responses start
-  push,          ///< recovery from a push; kept for reactions
+  anticipation,  ///< answers threats, if it is annotated
+  idle,          ///< standing; responses start from it
+  push,          ///< recovery from a push; continues a motion after a hit
 };
+/// The name in files and messages: "anticipation", "idle" or "push".
 std::string_view name_of(Purpose purpose);
 
-/// Poses at a fixed rate. Pose k is at k / rate_hz seconds.
+/// Poses at a fixed rate. Pose k is that at time k / rate_hz, s.
 struct Motion {
   float rate_hz = 60;
   std::vector<Pose> poses;  ///< at least one
@@ -54,26 +59,27 @@ struct Motion {
   float duration_s() const { return static_cast<float>(poses.size() - 1) / rate_hz; }
 };
 
-/// The pose at `time_s`, interpolated between the two nearest; clamped to the first and last.
-/// Where `roles` are not all, the rotations of others are not set.
+/// The pose at `time_s`, interpolated between the two nearest; before the first and after the last,
+/// those. Sets the rotations of `roles` only.
 Pose sample(const Motion& motion, float time_s, std::span<const Role> roles = kRoles);
 
-/// The pose at `time_s` of a motion that goes back and forth for ever: it turns round at either
-/// end, so it never jumps. `roles` as in sample().
+/// The pose at `time_s` of a motion that plays forwards and backwards in turn without end, so that
+/// it never jumps. `roles` as in sample().
 Pose sample_ping_pong(const Motion& motion, float time_s, std::span<const Role> roles = kRoles);
 
-/// The stored pose at or before the time: sample() and sample_ping_pong() take the signs of its
-/// rotations, of the two that quaternions have.
+/// The stored pose at or before the time. The rotations of sample() have the signs of this pose's
+/// (q and -q are the same rotation).
 const Pose& pose_before(const Motion& motion, float time_s);
+/// The same for sample_ping_pong().
 const Pose& pose_before_ping_pong(const Motion& motion, float time_s);
 
-/// A recorded or authored motion with what is known about it.
+/// A recorded or authored motion with its description.
 struct Clip {
-  std::string name;
+  std::string name;  ///< unique in its library
   Purpose purpose = Purpose::anticipation;
   std::string kind;                      ///< "block", "duck", …, free text
-  std::string source;                    ///< file that it came from, or how it was authored
-  std::optional<Annotation> annotation;  ///< none: unannotated, never in the mask
+  std::string source;                    ///< the file it came from, or how it was authored
+  std::optional<Annotation> annotation;  ///< none: it answers no threat
   std::string mirrored_from;             ///< name of the clip that this one mirrors; empty if none
   Motion motion;
 };

@@ -7,7 +7,8 @@
 
 namespace flinch::motion {
 
-/// Ease-in ease-out: 3s^2 - 2s^3 of s clamped to [0, 1], so 0 to 1 with no velocity at either end.
+/// Ease-in ease-out: 3s^2 - 2s^3 of s clamped to [0, 1]. Goes from 0 to 1 with zero velocity at
+/// both ends.
 float ease_in_ease_out(float s);
 
 /// Minimum-jerk profile of a human point-to-point movement, 10s^3 - 15s^4 + 6s^5 with s clamped to
@@ -29,6 +30,7 @@ Pose blend(const Pose& from, const Pose& to, float weight, std::span<const Role>
 using Signs = PerRole<float>;
 /// Returns the signs that put the rotations of `to` on the shorter arcs from those of `from`.
 Signs shorter_arcs(const Pose& from, const Pose& to);
+/// The product of the signs of each joint.
 Signs operator*(const Signs& a, const Signs& b);
 
 /// Like blend(), along the arcs that the signs of `to` select. Where such an arc is nearly a whole

@@ -8,8 +8,8 @@
 
 namespace flinch::motion {
 
-/// The joints that code asks for, parents first. A role names the joint at the near end of its
-/// segment: `left_forearm` is the left elbow. Foreign skeletons are mapped to roles at import.
+/// The joints of a character, parents first. A role names the joint at the near end of its segment:
+/// `left_forearm` is the left elbow. Import maps other skeletons to these roles.
 enum class Role : std::uint8_t {
   pelvis,
   abdomen,
@@ -34,16 +34,17 @@ enum class Role : std::uint8_t {
   right_toes,
 };
 
+/// The number of roles.
 inline constexpr int kRoleCount = 21;
 
-/// All roles, parents first, for range loops.
+/// All roles, parents first, for range-based loops.
 inline constexpr std::array<Role, kRoleCount> kRoles = [] {
   std::array<Role, kRoleCount> roles{};
   for (int i = 0; i < kRoleCount; ++i) roles[static_cast<std::size_t>(i)] = static_cast<Role>(i);
   return roles;
 }();
 
-/// One value a role.
+/// One value per role.
 template <class T>
 class PerRole {
  public:
@@ -58,7 +59,7 @@ class PerRole {
   std::array<T, kRoleCount> values_{};
 };
 
-/// What each role hangs from, in their order; the pelvis names itself.
+/// The parent of each role, by role; that of the pelvis is the pelvis.
 inline constexpr std::array<Role, kRoleCount> kParents{
     Role::pelvis,        Role::pelvis, Role::abdomen,        Role::chest,
     Role::neck,          Role::chest,  Role::left_clavicle,  Role::left_upper_arm,
@@ -67,19 +68,19 @@ inline constexpr std::array<Role, kRoleCount> kParents{
     Role::left_foot,     Role::pelvis, Role::right_thigh,    Role::right_shin,
     Role::right_foot};
 
-/// The role that `role` hangs from; nothing for the pelvis, which is the root.
+/// The parent of `role`; none for the pelvis, which is the root.
 constexpr std::optional<Role> parent_of(Role role) {
   if (role == Role::pelvis) return std::nullopt;
   return kParents[static_cast<std::size_t>(role)];
 }
 
-/// The same role on the other side; roles in the middle are their own.
+/// The same role on the other side of the body; roles in the middle return themselves.
 Role mirrored(Role role);
 
-/// The role's name as files, options and messages write it, such as "left_upper_arm".
+/// The role's name in files, options and messages, such as "left_upper_arm".
 std::string_view name_of(Role role);
 
-/// The role with that name, if there is one.
+/// The role with this name, if there is one.
 std::optional<Role> role_named(std::string_view name);
 
 }  // namespace flinch::motion

@@ -11,64 +11,69 @@
 
 namespace flinch::reaction {
 
-/// What a library's characters react with: their physical figure, and their clips of purpose `push`
-/// to go on with after a blow. Made once after loading, shared on any threads, never changes.
+/// What the characters of a library share for their reactions. Make it once after loading; any
+/// threads may use it, since it never changes.
 struct ReactionData {
-  std::shared_ptr<const sim::FigureModel> figure;
-  ReactionClips clips;
+  std::shared_ptr<const sim::FigureModel> figure;  ///< the physical figure
+  ReactionClips clips;  ///< the clips of purpose `push`, which continue a motion after a hit
 };
 
-/// Of a loaded library, which is not needed afterwards. Nothing if memory ran out or nothing is
-/// loaded.
+/// The data of a loaded library, which is not needed afterwards. Null if nothing is loaded or
+/// memory ran out. Allocates; throws nothing.
 std::shared_ptr<const ReactionData> make_reaction_data(const runtime::Library& library) noexcept;
 
-/// The ball that a threat is, as it flies when `threat` holds: features::advanced tells of later.
+/// The ball that a threat is, with its current position and velocity; features::advanced() gives
+/// the threat at a later time.
 sim::Ball ball_of(const features::Threat& threat) noexcept;
 
-/// Who moves a character's body.
+/// What moves a character's body.
 enum class PoseSource : std::uint8_t {
-  character,      ///< runtime::Character: it idles, or answers a threat
-  physics,        ///< Reaction: from react_to() on
-  reaction_clip,  ///< the clip that physics gave it back to, until it is over
+  character,      ///< runtime::Character: it idles or answers a threat
+  physics,        ///< Reaction, from react_to() on
+  reaction_clip,  ///< the clip that follows physics, until it ends
 };
+/// The source as one or two words, for people; never null.
 const char* name_of(PoseSource pose_source) noexcept;
 
-/// A character that can be hit: runtime::Character until a ball is about to touch it, physics then,
-/// and after the double blend runtime::Character again, which has gone on meanwhile; or, where
-/// the kit has a clip near enough to how physics moves it, that clip, and then idle.
-/// docs/reaction.md tells how and why.
+/// A character that can be hit. runtime::Character moves it until a ball is about to touch it, then
+/// physics. After the hit it blends back to runtime::Character, which has gone on meanwhile, or,
+/// where the data has a clip close to how physics moves the body, to that clip and then to idle.
+/// docs/reaction.md explains it.
 ///
-/// One object must not be called by two threads at a time. Nothing throws; after react_to, nothing
-/// of ours allocates.
+/// One thread at a time may use an object. Nothing throws. After react_to() Flinch allocates
+/// nothing; the physics engine may.
 class ReactingCharacter {
  public:
-  /// The library must be loaded and outlive this.
+  /// `library` must be loaded and outlive this. `data` of make_reaction_data().
   ReactingCharacter(const runtime::Library& library, std::shared_ptr<const ReactionData> data,
                     const ReactionOptions& options = {}) noexcept;
 
-  /// What anticipates: threats are perceived and places set here, and time passes in update().
+  /// The character that anticipates: perceive threats and place it here, but advance time with
+  /// update() below.
   runtime::Character& character() noexcept { return character_; }
   const runtime::Character& character() const noexcept { return character_; }
 
-  /// A ball is about to hit: physics takes the body over, with the pose and the velocities that
-  /// are shown. At the contact, or up to 0.3 s before it, which lets a ball hit early; then update
-  /// moves the ball too. Also while physics or a clip moves the body. Failure changes nothing.
+  /// Hands the body to physics, with the pose and velocities that are shown, because `ball` is
+  /// about to hit. Call it at the contact or up to 0.3 s before, so that the ball may hit early;
+  /// from then on update() moves the ball too. May be called again while physics or a clip moves
+  /// the body. Failure changes nothing.
   ReactionStatus react_to(const sim::Ball& ball) noexcept;
 
-  /// Lets `dt_s` pass: above 0, and at most kMaxReactionFrame_s while physics moves the body.
-  /// Failure changes nothing, but for `failed`: then the character goes on without physics.
+  /// Advances by `dt_s`: above 0, and at most kMaxReactionFrame_s while physics moves the body.
+  /// Failure changes nothing, except for `failed`: the character then goes on without physics.
   ReactionStatus update(float dt_s) noexcept;
 
-  /// The character has its body, where it is, at once: to be called when the game has placed it or
-  /// has moved it itself, as one that was knocked over and helped up.
+  /// Ends physics or its clip at once: runtime::Character moves the body from where it is. Call it
+  /// when the game has placed or moved the body itself, for example to help it up after a fall.
   void stop() noexcept;
 
-  /// The pose now, world.
+  /// The current pose, world.
   const motion::Pose& pose() const noexcept { return pose_; }
+  /// What moves the body now.
   PoseSource pose_source() const noexcept { return pose_source_; }
-  /// The last reaction: its phase, ball, contact and impulse.
+  /// The last reaction, with its phase, ball, contact and impulse.
   const Reaction& reaction() const noexcept { return reaction_; }
-  /// Index in the library of the clip that the body was given back to, until that is over.
+  /// Index in the library of the clip that moves the body; none while something else does.
   std::optional<int> reaction_clip() const noexcept;
 
  private:

@@ -4,88 +4,97 @@
 #include <cstdint>
 #include <memory>
 
+#include "motion/body.h"
 #include "reaction/recovery.h"
-#include "sim/rehearsal/simulator.h"
+#include "sim/simulation_options.h"
 
 namespace flinch::sim {
-struct FigureModel;
+struct FigureModel;  // opaque
 }
 
 namespace flinch::reaction {
 
-/// The physical figure of a character, made once at loading and shared by all who look like it, on
-/// any threads. Never changes. Nothing if memory ran out.
+/// The physical figure of a character: 17 bodies with masses, outlines and joint limits. Make it
+/// once at loading; all characters of the same physique may share it on any threads, since it never
+/// changes. Null if memory ran out. Allocates; throws nothing.
 std::shared_ptr<const sim::FigureModel> make_figure_model(
     const motion::Physique& character) noexcept;
 
 /// The longest frame of a reaction, s.
 inline constexpr double kMaxReactionFrame_s = 0.1;
 
-/// How a character takes a blow.
+/// How a character takes a hit.
 struct ReactionOptions {
-  RecoverySchedule schedule;    ///< simulation_only_s from 0.05 to 0.5
-  double stiffness = 1.0 / 16;  ///< share of the trainer's figure's, in (0, 1]
+  RecoverySchedule schedule;  ///< its simulation_only_s from 0.05 to 0.5
+  /// Stiffness of the joints as a fraction of that in training, in (0, 1]. Low values let the hit
+  /// show.
+  double stiffness = 1.0 / 16;
 };
 
+/// The result of a call to a reaction.
 enum class ReactionStatus : std::uint8_t {
   ok,
-  not_begun,    ///< advance before begin
-  bad_options,  ///< out of their ranges, or no figure
-  bad_time,     ///< dt not in (0, 0.1] s
-  bad_pose,     ///< not finite, or rotations not unit (to 1e-3)
-  bad_ball,     ///< not finite, or mass, radius or speed beyond what can be simulated
-  failed,       ///< the physics engine failed: the motion returned to is shown from now on
+  not_begun,    ///< advance() before begin()
+  bad_options,  ///< ReactionOptions out of range, or no figure
+  bad_time,     ///< a time step that is not in (0, kMaxReactionFrame_s]
+  bad_pose,     ///< a number that is not finite, or a rotation that is not unit (to 1e-3)
+  bad_ball,     ///< a number that is not finite, or a mass, radius or speed out of range
+  failed,       ///< the physics engine failed; from now on pose() is the motion to return to
 };
-/// What it means, for people; never null.
+/// The status in words; never null.
 const char* message_of(ReactionStatus status) noexcept;
 
+/// The stage of a reaction.
 enum class ReactionPhase : std::uint8_t {
   none,          ///< not begun
-  waiting,       ///< simulated; the ball has not hit yet
-  struck,        ///< hit; the simulation has the figure alone
-  recovering,    ///< part one: over from the simulation to the motion
-  returning,     ///< part two: the motion over to what it returns to; nothing is simulated
-  over,          ///< the motion returned to is all that is shown
-  knocked_over,  ///< out of balance beyond a step: it falls, until the caller does something else
+  waiting,       ///< physics moves the figure; the ball has not hit yet
+  struck,        ///< the ball has hit; physics alone moves the figure
+  recovering,    ///< blends from physics to the protective motion
+  returning,     ///< blends from the protective motion to the motion to return to; no physics
+  over,          ///< pose() is the motion to return to
+  knocked_over,  ///< out of balance beyond what a step can save: falls until the game intervenes
 };
 
-/// One character's reaction to a ball: the trainer's figure, contacts and laws (see OdeEncounter),
-/// tracking the motion that the kinematic response plays with weakened springs, so that the blow
-/// shows, and the double blend back. docs/reaction.md says more.
+/// A character's physical reaction to a ball. The figure, contacts and equations are those of
+/// training; weaker joint springs track the kinematic response, so that the hit shows. A double
+/// blend then returns to animation (see RecoverySchedule). docs/reaction.md explains it.
 ///
-/// Holds its own world. Equal calls give equal bits, whatever else is simulated and on whatever
-/// threads; one object must not be called by two threads at a time. Nothing throws. After begin,
-/// nothing of ours allocates; the physics engine may.
+/// World frame: Z up, the ground at z = 0. Each object owns its physical world: equal calls give
+/// equal bits, whatever else is simulated on whatever threads. One thread at a time may call an
+/// object. Nothing throws. After begin() Flinch allocates nothing; the physics engine may.
 class Reaction {
  public:
+  /// `figure` of make_figure_model(). With bad options or no figure every call returns bad_options.
   explicit Reaction(std::shared_ptr<const sim::FigureModel> figure,
                     const ReactionOptions& options = {}) noexcept;
   ~Reaction();
   Reaction(Reaction&&) noexcept;
   Reaction& operator=(Reaction&&) noexcept;
 
-  /// Takes the character over at its pose `now`, to which it came from `before` in `dt_s`, at the
-  /// first contact or, better, up to 0.3 s before it: where the ball has not hit by then, it is
-  /// given back as after a contact. May be called at any time, also during a reaction. Bad input
-  /// leaves things as they were.
+  /// Hands the character to physics in pose `now`, with the velocities that follow from pose
+  /// `before`, `dt_s` earlier; poses in the world. Call it at the first contact or, better, up to
+  /// 0.3 s before: a ball that has not hit by then counts as having hit, and the character
+  /// recovers. `ball` may be null: then nothing hits. May be called at any time, also during a
+  /// reaction. Bad input changes nothing.
   ReactionStatus begin(const motion::Pose& before, const motion::Pose& now, double dt_s,
                        const sim::Ball* ball) noexcept;
 
-  /// Goes on by `dt_s` (above 0, at most kMaxReactionFrame_s, uneven as it may be). `wanted` is
-  /// where the motion that the character protects itself with is by then, `returning` where the one
-  /// is that it returns to; they may be the same. Bad input leaves things as they were.
+  /// Advances by `dt_s`, in (0, kMaxReactionFrame_s], which may differ from frame to frame.
+  /// `wanted` is the pose of the protective motion at the new time, `returning` that of the motion
+  /// to return to; they may be the same. Bad input changes nothing.
   ReactionStatus advance(double dt_s, const motion::Pose& wanted,
                          const motion::Pose& returning) noexcept;
 
-  /// What to show. No bone is stretched; clavicles and toes are those of the motion.
+  /// The pose to show, world. Bones keep their lengths; clavicles and toes follow the motion.
   const motion::Pose& pose() const noexcept;
+  /// The stage that the reaction is in.
   ReactionPhase phase() const noexcept;
-  /// Where the ball is by now and how it moves; as it was given to begin where there is none. It
-  /// flies and bounces on until the phase is over.
+  /// The ball now. It flies and bounces until the phase is over. Without one, the default ball.
   sim::Ball ball() const noexcept;
-  /// When the ball first touched the figure, s from begin; infinite if it has not.
+  /// When the ball first touched the figure, s after begin(); infinite if it has not.
   double contact_s() const noexcept;
-  /// Impulse that each body took, N·s; see SimulationResult.
+  /// Impulse on each body so far, N·s: from the ball, and from other bodies that the ball drove
+  /// into it.
   motion::PerBody<double> impulse() const noexcept;
 
  private:

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <vector>
@@ -10,49 +12,52 @@
 
 namespace flinch::reaction {
 
-/// Where a clip takes a character up, and how the clip is laid there: see motion::placed.
+/// Where in a clip a character continues, and how the clip is laid in the world: by
+/// motion::placed() with `yaw` and `translation`.
 struct ReactionMatch {
   int clip = 0;                                           ///< index in the span that was searched
-  float time_s = 0;                                       ///< into the clip
+  float time_s = 0;                                       ///< time in the clip
   float yaw = 0;                                          ///< radians
-  Eigen::Vector3f translation = Eigen::Vector3f::Zero();  ///< level, m
-  float distance_m = 0;                                   ///< see ReactionClips
+  Eigen::Vector3f translation = Eigen::Vector3f::Zero();  ///< horizontal, m
+  float distance_m = 0;                                   ///< D, see ReactionClips
 };
 
-/// The pose of a matched clip `time_since_match_s` after the match; its last one when it is over.
+/// The pose of a matched clip `time_since_match_s` after the match, world; the clip's last pose
+/// after its end. `clip` is the one that the match names, unplaced.
 motion::Pose pose_of(const motion::Clip& clip, const ReactionMatch& match,
                      float time_since_match_s) noexcept;
 
-/// Finds the clip that goes on from a simulated pose, as Zordan et al. 2005 do: the frame whose
-/// bodies are nearest, each weighted by its mass, and move most alike. In the frame of the facing,
-/// with its origin on the ground below the pelvis, and with the mass m_b, the position x_b and the
-/// velocity v_b of each body's centre,
+/// Finds the clip that best continues a simulated motion, as Zordan et al. 2005 do: the frame whose
+/// bodies are nearest, each weighted by its mass, and move most alike. Poses are compared in the
+/// frame of the facing, with its origin on the ground below the pelvis. With the mass m_b, position
+/// x_b and velocity v_b of each body's centre of mass, and the total mass M,
 ///
 ///     D^2 = sum over b of m_b / M (|x_b - x'_b|^2 + T^2 |v_b - v'_b|^2),   T = 0.1 s.
 ///
 /// Velocities stand for the paper's window of frames.
 class ReactionClips {
  public:
-  /// Looks at 30 frames a second of the clips of `purpose`, but for the last 0.3 s of each, which
-  /// would be over at once. Allocates, throws std::bad_alloc; the clips need not be kept.
+  /// Prepares 30 frames per second of those `clips` that have this purpose, except for the last
+  /// 0.3 s of each, after which the clip would end at once. The clips are not needed afterwards.
+  /// Allocates; throws std::bad_alloc.
   ReactionClips(const motion::Physique& character, std::span<const motion::Clip> clips,
                 motion::Purpose purpose = motion::Purpose::push);
 
-  /// The nearest frame to the character at `now`, `dt_s` after `before`; none if D exceeds
-  /// `max_distance_m` everywhere (then return to idle), if there are no clips, or for poses that
-  /// are not sound and times that are not finite and above 0. Ties go to the earlier frame. Costs
-  /// about 10 ns a frame; allocates nothing.
+  /// The frame nearest to a character in pose `now` that was in pose `before` `dt_s` earlier,
+  /// world. None if D exceeds `max_distance_m` everywhere, if there are no clips, if a pose is not
+  /// sound (motion::is_sound) or if `dt_s` is not positive and finite. Of equal frames, the first.
+  /// Costs about 10 ns per frame; allocates nothing.
   std::optional<ReactionMatch> find(const motion::Pose& before, const motion::Pose& now, float dt_s,
                                     float max_distance_m = kMaxMatchDistance_m) const noexcept;
 
-  /// Within which a clip is near enough, m. Blended over half a second, a body that is 0.15 m off
-  /// moves by 0.3 m/s more than it would: less than what bodies differ by in one's own motion.
+  /// The largest distance of a good match, m. In a blend over half a second, a body that is 0.15 m
+  /// off moves 0.3 m/s faster than it would: less than bodies differ in one person's own motion.
   static constexpr float kMaxMatchDistance_m = 0.15F;
 
-  std::size_t size() const { return frames_.size(); }  ///< frames that are looked at
+  std::size_t size() const { return frames_.size(); }  ///< number of frames that are searched
 
  private:
-  // Weighted position and velocity a column, heaviest bodies first.
+  // A column per body, heaviest first: weighted position and velocity.
   using Features = Eigen::Matrix<float, 6, motion::kBodyCount>;
   struct Frame {
     Features features;

@@ -8,6 +8,8 @@
 #include "features/impact_prediction.h"
 #include "motion/interpolation.h"
 #include "runtime/pose_check.h"
+#include "runtime/response/prepared_library.h"
+#include "runtime/selection.h"
 
 namespace flinch::runtime {
 namespace {
@@ -162,7 +164,7 @@ Status Character::answer(const features::Scenario& scenario, float delay_s,
   const features::FeatureVector x = features::feature_vector(library_->selector().layout, scenario,
                                                              library_->prepared().idling());
   const Selection selection =
-      workspace.select(library_->selector(), x, scenario.target, candidates_);
+      select(workspace, library_->selector(), x, scenario.target, candidates_);
   if (selection.status != SelectStatus::ok) return Status::other_workspace;
   candidate_count_ = selection.count;
   target_ = scenario.target;

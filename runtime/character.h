@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 
@@ -12,106 +16,125 @@
 
 namespace flinch::runtime {
 
-/// What a call did, or why it did nothing. A call that fails changes nothing.
+/// The result of a call to a character. A call that fails changes nothing.
 enum class Status : std::uint8_t {
   ok,
   misses,           ///< the threat will hit nothing: there is nothing to answer
-  unnoticed,        ///< it escaped the character's perception (PerceptionLimits)
-  not_loaded,       ///< the library has no content
-  other_workspace,  ///< made for a selector that takes less memory
+  unnoticed,        ///< the character did not notice the threat (PerceptionLimits::chance_to_fail)
+  not_loaded,       ///< the library is empty
+  other_workspace,  ///< the workspace was reserved for a library that needs less memory
   bad_clip,         ///< no such clip, or one without an annotation
-  bad_threat,       ///< a number that is not finite, or a time that is not positive
-  bad_time,         ///< a step of time that is not positive and finite
-  bad_pose,         ///< a pose with a number that is not finite or a rotation that is not unit
-  bad_placement,    ///< a place or direction that is not finite
+  bad_threat,       ///< a number that is not finite or out of range, or a time out of range
+  bad_time,         ///< a time step that is not positive and finite
+  bad_pose,         ///< a number that is not finite, or a rotation that is not unit (to 1 %)
+  bad_placement,    ///< a position, direction or time that is not finite or beyond 1e6
 };
-/// What it means, for people; never null.
+/// The status in words; never null.
 const char* message_of(Status status) noexcept;
 
 /// What a character is doing.
 enum class Phase : std::uint8_t {
-  idle,        ///< nothing answers anything
-  reacting,    ///< it has perceived, and the delay of its reaction runs
-  waiting,     ///< it knows its answer, and there is time yet
+  idle,        ///< answers no threat
+  reacting,    ///< has perceived a threat; its reaction delay runs
+  waiting,     ///< has chosen a clip; its first movement is still to come
   shifting,    ///< shifts its weight before the clip begins
-  blending,    ///< goes over into the clip
+  blending,    ///< blends from idle into the clip
   protecting,  ///< plays the clip
-  returning,   ///< on the way back to idle
+  returning,   ///< blends back to idle
 };
+/// The phase as one word, such as "blending"; never null.
 const char* name_of(Phase phase) noexcept;
 
-/// Which joints move by Flinch and which as the game has them.
+/// How much of each joint's motion comes from Flinch and how much from the game.
 struct Mask {
-  float weight = 1;  ///< of everything, 0 to 1
-  /// Of each joint, 0 to 1; the pelvis' is that of the whole body's place too.
+  float weight = 1;  ///< scales the weights of all joints, 0 to 1
+  /// Weight of each joint, 0 (the game's motion) to 1 (Flinch's). The pelvis' weight applies to the
+  /// position of the whole body too.
   motion::PerRole<float> joint = whole_body();
 
+  /// A weight of 1 for every joint.
   static motion::PerRole<float> whole_body();
 };
 
-/// One character: perceives threats, answers with clips of its library, and comes back to idle.
+/// A character that perceives threats, answers them with clips of its library and returns to idle.
 ///
-/// A plain value of a fixed size that refers to its library, which must outlive it; copy it to save
-/// its state. Allocates nothing, throws nothing, reads no clock, draws no chance but from the seed
-/// of its limits. The world has Z up and the ground at 0.
+/// Each frame: perceive() what was thrown since the last one, update() by the frame's time, and
+/// draw pose(). World frame: right-handed, Z up, the ground at z = 0. Units: m, s, radians.
+///
+/// A plain value of a fixed size that refers to its library, which must outlive it. A copy is a
+/// saved state. It allocates nothing, throws nothing and reads no clock. Its only random numbers
+/// come from the seed given to limit_perception(), so equal calls give equal bits. One thread at a
+/// time may use it.
 class Character {
  public:
-  /// Stands idling at the world's origin, facing +X.
+  /// Idles at the world's origin and faces +X. `library` may be loaded later; until then every call
+  /// that needs it returns not_loaded.
   explicit Character(const Library& library) noexcept;
 
-  /// Where it stands and which way it faces, radians; `idle_time_s` into its idle clip. Ends any
-  /// response. All of them within features::kMaxExtent.
+  /// Puts the character at `position`, turned by `facing` (counter-clockwise from +X), at
+  /// `idle_time_s` of its idle clip; different times make neighbours differ. Ends any response.
+  /// Returns bad_placement for a number that is not finite or beyond 1e6.
   Status place(const Eigen::Vector2f& position, float facing, float idle_time_s) noexcept;
 
-  /// Tells it that it does not idle but is in a motion of the game's: its pose now and `dt_s` ago
-  /// (at least 1e-4 s), world. The next response starts from there with these velocities. Ends any
-  /// response; call it in each frame before `perceive` for as long as the game moves the character
-  /// itself.
+  /// Reports the pose of a character that the game animates: `now`, and `before`, which it had
+  /// `dt_s` earlier (at least 1e-4 s); both in the world. The next response starts from `now` with
+  /// these velocities. Ends any response. Call it in each frame before perceive() for as long as
+  /// the game animates the character.
   Status set_pose(const motion::Pose& before, const motion::Pose& now, float dt_s) noexcept;
 
-  /// Goes back to idle from what it is doing, feet and all.
+  /// Stops the response and returns to idle smoothly, with steps where the feet need them. While
+  /// the character idles it does nothing.
   Status settle() noexcept;
 
-  /// Limits what it notices. The seed makes characters differ; each threat draws its own number.
+  /// Makes perception imperfect. Each threat draws its own numbers from `seed`; characters with
+  /// different seeds differ. Limits that are not valid (see is_valid()) count as none.
   void limit_perception(const PerceptionLimits& limits, std::uint64_t seed) noexcept;
 
-  /// A threat of which only place and velocity are known. Predicts whether, when and where it will
-  /// hit if the character goes on as it is, and answers. `workspace` is of the same library and
-  /// used by one thread at a time.
+  /// Answers a falling threat of which only position and velocity are known. Predicts whether, when
+  /// and where it will hit if the character goes on as it is; chooses a clip and starts the
+  /// response, or its reaction delay. Returns misses or unnoticed where there is nothing to answer.
+  /// A later threat replaces the response to an earlier one. `workspace` must have memory for this
+  /// library. Costs tens of microseconds.
   Status perceive(const features::Threat& threat, Workspace& workspace) noexcept;
 
-  /// A threat that the game knows to aim at `target` and to be there in `time_to_impact_s`, at most
-  /// features::kMaxHorizon_s.
+  /// Answers a threat that the game knows to hit `target` in `time_to_impact_s` (above 0, at most
+  /// 100 s). Predicts nothing; otherwise as above.
   Status perceive(const features::Threat& threat, motion::Target target, float time_to_impact_s,
                   Workspace& workspace) noexcept;
 
-  /// Answers with this clip, whatever the selector would say: for games that choose themselves
-  /// among `candidates`, and for the trainer's twin.
+  /// Answers with clip number `clip`, for games that choose among candidates() themselves. The
+  /// clip's peak falls on `time_to_impact_s` from now (above 0, at most 100 s).
   Status respond(int clip, float time_to_impact_s) noexcept;
 
-  /// Lets `dt_s` pass.
+  /// Advances the character by `dt_s`, which may differ from frame to frame.
   Status update(float dt_s) noexcept;
 
-  /// The pose now, world.
+  /// The current pose in the world. The rest pose at the origin while nothing is loaded. Costs one
+  /// or two microseconds.
   motion::Pose pose() const noexcept;
-  /// The game's own pose with Flinch's over it where the mask says so.
+  /// The game's pose `game` with Flinch's laid over it by the mask. Weights are clamped to [0, 1];
+  /// a weight that is not finite counts as 0.
   motion::Pose pose_over(const motion::Pose& game, const Mask& mask) const noexcept;
 
+  /// What the character is doing.
   Phase phase() const noexcept;
-  /// Index in the library of the clip that answers; of the idle clip where none does.
+  /// Index in the library of the clip that answers, or of the idle clip.
   int clip() const noexcept;
-  /// What the selector considered for the last threat, best first; at most kMaxCandidates.
+  /// The clips that the selector considered for the last threat, best first; at most
+  /// kMaxCandidates. Valid until the next call to perceive().
   std::span<const models::Candidate> candidates() const noexcept;
-  /// Until the impact that is being answered, s; negative after it; infinity where there is none.
+  /// Time to the impact that is being answered, s; negative after it; infinite without a threat.
   float time_to_impact_s() const noexcept;
+  /// The target of the last threat.
   motion::Target target() const noexcept { return target_; }
-  /// Where it stands, or began its response.
+  /// Where the character stands; during a response, where it stood when the response began.
   const features::CharacterState& state() const noexcept { return state_; }
-  /// The response that is played, and how long it has been; invalid where none is.
+  /// The plan of the response that is playing; is_valid() is false of it without one.
   const Response& response() const noexcept { return response_; }
+  /// Time since the response began, s; without a response, time spent idling.
   float response_time_s() const noexcept { return static_cast<float>(time_s_); }
 
-  static constexpr std::size_t kMaxCandidates = 8;
+  static constexpr std::size_t kMaxCandidates = 8;  ///< candidates kept for each threat
 
  private:
   bool is_responding() const noexcept;
@@ -124,10 +147,10 @@ class Character {
   void finish() noexcept;
 
   const Library* library_;
-  features::CharacterState state_;  ///< as it was at `time_s_` 0
+  features::CharacterState state_;  ///< when `time_s_` was 0
   double time_s_ = 0;               ///< of idling, or of the response while it plays
   Response response_;
-  Inertialization inertialization_;  ///< of the next response, if the game has said so
+  Inertialization inertialization_;  ///< of the next response, after set_pose()
   PerceptionLimits limits_;
   std::uint64_t seed_ = 0;
   std::uint64_t threats_ = 0;  ///< perceived so far
@@ -135,8 +158,8 @@ class Character {
   motion::Target target_ = motion::Target::head;
   std::array<models::Candidate, kMaxCandidates> candidates_{};
   std::size_t candidate_count_ = 0;
-  std::optional<int> delayed_clip_;  ///< the answer that waits for the reaction's delay
-  double delay_s_ = 0;               ///< that is left of it
+  std::optional<int> delayed_clip_;  ///< chosen; starts after the reaction delay
+  double delay_s_ = 0;               ///< what is left of the reaction delay
 };
 
 }  // namespace flinch::runtime

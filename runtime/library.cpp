@@ -5,12 +5,27 @@
 #include <utility>
 #include <vector>
 
+#include "database/library/file_header.h"
+#include "models/selector.h"
+#include "runtime/response/prepared_library.h"
+#include "runtime/selection.h"
 #include "runtime/selector_file.h"
-#include "runtime/workspace.h"
 
 namespace flinch::runtime {
 
 using database::LoadStatus;
+
+struct Library::Contents {
+  database::ClipLibrary clips;
+  models::Selector selector;
+  PreparedLibrary prepared;  // refers to `clips`
+  std::size_t selection_bytes = 0;
+};
+
+Library::Library() noexcept = default;
+Library::~Library() = default;
+Library::Library(Library&&) noexcept = default;
+Library& Library::operator=(Library&&) noexcept = default;
 
 LoadStatus Library::load(std::span<const std::byte> bytes) noexcept try {
   SelectorFile file;
@@ -32,6 +47,22 @@ LoadStatus Library::load(const std::string& path) noexcept {
   std::vector<std::byte> bytes;
   const LoadStatus status = database::read_bytes(path, bytes);
   return status == LoadStatus::ok ? load(bytes) : status;
+}
+
+const database::ClipLibrary& Library::clip_library() const noexcept {
+  return contents_->clips;
+}
+
+const models::Selector& Library::selector() const noexcept {
+  return contents_->selector;
+}
+
+const PreparedLibrary& Library::prepared() const noexcept {
+  return contents_->prepared;
+}
+
+std::size_t Library::selection_bytes() const noexcept {
+  return contents_->selection_bytes;
 }
 
 }  // namespace flinch::runtime

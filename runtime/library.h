@@ -6,40 +6,50 @@
 #include <span>
 #include <string>
 
-#include "database/library/library_file.h"
-#include "models/selector.h"
-#include "runtime/response/prepared_library.h"
+#include "database/library/library.h"
+#include "database/library/load_status.h"
+
+namespace flinch::models {
+struct Selector;
+}
 
 namespace flinch::runtime {
 
-/// What a game loads, once for all characters of one kind: a selector with its clips, from one
-/// file. Immutable after loading: any number of characters and threads share one, and it must
-/// outlive them. What its accessors refer to stays where it is when the library is moved.
+/// A library with what responses need to know of it. Opaque to games.
+struct PreparedLibrary;
+
+/// What a game loads, once for all characters of one kind: a selector with its clips, from one file
+/// that `flinch train` writes. Immutable after loading, so any number of characters and threads may
+/// share one. It must outlive its characters. Moving it moves nothing that its accessors return.
 class Library {
  public:
-  /// Loads a selector file that has its clips in it. All of it is verified before anything is
-  /// used; see read_selector_file(). A selector without clips is refused as `without_clips`. On
-  /// failure the library is left as it was; on success what was loaded before is gone. Allocates.
+  /// Empty: load() fills it.
+  Library() noexcept;
+  ~Library();
+  Library(Library&&) noexcept;
+  Library& operator=(Library&&) noexcept;
+
+  /// Loads a selector file that holds its clips. Verifies the whole file before it uses any of it.
+  /// On failure returns why and leaves the library as it was; on success replaces what was loaded
+  /// before. Allocates; throws nothing.
   database::LoadStatus load(const std::string& path) noexcept;
   /// The same from the file's bytes, which are not needed afterwards.
   database::LoadStatus load(std::span<const std::byte> bytes) noexcept;
 
-  /// Whether anything was loaded; what follows is for loaded libraries only.
-  bool is_loaded() const { return contents_ != nullptr; }
+  /// Whether a file was loaded. The functions below are for loaded libraries only.
+  bool is_loaded() const noexcept { return contents_ != nullptr; }
 
-  const database::ClipLibrary& clip_library() const { return contents_->clips; }
-  const models::Selector& selector() const { return contents_->selector; }
-  const PreparedLibrary& prepared() const { return contents_->prepared; }
-  /// What a Workspace needs for this selector, bytes.
-  std::size_t selection_bytes() const { return contents_->selection_bytes; }
+  /// The character's skeleton and mass, and all clips with their names and annotations.
+  const database::ClipLibrary& clip_library() const noexcept;
+  /// The model that chooses the clips. Opaque to games.
+  const models::Selector& selector() const noexcept;
+  /// What make_response() takes.
+  const PreparedLibrary& prepared() const noexcept;
+  /// The memory that a Workspace needs for this library, bytes.
+  std::size_t selection_bytes() const noexcept;
 
  private:
-  struct Contents {
-    database::ClipLibrary clips;
-    models::Selector selector;
-    PreparedLibrary prepared;  // refers to `clips`
-    std::size_t selection_bytes = 0;
-  };
+  struct Contents;
   std::unique_ptr<const Contents> contents_;
 };
 

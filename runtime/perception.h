@@ -7,30 +7,28 @@
 
 namespace flinch::runtime {
 
-/// How far a character's perception falls short of the truth (Zordan et al. 2007, section 8:
-/// delays, noise and failed attempts against the omnipotent look). All off by default. Each is at
-/// least 0.
+/// How a character's perception falls short of the truth (Zordan et al. 2007, section 8). The
+/// defaults are perfect perception. Each value is finite and at least 0.
 ///
-/// Noise is in what an eye measures: directions err by angles, sizes by fractions. A distance or
-/// speed is off by a factor exp(sigma n) of a normal n, so that it stays positive and half of all
-/// draws are too large; a direction is turned by a normal angle about each of two axes across it.
-/// Who takes a threat to be farther takes it to be faster by as much: people tell the time to
-/// contact from how fast the image grows, whatever the distance (Gray and Regan 1999, "Do monocular
-/// time-to-collision estimates necessarily involve perceived distance?").
+/// Noise acts on what an eye measures. A distance or speed is multiplied by exp(sigma n) with a
+/// normal n, so it stays positive, and half of all draws are too large. A direction is turned by a
+/// normal angle about each of two axes perpendicular to it. Distance and speed share one draw: who
+/// takes a threat to be farther also takes it to be faster by the same factor, because people tell
+/// the time to contact from how fast the image grows, whatever the distance (Gray and Regan 1999,
+/// "Do monocular time-to-collision estimates necessarily involve perceived distance?").
 struct PerceptionLimits {
-  /// Until the character can act on what it has seen, s.
-  float reaction_delay_s = 0;
-  float bearing_noise = 0;   ///< of the direction in which it sees the threat, radians
-  float distance_noise = 0;  ///< of its distance from the eye and its speed together, a fraction
-  float heading_noise = 0;   ///< of the direction of its velocity, radians
-  float speed_noise = 0;     ///< of its speed, and so of the time to contact, a fraction
-  float chance_to_fail = 0;  ///< that it does not notice the threat at all, at most 1
+  float reaction_delay_s = 0;  ///< from seeing a threat to acting on it, s
+  float bearing_noise = 0;     ///< of the direction from the eye to the threat, radians
+  float distance_noise = 0;    ///< of the distance from the eye and the speed together, a fraction
+  float heading_noise = 0;     ///< of the direction of the threat's velocity, radians
+  float speed_noise = 0;       ///< of the speed, and so of the time to contact, a fraction
+  float chance_to_fail = 0;    ///< probability of not noticing a threat at all, at most 1
 };
 
 /// Whether all limits are finite and in their ranges.
 bool is_valid(const PerceptionLimits& limits) noexcept;
 
-/// A person's limits, who chooses among `choices` answers (below 1 counts as 1).
+/// The limits of a person who chooses among `choices` answers (below 1 counts as 1).
 ///
 /// The delay is 0.22 s, the middle of simple visual reactions (0.19 to 0.25 s), and 0.15 s more for
 /// each doubling of the choices (Hick 1952, "On the rate of gain of information"). Heading: 0.2
@@ -44,18 +42,21 @@ bool is_valid(const PerceptionLimits& limits) noexcept;
 /// (0.1 degrees) and distance (5 %) are estimates.
 PerceptionLimits human_limits(int choices = 1) noexcept;
 
-/// What a character makes of a threat.
+/// A threat as a character perceives it.
 struct Perceived {
-  bool noticed = true;      ///< false: there is nothing to answer
-  float delay_s = 0;        ///< until the character can act on it
-  features::Threat threat;  ///< as it takes it to be at perception, before the delay
+  bool noticed = true;      ///< false: the character does not see it
+  float delay_s = 0;        ///< until the character can act, s
+  features::Threat threat;  ///< as perceived, before the delay passes
 };
 
-/// What is perceived of a threat from `eye` (world, m). The same seed and number of the threat give
-/// the same bits, whatever else was perceived; each limit has its own draws, so that to change one
-/// changes no other's. Radius and mass are taken as they are, and what has a limit of 0 keeps its
-/// bits. Limits that are not valid count as off; of a threat or an eye that is not finite, the
-/// threat is handed on as it is, for the prediction to refuse. Allocates nothing, throws nothing.
+/// Applies the limits to threat number `number`, seen from `eye` (world, m). Character::perceive()
+/// calls this; call it yourself to show what a character sees.
+///
+/// Equal arguments give equal bits, whatever else was perceived. Each limit has its own draws, so
+/// changing one leaves the effect of the others as it was; a limit of 0 leaves the bits of what it
+/// acts on unchanged. Radius and mass are perceived exactly. Limits that are not valid count as
+/// none; a threat or an eye that is not finite returns the threat unchanged. Allocates nothing,
+/// throws nothing.
 Perceived perceive(const features::Threat& threat, const Eigen::Vector3f& eye,
                    const PerceptionLimits& limits, std::uint64_t seed,
                    std::uint64_t number) noexcept;

@@ -1,46 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "runtime/workspace.h"
 
-#include <algorithm>
-#include <memory_resource>
-#include <new>
+#include <exception>
 
 namespace flinch::runtime {
-namespace {
-
-/// Adds up what is taken from it, as a monotonic_buffer_resource does: what is given back is not
-/// used again.
-class AllocationMeter : public std::pmr::memory_resource {
- public:
-  std::size_t byte_count() const { return byte_count_; }
-
- private:
-  void* do_allocate(std::size_t bytes, std::size_t alignment) override {
-    // Each at its worst alignment, so that the sum holds wherever the memory begins.
-    byte_count_ += bytes + alignment - 1;
-    return std::pmr::new_delete_resource()->allocate(bytes, alignment);
-  }
-  void do_deallocate(void* memory, std::size_t bytes, std::size_t alignment) override {
-    std::pmr::new_delete_resource()->deallocate(memory, bytes, alignment);
-  }
-  bool do_is_equal(const std::pmr::memory_resource& other) const noexcept override {
-    return this == &other;
-  }
-
-  std::size_t byte_count_ = 0;
-};
-
-}  // namespace
-
-std::size_t selection_bytes(const models::Selector& selector) {
-  std::size_t max_bytes = 0;
-  for (int target = 0; target < motion::kTargetCount; ++target) {
-    AllocationMeter meter;
-    models::candidates(selector, {}, static_cast<motion::Target>(target), &meter);
-    max_bytes = std::max(max_bytes, meter.byte_count());
-  }
-  return max_bytes;
-}
 
 database::LoadStatus Workspace::reserve_memory(std::size_t bytes) noexcept try {
   std::vector<std::byte> memory(bytes);
@@ -48,19 +11,6 @@ database::LoadStatus Workspace::reserve_memory(std::size_t bytes) noexcept try {
   return database::LoadStatus::ok;
 } catch (const std::exception&) {
   return database::LoadStatus::out_of_memory;
-}
-
-Selection Workspace::select(const models::Selector& selector, const features::FeatureVector& x,
-                            motion::Target threatened, std::span<models::Candidate> best) noexcept
-    try {
-  std::pmr::monotonic_buffer_resource memory(memory_.data(), memory_.size(),
-                                             std::pmr::null_memory_resource());
-  const auto candidates = models::candidates(selector, x, threatened, &memory, best.size());
-  const std::size_t count = std::min(candidates.size(), best.size());
-  std::copy_n(candidates.begin(), count, best.begin());
-  return {SelectStatus::ok, candidates.front().clip, count};
-} catch (const std::bad_alloc&) {
-  return {};
 }
 
 }  // namespace flinch::runtime

@@ -16,28 +16,6 @@ constexpr std::size_t kHashPosition = kMagicSize + 1;
 
 }  // namespace
 
-const char* message_of(LoadStatus status) noexcept {
-  switch (status) {
-    case LoadStatus::ok:
-      return "is sound";
-    case LoadStatus::cannot_open:
-      return "cannot be read";
-    case LoadStatus::not_a_library:
-      return "is another kind of file";
-    case LoadStatus::other_version:
-      return "was written by another version of Flinch";
-    case LoadStatus::damaged:
-      return "is damaged or cut short";
-    case LoadStatus::other_layout:
-      return "was trained on other features than this version of Flinch computes";
-    case LoadStatus::without_clips:
-      return "has no clips in it";
-    case LoadStatus::out_of_memory:
-      return "does not fit into memory";
-  }
-  return "has an unknown status";
-}
-
 std::array<std::byte, kFileHeaderSize> make_file_header(
     const FileFormat& kind, std::span<const std::byte> content) noexcept {
   std::array<std::byte, kFileHeaderSize> seal{};

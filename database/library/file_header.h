@@ -10,22 +10,9 @@
 #include <vector>
 
 #include "database/library/content_hash.h"
+#include "database/library/load_status.h"
 
 namespace flinch::database {
-
-/// Result of loading a file.
-enum class LoadStatus : std::uint8_t {
-  ok,
-  cannot_open,
-  not_a_library,  ///< another kind of file than requested
-  other_version,  ///< written by another version of the format
-  damaged,        ///< fails verification, or its content hash differs
-  other_layout,   ///< a selector whose features this build does not compute
-  without_clips,  ///< a selector file that has no clips
-  out_of_memory,
-};
-/// Returns the meaning for people, as text; never null.
-const char* message_of(LoadStatus status) noexcept;
 
 /// Library and selector files begin with a header: 7 characters that name the kind, one byte for
 /// the version, and the content hash of all that follows in 8 bytes, least significant first. Then

@@ -7,26 +7,26 @@
  * Python and in engines.
  *
  *   flinch_library    what `flinch train` writes: skeleton, clips and selector. Immutable.
- *   flinch_workspace  memory to think with. One for each thread that perceives.
- *   flinch_character  one character of a library: it perceives, answers, and comes back to idle.
+ *   flinch_workspace  memory for choosing clips. One for each thread that perceives.
+ *   flinch_character  one character of a library: it perceives, answers, and returns to idle.
  *
  * Units and frames. SI units, seconds, radians. The world is right-handed with Z up, the ground at
  * 0; a character whose facing is 0 looks along +X and has +Y at its left. Quaternions are unit, in
- * the order w, x, y, z. Places are within 1e6 m of the origin; what is farther is refused like what
- * is not finite.
+ * the order w, x, y, z. Positions are within 1e6 m of the origin; positions beyond are refused as
+ * numbers that are not finite are.
  *
- * Errors. Functions that can fail return a status: 0 is success, above 0 are answers that are no
- * errors, below 0 the call was refused and has changed nothing, neither the handle nor what `out`
- * points to (but a handle that was to be made is set to NULL). Nothing is printed, no exception
- * leaves, and after any error the handles stay usable.
+ * Errors. Functions that can fail return a status. 0 is success; a status above 0 is an answer, not
+ * an error; below 0 the call was refused and has changed nothing, neither the object nor what `out`
+ * points to (except that a handle that was to be made is set to NULL). Flinch prints nothing and
+ * throws no exception into the caller. After any error the handles stay usable.
  *
- * Handles. Passing NULL for a handle or for `out` is FLINCH_NULL_POINTER, a handle of another kind
- * FLINCH_BAD_HANDLE. So is one that was freed, in builds with FLINCH_CHECK_HANDLES (debug builds
- * have it), which keep a few bytes of each freed handle for that; in others it is undefined.
- * Libraries are counted: one may be freed before its workspaces and characters, whose last one
- * takes it with it.
+ * Handles. NULL for a handle or for `out` gives FLINCH_NULL_POINTER, a handle of another kind
+ * FLINCH_BAD_HANDLE. A freed handle gives that too in builds with FLINCH_CHECK_HANDLES (debug
+ * builds have it), which keep a few bytes of each freed handle; in other builds its use is
+ * undefined. Libraries are reference-counted: you may free one before its workspaces and
+ * characters; it then lives until the last of them is freed.
  *
- * Memory. Only the functions that load or create allocate, only those that free give back.
+ * Memory. Only functions that load or create allocate memory; only those that free return it.
  *
  * Threads. Flinch has no global state and starts no thread. Any number of threads may use a library
  * at once. A workspace or a character is for one thread at a time; different ones are independent.
@@ -35,9 +35,10 @@
  *
  *   flinch_threat threat = {.size = sizeof threat};
  *
- * A program that was compiled with an older header passes a smaller size and is served: what it
- * does not know is taken as the default that the field names, or not written. A size that is above
- * this library's, below what the first version had, or no multiple of 4, is FLINCH_BAD_SIZE.
+ * A program that was compiled with an older header passes a smaller size. The library then takes
+ * the documented default for each field that the program does not know, or does not write the
+ * field. A size above this library's, below the first version's, or not a multiple of 4 gives
+ * FLINCH_BAD_SIZE.
  */
 
 #include <stddef.h>
@@ -53,34 +54,35 @@
 extern "C" {
 #endif
 
-#define FLINCH_JOINT_COUNT 21
-#define FLINCH_MOST_CANDIDATES 8
+#define FLINCH_JOINT_COUNT 21    /* joints of every skeleton */
+#define FLINCH_MOST_CANDIDATES 8 /* candidates kept for each threat */
 
-typedef struct flinch_library flinch_library;
-typedef struct flinch_workspace flinch_workspace;
-typedef struct flinch_character flinch_character;
+typedef struct flinch_library flinch_library;     /* see above */
+typedef struct flinch_workspace flinch_workspace; /* see above */
+typedef struct flinch_character flinch_character; /* see above */
 
 /* ---- Status ---------------------------------------------------------------------------------- */
 
-typedef int32_t flinch_status;
+typedef int32_t flinch_status; /* one of the values below */
+/* The results of calls. */
 enum {
   FLINCH_OK = 0,
-  /* No errors: there is nothing to answer. */
+  /* Not errors: there is nothing to answer. */
   FLINCH_MISSES = 1,    /* the threat will hit nothing */
-  FLINCH_UNNOTICED = 2, /* it escaped the character's perception */
-  /* How a call was wrong. */
+  FLINCH_UNNOTICED = 2, /* the character did not notice the threat */
+  /* What was wrong with a call. */
   FLINCH_NULL_POINTER = -1,
-  FLINCH_BAD_HANDLE = -2,    /* freed, or of another kind */
-  FLINCH_BAD_SIZE = -3,      /* of a struct */
-  FLINCH_OTHER_LIBRARY = -4, /* character and workspace are of different libraries */
-  FLINCH_BAD_INDEX = -5,     /* no such clip or target, or a capacity below 0 */
-  FLINCH_BAD_CLIP = -6,      /* no such clip, or one without annotation, which cannot answer */
-  FLINCH_BAD_THREAT = -7,    /* a number that is not finite or out of range */
-  FLINCH_BAD_TIME = -8,      /* a time that is not positive and finite */
-  FLINCH_BAD_POSE = -9,      /* a number that is not finite, a rotation that is not unit */
-  FLINCH_BAD_PLACEMENT = -10,
-  FLINCH_BAD_LIMITS = -11, /* of perception: not finite, or out of range */
-  FLINCH_BAD_MASK = -12,   /* a weight that is not in [0, 1] */
+  FLINCH_BAD_HANDLE = -2,     /* freed, or of another kind */
+  FLINCH_BAD_SIZE = -3,       /* `size` of a struct */
+  FLINCH_OTHER_LIBRARY = -4,  /* character and workspace are of different libraries */
+  FLINCH_BAD_INDEX = -5,      /* no such clip or target, or a capacity below 0 */
+  FLINCH_BAD_CLIP = -6,       /* no such clip, or one without annotation, which cannot answer */
+  FLINCH_BAD_THREAT = -7,     /* a number that is not finite or out of range */
+  FLINCH_BAD_TIME = -8,       /* a time that is not positive and finite */
+  FLINCH_BAD_POSE = -9,       /* a number that is not finite, a rotation that is not unit */
+  FLINCH_BAD_PLACEMENT = -10, /* a number that is not finite or beyond 1e6 */
+  FLINCH_BAD_LIMITS = -11,    /* of perception: not finite, or out of range */
+  FLINCH_BAD_MASK = -12,      /* a weight that is not in [0, 1] */
   FLINCH_OUT_OF_MEMORY = -13,
   /* What was wrong with a file. */
   FLINCH_CANNOT_OPEN = -20,
@@ -91,30 +93,33 @@ enum {
   FLINCH_WITHOUT_CLIPS = -25   /* a selector without its clips: train it again */
 };
 
-/* What it means, one line of English without a full stop. Never NULL, for any number. */
+/* The status in words: one line of English without a full stop. Never NULL, for any number. */
 FLINCH_API const char* flinch_status_message(flinch_status status);
 
-/* "MAJOR.MINOR.PATCH" of the library that runs. Before 1.0 another MINOR may change the interface;
- * the name of the shared library changes with it. */
+/* The version of the running library, "MAJOR.MINOR.PATCH". Before 1.0 another MINOR may change the
+ * interface; the name of the shared library then changes too. */
 FLINCH_API const char* flinch_version(void);
 
 /* ---- Library --------------------------------------------------------------------------------- */
 
-/* Loads what `flinch train` has written (FILE.flinch), verified whole before anything is used. */
+/* Loads a file that `flinch train` has written (FILE.flinch). Verifies the whole file before using
+ * any of it. */
 FLINCH_API flinch_status flinch_library_load(const char* path, flinch_library** out);
-/* The same from memory, which need not stay. */
+/* The same from the file's bytes in memory, which are not needed afterwards. */
 FLINCH_API flinch_status flinch_library_load_memory(const void* bytes, size_t byte_count,
                                                     flinch_library** out);
-/* NULL is nothing to free, for this and all other handles. */
+/* Frees a library. NULL is allowed and does nothing, here and for all other handles. */
 FLINCH_API flinch_status flinch_library_free(flinch_library* library);
 
+/* What a library holds. */
 typedef struct flinch_library_info {
   uint32_t size;
   int32_t clip_count;
-  int32_t idle_clip; /* index of the clip that characters stand in */
-  float rate_hz;     /* of the clips' poses */
+  int32_t idle_clip; /* index of the clip that idle characters play */
+  float rate_hz;     /* poses per second of the clips */
   float mass_kg;     /* of the character */
 } flinch_library_info;
+/* Writes the above to `out`. */
 FLINCH_API flinch_status flinch_library_describe(const flinch_library* library,
                                                  flinch_library_info* out);
 
@@ -122,8 +127,8 @@ FLINCH_API flinch_status flinch_library_describe(const flinch_library* library,
 FLINCH_API const char* flinch_joint_name(int32_t joint); /* NULL: no such joint */
 FLINCH_API int32_t flinch_joint_parent(int32_t joint);   /* -1: none, or no such joint */
 
-/* In the rest pose (all rotations identity) the character stands in a T-pose and faces +X, and
- * every joint's frame is parallel to the world's. */
+/* Bone lengths. In the rest pose (all rotations identity) the character stands in a T-pose and
+ * faces +X, and every joint's frame is parallel to the world's. */
 typedef struct flinch_skeleton {
   uint32_t size;
   /* From the parent's joint in the parent's frame, m; the pelvis' above the ground. */
@@ -131,14 +136,15 @@ typedef struct flinch_skeleton {
   /* From the joint to the far end of its segment in its own frame, m. */
   float tip[FLINCH_JOINT_COUNT][3];
 } flinch_skeleton;
+/* Writes the library's skeleton to `out`. */
 FLINCH_API flinch_status flinch_library_skeleton(const flinch_library* library,
                                                  flinch_skeleton* out);
 
-/* What a threat aims at and a clip protects. */
+/* The parts of the body that threats aim at and clips protect. */
 enum { FLINCH_HEAD = 0, FLINCH_TRUNK = 1, FLINCH_PELVIS = 2, FLINCH_LEGS = 3 };
 FLINCH_API const char* flinch_target_name(int32_t target); /* NULL: no such target */
 
-/* Texts belong to the library and live as long as it does. */
+/* A clip of a library. Its texts belong to the library and live as long as it does. */
 typedef struct flinch_clip {
   uint32_t size;
   int32_t is_annotated; /* 0: it answers no threat, and what follows `duration_s` is 0 */
@@ -153,76 +159,82 @@ typedef struct flinch_clip {
   float end_s;      /* when it is over */
   int32_t reserved; /* 0 */
 } flinch_clip;
+/* Writes clip number `index`, from 0 to clip_count - 1, to `out`. */
 FLINCH_API flinch_status flinch_library_clip(const flinch_library* library, int32_t index,
                                              flinch_clip* out);
 
 /* ---- Poses ----------------------------------------------------------------------------------- */
 
+/* A pose: all that moves. */
 typedef struct flinch_pose {
   uint32_t size;
   float root_position[3]; /* of the pelvis joint, world, m */
-  /* Relative to the parent's frame, the pelvis' to the world; w, x, y, z. */
+  /* Relative to the parent's frame, the pelvis' to the world; unit; w, x, y, z. */
   float rotation[FLINCH_JOINT_COUNT][4];
 } flinch_pose;
 
+/* Position and orientation of every joint. */
 typedef struct flinch_joint_frames {
   uint32_t size;
   float position[FLINCH_JOINT_COUNT][3];    /* world, m */
   float orientation[FLINCH_JOINT_COUNT][4]; /* world; w, x, y, z */
 } flinch_joint_frames;
-/* Where every joint of a pose is, in the world: forward kinematics. */
+/* Writes the joint frames of a pose to `out`: forward kinematics. */
 FLINCH_API flinch_status flinch_library_joint_frames(const flinch_library* library,
                                                      const flinch_pose* pose,
                                                      flinch_joint_frames* out);
 
 /* ---- Characters ------------------------------------------------------------------------------ */
 
-/* A workspace is several kilobytes that only perceiving needs, so it is apart from the characters:
- * a thread has one for all of its characters. */
+/* Makes a workspace: memory, up to a hundred kilobytes, that only perceiving needs. One serves all
+ * characters of a thread. */
 FLINCH_API flinch_status flinch_workspace_create(const flinch_library* library,
                                                  flinch_workspace** out);
+/* Frees a workspace. */
 FLINCH_API flinch_status flinch_workspace_free(flinch_workspace* workspace);
 
-/* It stands idling at the world's origin, facing +X. */
+/* Makes a character that idles at the world's origin and faces +X. */
 FLINCH_API flinch_status flinch_character_create(const flinch_library* library,
                                                  flinch_character** out);
+/* Frees a character. */
 FLINCH_API flinch_status flinch_character_free(flinch_character* character);
 
-/* Where it stands, m, which way it faces, radians, and how far it is into its idle clip, s, which
- * makes neighbours differ. Ends any response. */
+/* Puts the character at (x, y), m, turned by `facing`, radians counter-clockwise from +X, at
+ * `idle_time_s` of its idle clip; different times make neighbours differ. Ends any response. */
 FLINCH_API flinch_status flinch_character_place(flinch_character* character, float x, float y,
                                                 float facing, float idle_time_s);
 
-/* Tells it that it does not idle but is in a motion of the game's: its pose now and `dt_s` (at
- * least 1e-4) before, world. The next response starts there with these velocities. Ends any
- * response; call it in every frame before `perceive` for as long as the game moves the character
- * itself. */
+/* Reports the pose of a character that the game animates: `now`, and `before`, which it had `dt_s`
+ * earlier (at least 1e-4); both in the world. The next response starts from `now` with these
+ * velocities. Ends any response. Call it in each frame before `perceive` for as long as the game
+ * animates the character. */
 FLINCH_API flinch_status flinch_character_set_pose(flinch_character* character,
                                                    const flinch_pose* before,
                                                    const flinch_pose* now, float dt_s);
 
-/* Goes back to idle from whatever it is doing. */
+/* Stops the response and returns to idle smoothly. */
 FLINCH_API flinch_status flinch_character_settle(flinch_character* character);
 
-/* How far perception falls short of the truth. All 0: not at all. Each at least 0. */
+/* How a character's perception falls short of the truth. All 0: perfect. Each at least 0. */
 typedef struct flinch_perception_limits {
   uint32_t size;
-  float reaction_delay_s; /* until it can act on what it has seen */
-  float bearing_noise;    /* of the direction in which it sees the threat, radians */
-  float distance_noise;   /* as a fraction of the distance */
+  float reaction_delay_s; /* from seeing a threat to acting on it */
+  float bearing_noise;    /* of the direction from the eye to the threat, radians */
+  float distance_noise;   /* of the distance and the speed together, a fraction */
   float heading_noise;    /* of the direction of the threat's velocity, radians */
-  float speed_noise;      /* as a fraction of the speed */
-  float chance_to_fail;   /* that it does not notice a threat at all, at most 1 */
+  float speed_noise;      /* of the speed, a fraction */
+  float chance_to_fail;   /* probability of not noticing a threat at all, at most 1 */
 } flinch_perception_limits;
-/* The same seed gives the same chance again; different seeds make characters differ. */
+/* Makes perception imperfect. The same seed gives the same numbers; characters with different seeds
+ * differ. */
 FLINCH_API flinch_status flinch_character_limit_perception(flinch_character* character,
                                                            const flinch_perception_limits* limits,
                                                            uint64_t seed);
-/* A person's limits, who chooses among `choices` answers (below 1 counts as 1). */
+/* Writes the limits of a person who chooses among `choices` answers (below 1 counts as 1). */
 FLINCH_API flinch_status flinch_human_limits(int32_t choices, flinch_perception_limits* out);
 
-/* Something that approaches, now: a falling ball. `radius` and `mass_kg` may be left out by `size`;
- * then they are a volleyball's. */
+/* Something that approaches in free fall, as it is now. A `size` that leaves out `radius` and
+ * `mass_kg` makes them a volleyball's. */
 typedef struct flinch_threat {
   uint32_t size;
   float position[3]; /* of its centre, world, m */
@@ -231,59 +243,63 @@ typedef struct flinch_threat {
   float mass_kg;     /* default 0.27 */
 } flinch_threat;
 
-/* A threat of which only place and velocity are known: predicts whether, when and where it will
- * hit, and answers. FLINCH_MISSES and FLINCH_UNNOTICED where there is nothing to answer. */
+/* Answers a threat of which only position and velocity are known: predicts whether, when and where
+ * it will hit, chooses a clip and starts the response. FLINCH_MISSES or FLINCH_UNNOTICED where
+ * there is nothing to answer. Costs tens of microseconds. */
 FLINCH_API flinch_status flinch_character_perceive(flinch_character* character,
                                                    const flinch_threat* threat,
                                                    flinch_workspace* workspace);
-/* A threat that the game knows to aim at `target` and to be there in `time_to_impact_s`, which is
- * above 0 and at most 100. */
+/* Answers a threat that the game knows to hit `target` in `time_to_impact_s`, which is above 0 and
+ * at most 100. */
 FLINCH_API flinch_status flinch_character_perceive_known(flinch_character* character,
                                                          const flinch_threat* threat,
                                                          int32_t target, float time_to_impact_s,
                                                          flinch_workspace* workspace);
-/* Answers with this clip, whatever the selector would say; the time as above. */
+/* Answers with clip number `clip`, whatever the selector would choose; the time as above. */
 FLINCH_API flinch_status flinch_character_respond(flinch_character* character, int32_t clip,
                                                   float time_to_impact_s);
 
-/* Lets `dt_s` pass. */
+/* Advances the character by `dt_s`, which may differ from frame to frame. */
 FLINCH_API flinch_status flinch_character_update(flinch_character* character, float dt_s);
 
-/* The pose now. */
+/* Writes the current pose, world, to `out`. */
 FLINCH_API flinch_status flinch_character_pose(const flinch_character* character, flinch_pose* out);
 
-/* Which joints move by Flinch and which as the game has them. */
+/* How much of each joint's motion comes from Flinch and how much from the game. */
 typedef struct flinch_mask {
   uint32_t size;
-  float weight;                    /* of everything, 0 to 1 */
-  float joint[FLINCH_JOINT_COUNT]; /* 0 to 1; the pelvis' is that of the whole body's place too */
+  float weight; /* scales the weights of all joints, 0 to 1 */
+  /* 0 (the game's motion) to 1 (Flinch's). The pelvis' weight applies to the position too. */
+  float joint[FLINCH_JOINT_COUNT];
 } flinch_mask;
-/* The game's own pose with Flinch's over it where the mask says so. `out` may be `game`. */
+/* Writes the game's pose with Flinch's laid over it by the mask. `out` may be `game`. */
 FLINCH_API flinch_status flinch_character_pose_over(const flinch_character* character,
                                                     const flinch_pose* game,
                                                     const flinch_mask* mask, flinch_pose* out);
 
 /* What a character is doing. */
 enum {
-  FLINCH_IDLE = 0,       /* nothing answers anything */
-  FLINCH_REACTING = 1,   /* it has perceived, and the delay of its reaction runs */
-  FLINCH_WAITING = 2,    /* it knows its answer, and there is time yet */
+  FLINCH_IDLE = 0,       /* answers no threat */
+  FLINCH_REACTING = 1,   /* has perceived a threat; its reaction delay runs */
+  FLINCH_WAITING = 2,    /* has chosen a clip; its first movement is still to come */
   FLINCH_SHIFTING = 3,   /* shifts its weight before the clip begins */
-  FLINCH_BLENDING = 4,   /* goes over into the clip */
+  FLINCH_BLENDING = 4,   /* blends from idle into the clip */
   FLINCH_PROTECTING = 5, /* plays the clip */
-  FLINCH_RETURNING = 6   /* on the way back to idle */
+  FLINCH_RETURNING = 6   /* blends back to idle */
 };
 FLINCH_API const char* flinch_phase_name(int32_t phase); /* NULL: no such phase */
 
+/* What a character is doing, and where. */
 typedef struct flinch_character_state {
   uint32_t size;
   int32_t phase;          /* FLINCH_IDLE, ... */
-  int32_t clip;           /* that answers; the idle clip where none does */
+  int32_t clip;           /* index of the clip that answers, or of the idle clip */
   int32_t target;         /* of the last threat that was perceived */
-  float time_to_impact_s; /* negative after it; infinity where there is none */
+  float time_to_impact_s; /* negative after it; infinite without a threat */
   float position[2];      /* where it stands, or began its response, world, m */
   float facing;           /* radians */
 } flinch_character_state;
+/* Writes the above to `out`. */
 FLINCH_API flinch_status flinch_character_describe(const flinch_character* character,
                                                    flinch_character_state* out);
 
@@ -291,11 +307,10 @@ FLINCH_API flinch_status flinch_character_describe(const flinch_character* chara
 typedef struct flinch_candidate {
   int32_t clip;
   float vote;             /* share of the votes cast, 0 to 1; 0 where costs are expected */
-  float expected_cost_ns; /* what playing it is expected to cost, N s; not a number where clips are
-                           * voted for */
+  float expected_cost_ns; /* expected cost of playing it, N s; not a number where the model votes */
 } flinch_candidate;
-/* What the selector considered for the last threat, best first: writes at most `capacity` of them,
- * and to `count` how many it wrote. There are never more than FLINCH_MOST_CANDIDATES. */
+/* Writes the clips that the selector considered for the last threat, best first, at most `capacity`
+ * of them, and their number to `count`. There are never more than FLINCH_MOST_CANDIDATES. */
 FLINCH_API flinch_status flinch_character_candidates(const flinch_character* character,
                                                      flinch_candidate* out, int32_t capacity,
                                                      int32_t* count);

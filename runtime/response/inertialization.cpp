@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "motion/rotation.h"
+#include "runtime/response/prepared_library.h"
 
 namespace flinch::runtime {
 namespace {

@@ -5,43 +5,48 @@
 
 #include "features/scenario.h"
 #include "motion/foot.h"
-#include "runtime/response/prepared_library.h"
 
 namespace flinch::runtime {
 
-/// How a character that is not idling, but in another response or in a motion of the game's, comes
-/// to idle: what its pose and velocities differ by from those of the idle clip, which dies away
-/// without a snap. Feet that stand stay where they stand.
+struct PreparedLibrary;  // opaque: runtime::Library::prepared()
+
+/// How a character that is in another response, or that the game animates, differs from its idle
+/// clip. The difference decays smoothly to none; feet on the ground stay where they are.
 ///
 /// Each difference x follows a critically damped spring to 0,
 ///
 ///     x(t) = (x_0 + (v_0 + k x_0) t) e^(-k t),   k = kDecayRate.
 struct Inertialization {
-  bool is_zero = true;                                      ///< nothing differs
-  Eigen::Vector3f root = Eigen::Vector3f::Zero();           ///< of the pelvis, world, m
-  Eigen::Vector3f root_velocity = Eigen::Vector3f::Zero();  ///< m/s
-  /// Rotation vectors that turn the idle pose's local rotations into the character's, radians.
+  bool is_zero = true;                                      ///< no difference
+  Eigen::Vector3f root = Eigen::Vector3f::Zero();           ///< x_0 of the pelvis, world, m
+  Eigen::Vector3f root_velocity = Eigen::Vector3f::Zero();  ///< v_0 of the pelvis, m/s
+  /// x_0 of each joint: the rotation vector that turns the idle pose's local rotation into the
+  /// character's, radians.
   motion::PerRole<Eigen::Vector3f> rotation{};
-  motion::PerRole<Eigen::Vector3f> rotation_velocity{};  ///< rad/s
+  motion::PerRole<Eigen::Vector3f> rotation_velocity{};  ///< v_0 of each joint, radians/s
   motion::PerSide<bool> stands{};                        ///< whether the foot is on the ground
-  motion::PerSide<motion::FootPose> foot{};              ///< where, if it is
+  motion::PerSide<motion::FootPose> foot{};              ///< where it stands, if it does
 };
 
-inline constexpr float kDecayRate = 10;  ///< 1/s
+/// k: how fast differences decay, 1/s.
+inline constexpr float kDecayRate = 10;
 
-/// The state in which an idling character would stand as this one does: facing the same way, its
-/// idle clip at its beginning, with the foot that carries more weight in the same place.
+/// The state of an idling character that stands where this pose does: it faces the same way, its
+/// idle clip is at its beginning, and the foot that carries more weight is in the same place.
+/// `pose` is in the world and sound (motion::is_sound).
 features::CharacterState idle_state_at(const PreparedLibrary& library, const motion::Pose& pose);
 
-/// The origin of a character in `state` that was in pose `before` and `dt_s` later is in `now`.
-/// `dt_s` that is not positive takes it to be still. Allocates nothing.
+/// The difference between the idle clip in `state` and a character that was in pose `before` and is
+/// in `now` `dt_s` later; poses in the world. A `dt_s` that is not positive means that the
+/// character is still. Allocates nothing.
 Inertialization make_inertialization(const PreparedLibrary& library,
                                      const features::CharacterState& state,
                                      const motion::Pose& before, const motion::Pose& now,
                                      float dt_s) noexcept;
 
-/// The pose `time_s` later, if nothing answers. Feet are where the joints lead; see
-/// Inertialization::foot. Where `roles` are not all, the rotations of others are not set.
+/// The pose `time_s` after the difference was measured, world: the idle clip with what is left of
+/// the difference. Feet follow from the joints, not from Inertialization::foot. Sets the rotations
+/// of `roles` only. Allocates nothing.
 motion::Pose inertialized_pose(const PreparedLibrary& library,
                                const features::CharacterState& state,
                                const Inertialization& inertialization, float time_s,

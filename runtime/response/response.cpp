@@ -8,6 +8,7 @@
 #include "motion/interpolation.h"
 #include "motion/limb_ik.h"
 #include "motion/rotation.h"
+#include "runtime/response/prepared_library.h"
 #include "runtime/response/response_pose.h"
 
 namespace flinch::runtime {

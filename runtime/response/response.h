@@ -1,116 +1,117 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <limits>
 
 #include "motion/interpolation.h"
 #include "runtime/response/inertialization.h"
-#include "runtime/response/prepared_library.h"
 
 namespace flinch::runtime {
 
-/// A rigid move of the ground: a turn about the world's vertical through the origin, then a shift.
+struct PreparedLibrary;  // opaque: runtime::Library::prepared()
+
+/// A rigid move on the ground: a turn about the world's vertical through the origin, then a shift.
 struct PlanarTransform {
-  float yaw = 0;                                          ///< radians
-  Eigen::Vector3f translation = Eigen::Vector3f::Zero();  ///< level, m
+  float yaw = 0;                                          ///< radians, counter-clockwise
+  Eigen::Vector3f translation = Eigen::Vector3f::Zero();  ///< horizontal, m
 };
 
-/// A stretch of time over which something goes over, from perception, s.
+/// An interval of time, s after perception. The default never begins.
 struct Interval {
   float begin_s = std::numeric_limits<float>::infinity();
   float end_s = std::numeric_limits<float>::infinity();
 };
 
-/// How one foot of a response differs from that of its clip, so that it leaves from where it
+/// How one foot of a response differs from the foot of its clip, so that it starts from where it
 /// stands.
 struct FootPlan {
-  PlanarTransform
-      offset;  ///< of the clip's foot until `correction` begins; over `correction` it goes over
-  Interval correction;          ///< to none, in a swing of the clip's or in a step of its own
-  float correction_lift_m = 0;  ///< height of that step; 0 in the clip's own swing
-  Interval return_step;         ///< the way back to where the idle clip has the foot
-  float return_lift_m = 0;
-  /// Height and tilt by which the foot differs from its clip's, offset and all, when the clip
-  /// begins: the blend takes them back.
+  PlanarTransform offset;       ///< added to the clip's foot until `correction` begins
+  Interval correction;          ///< `offset` fades to none, in a swing of the clip or an extra step
+  float correction_lift_m = 0;  ///< height of that extra step; 0 in a swing of the clip
+  Interval return_step;         ///< the step back to where the idle clip has the foot
+  float return_lift_m = 0;      ///< height of that step
+  /// Height (m) and tilt of the foot against the clip's, beside `offset`, when the clip begins; the
+  /// blend into the clip removes them.
   Eigen::Vector3f rise = Eigen::Vector3f::Zero();
   Eigen::Quaternionf tilt = Eigen::Quaternionf::Identity();
 };
 
-/// A shift of the weight: the pelvis moves by `pelvis` until the centre of mass is above the sole
-/// of the support foot, stays over `hold`, in which the other foot leaves the ground, and comes
-/// back.
+/// A shift of the weight onto one foot, so that the other can leave the ground.
 struct WeightShift {
-  Interval interval;
-  Interval hold;
-  Eigen::Vector3f pelvis = Eigen::Vector3f::Zero();  ///< world, m
+  Interval interval;  ///< the whole shift: there, held, and back
+  Interval hold;      ///< the centre of mass is above the sole of the support foot
+  /// How far the pelvis moves for that, world, m.
+  Eigen::Vector3f pelvis = Eigen::Vector3f::Zero();
 };
 
-/// The motion that answers a scenario with a clip: made by this one piece of code for the trainer
-/// and for the game. A plain value; refers to the library that it was made from, which must outlive
-/// it and stay as it is. docs/response.md tells why it is as it is.
+/// The plan of a motion that answers a scenario with a clip. Training and games make it with this
+/// same code. A plain value that refers to the library it was made from, which must outlive it.
+/// docs/response.md gives the reasons.
 ///
-/// The character idles (or settles, see Inertialization) until `begin_s`, then plays the clip from
-/// its onset at `playback_rate`, blending in along minimum_jerk over `blend_duration_s` while the
-/// clip already plays, so that the clip's peak falls on the predicted impact; a clip too long for
-/// that plays faster, up to kMaxPlaybackRate, and may peak late. From the clip's annotated end it
-/// blends back to idle over `return_duration_s`, while the clip plays on to its last pose and holds
-/// that.
+/// The character idles (or settles, see Inertialization) until `begin_s`. Then the clip plays from
+/// its onset at `playback_rate`, and blends in along a minimum-jerk curve over `blend_duration_s`
+/// while it plays. The clip's peak falls on the predicted impact; a clip too long for that plays
+/// faster, up to kMaxPlaybackRate, and may peak late. From the clip's annotated end the character
+/// blends back to idle over `return_duration_s`, while the clip plays on and holds its last pose.
 ///
-/// Alignment (Zordan et al. 2007, section 6). Directions are annotated relative to the actor's
-/// facing, and clips are stored facing +X, so the clip's +X axis is laid on the character's facing;
-/// and the support foot, the one that carries more weight in the clip's opening, is laid on where
-/// the character has it. Feet that stand stay: where the clip has a foot elsewhere it goes there in
-/// the clip's own next swing of that foot, or, from far, in a small step. Before the other foot
-/// leaves the ground the weight is shifted over the support foot.
+/// Alignment (Zordan et al. 2007, section 6). Clips are stored facing +X: the response turns the
+/// clip to the character's facing and moves it so that the support foot, which carries more weight
+/// in the clip's opening, is where the character has it. Feet on the ground stay. Where the clip
+/// has a foot elsewhere, the foot goes there in the clip's next swing of that foot or, from far, in
+/// a small extra step. The weight shifts over the support foot before the other foot leaves the
+/// ground.
 ///
-/// The way back. Where the clip took a step, the idle goes on there: it is moved horizontally by
-/// `idle_displacement`. The next state of the character is this one with `idle_displacement` added
-/// to its position. A turn of the facing is not kept: the idle faces as before, and feet step back
-/// into place.
+/// The way back. Where the clip took a step, the idle clip continues at the new place: the
+/// character's next state is `state` with `idle_displacement` added to its position. A turn is not
+/// kept: the character faces as before, and its feet step back into place.
 struct Response {
-  const PreparedLibrary* library = nullptr;  ///< none: invalid
-  int clip = 0;  ///< index in the library; its idle clip means to do nothing
-  features::CharacterState state;
-  Inertialization inertialization;
-  float first_motion_s = 0;     ///< when it first differs from idling
-  float begin_s = 0;            ///< when the clip begins, from perception
-  float playback_rate = 1;      ///< clip seconds a second
-  float blend_duration_s = 0;   ///< length of the blend into the clip, at most the way to the peak
-  float peak_s = 0;             ///< when the clip's peak is reached
-  float end_s = 0;              ///< when the clip's annotated end is reached; the way back follows
-  float return_duration_s = 0;  ///< length of the way back
+  const PreparedLibrary* library = nullptr;  ///< null: invalid
+  int clip = 0;                     ///< index in the library; its idle clip means to do nothing
+  features::CharacterState state;   ///< of the character at perception
+  Inertialization inertialization;  ///< by which the character differed from its idle clip then
+  float first_motion_s = 0;     ///< when the response first differs from idling, s after perception
+  float begin_s = 0;            ///< when the clip begins, s after perception
+  float playback_rate = 1;      ///< seconds of the clip per second
+  float blend_duration_s = 0;   ///< of the blend into the clip; ends by the clip's peak
+  float peak_s = 0;             ///< when the clip's peak is reached, s after perception
+  float end_s = 0;              ///< when the way back begins: the clip's annotated end
+  float return_duration_s = 0;  ///< of the way back to idle, s
   float yaw = 0;                ///< turn that aligns the clip, radians
-  Eigen::Vector3f translation = Eigen::Vector3f::Zero();  ///< that aligns it, after the turn, m
-  Eigen::Vector3f idle_displacement =
-      Eigen::Vector3f::Zero();  ///< of the idle after the response, level, m
-  motion::Side support = motion::Side::left;
+  Eigen::Vector3f translation =
+      Eigen::Vector3f::Zero();  ///< shift that aligns it after the turn, m
+  /// From the idle clip before the response to that after it, horizontal, m.
+  Eigen::Vector3f idle_displacement = Eigen::Vector3f::Zero();
+  motion::Side support = motion::Side::left;  ///< the support foot of the clip's opening
   motion::PerSide<FootPlan> feet;
-  std::array<WeightShift, 3> shifts;  ///< the clip's first step and at most two on the way back
-  motion::Signs arcs_in{};            ///< of the blend into the clip when it begins
-  motion::Signs arcs_back{};          ///< of the blend back to idle when it begins
+  std::array<WeightShift, 3> shifts;  ///< for the clip's first step and at most two on the way back
+  motion::Signs arcs_in{};            ///< signs of the blend into the clip, fixed when it begins
+  motion::Signs arcs_back{};          ///< signs of the blend back to idle, fixed when it begins
 };
 
+/// The fastest playback of a clip, seconds of the clip per second.
 inline constexpr float kMaxPlaybackRate = 1.4F;
-/// The shortest blend into a clip, and the way back where no foot has to step, s.
+/// The shortest blend into a clip, and the shortest way back where no foot steps, s.
 inline constexpr float kMinBlend_s = 0.2F;
 
-/// Plans the response of a character in `state` with clip number `clip`, which must be annotated or
-/// the library's idle clip, to an impact predicted in `time_to_impact_s` (positive, finite). Input
-/// that cannot be used (no such clip, no annotation, times out of order, no poses, a state that is
-/// not finite) gives an invalid response. Allocates nothing, throws nothing.
+/// Plans the response of a character in `state` with clip number `clip`, which is annotated or the
+/// library's idle clip, to an impact in `time_to_impact_s` (positive, finite). Input that cannot be
+/// used (no such clip, no annotation, a clip without poses or with times out of order, a state that
+/// is not finite) gives an invalid response. Costs tens of microseconds; allocates nothing, throws
+/// nothing.
 Response make_response(const PreparedLibrary& library, const features::CharacterState& state,
                        int clip, float time_to_impact_s,
                        const Inertialization& inertialization = {}) noexcept;
 
-/// Whether make_response could use its input.
+/// Whether the input of make_response() could be used.
 bool is_valid(const Response& response) noexcept;
 
-/// The pose `time_s` after perception, world. Any time from 0 on, continuous over it; a time that
-/// is negative or not finite is taken as 0. Of an invalid response, the pose of no motion at the
-/// world's origin. Costs a few microseconds; allocates nothing, throws nothing.
+/// The pose `time_s` after perception, world; continuous in time. A time that is negative or not
+/// finite counts as 0. An invalid response gives the rest pose at the world's origin. Costs one or
+/// two microseconds; allocates nothing, throws nothing.
 motion::Pose pose_at(const Response& response, float time_s) noexcept;
 
-/// When the way back to idle is over, s from perception; 0 for the idle clip of an idling
+/// When the way back to idle is over, s after perception; 0 for the idle clip of an idling
 /// character.
 float duration_s(const Response& response) noexcept;
 

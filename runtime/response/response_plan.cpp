@@ -6,6 +6,7 @@
 
 #include "motion/rotation.h"
 #include "motion/support_polygon.h"
+#include "runtime/response/prepared_library.h"
 #include "runtime/response/response.h"
 #include "runtime/response/response_pose.h"
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "database/import/library_writer.h"
+#include "runtime/response/prepared_library.h"
 #include "tests/bench/measures.h"
 #include "tests/bench/study.h"
 #include "tests/runtime/response/response_quality.h"

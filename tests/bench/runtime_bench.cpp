@@ -7,7 +7,8 @@
 
 #include "database/import/file_io.h"
 #include "runtime/library.h"
-#include "runtime/workspace.h"
+#include "runtime/response/prepared_library.h"
+#include "runtime/selection.h"
 #include "tests/runtime/made_up_selector.h"
 #include "tests/scenes/temporary_folder.h"
 
@@ -76,7 +77,7 @@ void select_in_workspace(benchmark::State& state) {
   features::FeatureVector x{};
   for (auto _ : state) {
     benchmark::DoNotOptimize(
-        workspace.select(library.selector(), x, motion::Target::trunk, best).clip);
+        select(workspace, library.selector(), x, motion::Target::trunk, best).clip);
     x[0] = x[0] < 1 ? x[0] + 0.01F : -1;
   }
   state.counters["kilobytes"] = static_cast<double>(library.selection_bytes()) / 1e3;

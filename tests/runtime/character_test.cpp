@@ -9,6 +9,7 @@
 #include "database/author/authored_library.h"
 #include "motion/default_character.h"
 #include "motion/rotation.h"
+#include "runtime/response/prepared_library.h"
 #include "tests/motion/random_motion.h"
 #include "tests/runtime/made_up_selector.h"
 #include "tests/scenes/allocation_count.h"

@@ -8,8 +8,9 @@
 
 #include "database/import/file_io.h"
 #include "motion/error.h"
+#include "runtime/response/prepared_library.h"
+#include "runtime/selection.h"
 #include "runtime/selector_file.h"
-#include "runtime/workspace.h"
 #include "tests/runtime/made_up_selector.h"
 #include "tests/scenes/file_damage.h"
 #include "tests/scenes/temporary_folder.h"
@@ -141,7 +142,7 @@ TEST(Library, CorruptContentWithAValidSealIsRejectedOrSafe) {
     Library library;
     if (library.load(bytes_of(damaged)) != LoadStatus::ok) return false;
     EXPECT_EQ(workspace.reserve_memory(library.selection_bytes()), LoadStatus::ok);
-    const Selection selection = workspace.select(library.selector(), {}, Target::trunk, {});
+    const Selection selection = select(workspace, library.selector(), {}, Target::trunk, {});
     EXPECT_EQ(selection.status, SelectStatus::ok);
     EXPECT_LT(static_cast<std::size_t>(selection.clip), library.clip_library().clips.size());
     return true;

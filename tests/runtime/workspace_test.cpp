@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "runtime/workspace.h"
+#include "runtime/selection.h"
 
 #include <gtest/gtest.h>
 
@@ -54,7 +54,7 @@ TEST_P(WorkspaceOfModel, SelectsAsTheModelDoesWithoutAllocating) {
   for (const features::FeatureVector& query : queries()) {
     for (const Target target : kTargets) {
       const std::size_t before = tests::allocation_count();
-      const Selection selection = workspace.select(selector, query, target, best);
+      const Selection selection = select(workspace, selector, query, target, best);
       ASSERT_EQ(tests::allocation_count(), before);
       ASSERT_EQ(selection.status, SelectStatus::ok);
       const auto expected = models::candidates(selector, query, target);
@@ -79,11 +79,11 @@ TEST_P(WorkspaceOfModel, WritesAtMostTheRequestedCandidates) {
   const auto expected = models::candidates(selector, query, Target::trunk);
   ASSERT_GT(expected.size(), 2U);
   std::array<Candidate, 3> best{{{-1, 0}, {-1, 0}, {-1, 0}}};
-  const Selection two = workspace.select(selector, query, Target::trunk, std::span(best).first(2));
+  const Selection two = select(workspace, selector, query, Target::trunk, std::span(best).first(2));
   EXPECT_EQ(two.count, 2U);
   EXPECT_EQ(best[1].clip, expected[1].clip);
   EXPECT_EQ(best[2].clip, -1);
-  const Selection none = workspace.select(selector, query, Target::trunk, {});
+  const Selection none = select(workspace, selector, query, Target::trunk, {});
   EXPECT_EQ(none.status, SelectStatus::ok);
   EXPECT_EQ(none.clip, expected[0].clip);
   EXPECT_EQ(none.count, 0U);
@@ -94,15 +94,15 @@ TEST_P(WorkspaceOfModel, ReportsTooLittleMemory) {
   const std::size_t need = selection_bytes(selector);
   std::array<Candidate, kClips> best;
   Workspace workspace;
-  EXPECT_EQ(workspace.select(selector, {}, Target::trunk, best).status, SelectStatus::too_small);
+  EXPECT_EQ(select(workspace, selector, {}, Target::trunk, best).status, SelectStatus::too_small);
   for (std::size_t size = 0; size < need / 2; size += 1 + need / 50) {
     ASSERT_EQ(workspace.reserve_memory(size), database::LoadStatus::ok);
-    const Selection selection = workspace.select(selector, {}, Target::trunk, best);
+    const Selection selection = select(workspace, selector, {}, Target::trunk, best);
     EXPECT_EQ(selection.status, SelectStatus::too_small) << size << " of " << need << " bytes";
     EXPECT_EQ(selection.count, 0U);
   }
   ASSERT_EQ(workspace.reserve_memory(need), database::LoadStatus::ok);
-  EXPECT_EQ(workspace.select(selector, {}, Target::trunk, best).status, SelectStatus::ok);
+  EXPECT_EQ(select(workspace, selector, {}, Target::trunk, best).status, SelectStatus::ok);
 }
 
 TEST(Workspace, KeepsItsMemoryWhenReservingMoreFails) {
@@ -111,7 +111,7 @@ TEST(Workspace, KeepsItsMemoryWhenReservingMoreFails) {
   ASSERT_EQ(workspace.reserve_memory(selection_bytes(selector)), database::LoadStatus::ok);
   EXPECT_EQ(workspace.reserve_memory(std::numeric_limits<std::size_t>::max()),
             database::LoadStatus::out_of_memory);
-  EXPECT_EQ(workspace.select(selector, {}, Target::head, {}).status, SelectStatus::ok);
+  EXPECT_EQ(select(workspace, selector, {}, Target::head, {}).status, SelectStatus::ok);
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 
 #include "features/random.h"
 #include "models/baseline.h"
-#include "runtime/workspace.h"
+#include "runtime/selection.h"
 #include "train/fit/selector_writer.h"
 
 namespace flinch::train {
@@ -138,7 +138,7 @@ RowTiming timing_of(const FittedMethod& fitted, std::span<const Observation> obs
   std::vector<double> took_s;
   for (const Observation& observation : observations) {
     const double before_s = clock();
-    workspace.select(selector, observation.features, observation.scenario.target, best);
+    select(workspace, selector, observation.features, observation.scenario.target, best);
     took_s.push_back(clock() - before_s);
   }
   std::ranges::sort(took_s);

@@ -5,7 +5,6 @@
 #include <iostream>
 #include <string>
 
-#include "motion/default_character.h"
 #include "runtime/character.h"
 
 using namespace flinch;
@@ -21,8 +20,8 @@ class Game {
     return {.position = {9, 1, 1.4F}, .velocity = {-20, -2.2F, 2.8F}};
   }
   float frame_time_s() const { return 1.0F / 60; }
-  void draw(const motion::Pose& pose) {
-    const auto frames = motion::forward_kinematics(motion::default_character().skeleton, pose);
+  void draw(const motion::Skeleton& skeleton, const motion::Pose& pose) {
+    const auto frames = motion::forward_kinematics(skeleton, pose);
     const Eigen::Vector3f head = frames.position[motion::Role::head];
     if (frame_ == 0) head_at_first_ = head;
     head_moved_by_ = std::max(head_moved_by_, (head - head_at_first_).norm());
@@ -47,7 +46,7 @@ bool play(Game& game, const std::string& selector_file) {
   while (game.is_running()) {
     if (game.ball_is_thrown()) character.perceive(game.ball(), workspace);
     character.update(game.frame_time_s());
-    game.draw(character.pose());
+    game.draw(library.clip_library().character.skeleton, character.pose());
   }
   return true;
 }

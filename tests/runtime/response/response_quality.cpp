@@ -7,6 +7,7 @@
 
 #include "motion/rotation.h"
 #include "motion/support_polygon.h"
+#include "runtime/response/prepared_library.h"
 
 namespace flinch::tests {
 namespace {

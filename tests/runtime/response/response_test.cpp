@@ -11,6 +11,7 @@
 #include "motion/interpolation.h"
 #include "motion/limb_ik.h"
 #include "motion/rotation.h"
+#include "runtime/response/prepared_library.h"
 #include "runtime/response/response_pose.h"
 #include "tests/motion/random_motion.h"
 #include "tests/runtime/response/response_quality.h"

@@ -6,6 +6,7 @@
 #include "motion/error.h"
 #include "runtime/character.h"
 #include "runtime/library.h"
+#include "runtime/response/prepared_library.h"
 #include "tests/train/evaluate/comparison.h"
 #include "train/fit/selector_writer.h"
 

@@ -1,0 +1,29 @@
+# SPDX-License-Identifier: MIT
+# The headers that games may include: all that is installed, and at most 25. docs/embedding.md says
+# what each is for; the test architecture.public_headers checks the list.
+set(FLINCH_REACTION_HEADERS  # of the package's component `reaction`
+  sim/simulation_options.h
+  reaction/recovery.h
+  reaction/reaction.h
+  reaction/reaction_clips.h
+  reaction/reacting_character.h)
+set(FLINCH_PUBLIC_HEADERS
+  motion/role.h
+  motion/skeleton.h
+  motion/clip.h
+  motion/body.h
+  motion/foot.h
+  motion/interpolation.h
+  features/threat.h
+  features/scenario.h
+  database/library/load_status.h
+  database/library/library.h
+  models/candidate.h
+  runtime/library.h
+  runtime/workspace.h
+  runtime/perception.h
+  runtime/response/inertialization.h
+  runtime/response/response.h
+  runtime/character.h
+  runtime/c/flinch.h  # installed as flinch.h
+  ${FLINCH_REACTION_HEADERS})

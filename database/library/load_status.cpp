@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#include "database/library/load_status.h"
+
+namespace flinch::database {
+
+const char* message_of(LoadStatus status) noexcept {
+  switch (status) {
+    case LoadStatus::ok:
+      return "is sound";
+    case LoadStatus::cannot_open:
+      return "cannot be read";
+    case LoadStatus::not_a_library:
+      return "is another kind of file";
+    case LoadStatus::other_version:
+      return "was written by another version of Flinch";
+    case LoadStatus::damaged:
+      return "is damaged or cut short";
+    case LoadStatus::other_layout:
+      return "was trained on other features than this version of Flinch computes";
+    case LoadStatus::without_clips:
+      return "has no clips in it";
+    case LoadStatus::out_of_memory:
+      return "does not fit into memory";
+  }
+  return "has an unknown status";
+}
+
+}  // namespace flinch::database

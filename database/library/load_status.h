@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+
+namespace flinch::database {
+
+/// The result of reading a library or selector file.
+enum class LoadStatus : std::uint8_t {
+  ok,
+  cannot_open,
+  not_a_library,  ///< another kind of file than the one asked for
+  other_version,  ///< written in another version of the format
+  damaged,        ///< cut short or changed: verification or the content hash fails
+  other_layout,   ///< a selector trained on features that this build does not compute
+  without_clips,  ///< a selector whose file holds no clips
+  out_of_memory,
+};
+
+/// The status as the end of a sentence that begins with the file's name, such as "is damaged or cut
+/// short". Never null.
+const char* message_of(LoadStatus status) noexcept;
+
+}  // namespace flinch::database
