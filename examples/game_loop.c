@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* A game loop in C: two people stand side by side, a ball flies at one of them, and what both do is
- * printed. Usage: game_loop SELECTOR, which `flinch train` makes.
+/* A game loop in C: two people stand side by side, a ball flies at one of them, and the loop prints what
+ * both do. Usage: game_loop SELECTOR, which `flinch train` makes.
  *
  * Left out: drawing, and what happens when the ball hits. */
 #include <flinch.h>
@@ -10,7 +10,7 @@
 
 static int failures;
 
-/* Below 0 are errors; FLINCH_MISSES is an answer. */
+/* Statuses below 0 are errors; FLINCH_MISSES is a valid result. */
 static flinch_status checked(const char* what, flinch_status status) {
   if (status < 0) {
     fprintf(stderr, "game_loop: %s: %s\n", what, flinch_status_message(status));
@@ -19,7 +19,7 @@ static flinch_status checked(const char* what, flinch_status status) {
   return status;
 }
 
-/* From (9, 1) against the head of the person at (0, 0), there in 0.45 s, under gravity. */
+/* Thrown from (9, 1) at the head of the person at (0, 0), which it reaches in 0.45 s under gravity. */
 static flinch_threat thrown_ball(void) {
   const float flight_s = 0.45f;
   flinch_threat ball = {.size = sizeof ball, .radius = 0.105f, .mass_kg = 0.27f};
@@ -56,7 +56,7 @@ static void print_person(const flinch_library* library, const flinch_character* 
          flinch_phase_name(state.phase), clip.name, (double)head_height(library, character));
 }
 
-/* One frame: sees the ball if it is thrown now, and moves on. Gives the phase that it is in. */
+/* One frame: perceives the ball if it is thrown now, then updates. Returns the new phase. */
 static int32_t step(flinch_character* character, flinch_workspace* workspace,
                     const flinch_threat* ball, float dt_s) {
   if (ball != NULL) {
@@ -70,7 +70,7 @@ static int32_t step(flinch_character* character, flinch_workspace* workspace,
 int main(int argument_count, char** arguments) {
   const flinch_threat ball = thrown_ball();
   flinch_library* library = NULL;
-  flinch_workspace* workspace = NULL; /* one a thread */
+  flinch_workspace* workspace = NULL; /* one per thread */
   flinch_character* person[COUNT] = {NULL, NULL};
   int32_t phase[COUNT] = {FLINCH_IDLE, FLINCH_IDLE};
   int answers[COUNT] = {0, 0};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A game loop around one character: balls fly at it in frames of uneven length, and what it does is
-// printed. Usage: game_loop SELECTOR, which `flinch train` makes.
+// A game loop around one character: balls fly at it in frames of uneven length, and the loop prints
+// what it does. Usage: game_loop SELECTOR, which `flinch train` makes.
 //
 // Left out: drawing, what happens when a ball hits, and more than one character. Characters share a
 // library; those of one thread share a workspace.
@@ -17,7 +17,7 @@ namespace {
 constexpr float kLastThrow_s = 6;
 constexpr float kEnd_s = 9;
 
-/// A ball that the game throws: from there, to be here after a while.
+/// A ball that the game throws at time `at_s`: it flies from `from` to `to` in `flight_s`.
 struct Throw {
   float at_s;
   Eigen::Vector3f from;
@@ -29,14 +29,14 @@ const std::array<Throw, 3> kThrows{{{1, {9, 7, 1.2F}, {0, 0, 1.6F}, 0.6F, true},
                                     {kLastThrow_s / 2, {8, 0, 1.5F}, {0, 0, 1.2F}, 0.5F, true},
                                     {kLastThrow_s, {9, -2, 1.5F}, {0, 4, 2}, 0.7F, false}}};
 
-/// Frames as a game has them: some short, some long, one that hung.
+/// Frame times as in a game: some short, some long, one hitch.
 float frame_time_s(int frame) {
   constexpr std::array<float, 6> kTimes_s{1.0F / 60, 1.0F / 144, 1.0F / 30,
                                           0.011F,    1.0F / 60,  0.1F};
   return kTimes_s[static_cast<std::size_t>(frame) % kTimes_s.size()];
 }
 
-/// Under gravity: from + v t - g t^2 / 2 = to.
+/// The ball at its start, with the velocity v that solves from + v t - g t^2 / 2 = to.
 features::Threat ball_of(const Throw& thrown) {
   features::Threat ball;  // a volleyball
   ball.position = thrown.from;
@@ -62,7 +62,7 @@ void print_what_it_does(const runtime::Library& library, const runtime::Characte
   std::printf("\n");
 }
 
-/// Whether the character saw what there was to see.
+/// Shows the character the ball. Returns whether it judged correctly if the ball hits or misses.
 bool perceive(runtime::Character& character, runtime::Workspace& workspace, const Throw& thrown) {
   const runtime::Status status = character.perceive(ball_of(thrown), workspace);
   std::printf("a ball is thrown: %s\n", message_of(status));

@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""A game loop in Python: a ball flies at a character, and what it does is printed.
+"""A game loop in Python: a ball flies at a character, and the script prints what it does.
 
 Usage: game_loop.py LIBFLINCH SELECTOR
 
-LIBFLINCH is the shared library (libflinch.so), SELECTOR what `flinch train` makes. Needs nothing but
-Python. Left out: drawing, and what happens when the ball hits.
+LIBFLINCH is the shared library (libflinch.so), SELECTOR a file that `flinch train` makes. Needs
+nothing but Python. Left out: drawing, and what happens when the ball hits.
 """
 
 import ctypes
@@ -47,7 +47,7 @@ class CharacterState(Sized):
 class Flinch:
     """The library's functions, which raise ValueError for a status below 0."""
 
-    # Handles are pointers, which ctypes would cut to an int if it were not told.
+    # Handles are pointers, which ctypes would truncate to an int without these types.
     ARGUMENTS = {
         "flinch_library_load": [c_char_p, POINTER(c_void_p)],
         "flinch_library_joint_frames": [c_void_p, POINTER(Pose), POINTER(JointFrames)],
@@ -90,7 +90,7 @@ def head_height(flinch, library, character):
 
 
 def play(flinch, library, workspace, character):
-    """Whether the character answered the ball and came back to idle."""
+    """Returns whether the character answered the ball and came back to idle."""
     ball = Threat(position=(9, 1, 1.4), velocity=(-20, -2.2, 2.8), radius=0.105, mass_kg=0.27)
     state = CharacterState()
     time_s, phase, answered, thrown = 0.0, 0, False, False

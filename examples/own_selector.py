@@ -1,21 +1,21 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""A selector of one's own, compared with Flinch's: for researchers.
+"""Fits a selector written in this script and compares it with Flinch's: for researchers.
 
 Usage: own_selector.py FLINCH STORE CHART.svg
 
-FLINCH is the program, STORE a file that `flinch simulate` made. Three steps, with Python's own
-library alone:
+FLINCH is the program, STORE a file that `flinch simulate` made. Three steps, with Python's
+standard library alone:
 
 1. Load: `flinch export` writes the scenarios as CSV, with their features and what each clip cost.
 2. Fit: the selector remembers the scenarios that it may learn from. For a new one it takes the
-   mean cost of each clip over the nearest of them, weighted by 1 / distance, and the cheapest clip.
+   mean cost of each clip over the nearest of them, weighted by 1 / distance, and chooses the cheapest clip.
 3. Compare: mean cost and protection on the scenarios that `flinch compare` tests on (every fourth),
    beside the rows of `flinch compare`, as a table and as a chart. Protection is 0 for a character
    that stands still and 1 for the oracle, which simulates every clip.
 
 To try another idea, replace the class Selector. What this example leaves out: choosing the number of
-neighbours by cross-validation, and intervals of its own row (`flinch compare` bootstraps its rows').
+neighbours by cross-validation, and a confidence interval for its own row (`flinch compare` bootstraps those of its rows).
 """
 
 import csv
@@ -40,7 +40,7 @@ class Scenario:
 
 
 class Selector:
-    """Expects of each clip the mean of what it cost in the nearest scenarios."""
+    """Expects each clip to cost what it cost on average in the nearest scenarios."""
 
     def __init__(self, scenarios):
         self.scenarios = scenarios
@@ -57,7 +57,7 @@ class Selector:
         distances = [sum((a - b) ** 2 for a, b in zip(x, y)) ** 0.5 for y in self.scaled]
         nearest = sorted(range(len(distances)), key=distances.__getitem__)[:NEIGHBOURS]
         expected_ns = {}
-        for clip in scenario.cost_ns:  # those that may answer this scenario
+        for clip in scenario.cost_ns:  # the clips that may answer this scenario
             known = [(1 / (distances[i] + 1e-3), self.scenarios[i].cost_ns[clip])
                      for i in nearest if clip in self.scenarios[i].cost_ns]
             if known:
@@ -107,7 +107,7 @@ def main():
     rows = compared(flinch, store)
     idle_ns, oracle_ns = rows["idle"][0], rows["oracle"][0]
 
-    # The oracle's mean cost shows that these are the scenarios and the costs of flinch compare.
+    # Equal mean costs of the oracle show that flinch compare uses the same scenarios and costs.
     label_ns = sum(s.label_cost_ns for s in tested) / len(tested)
     if abs(label_ns - oracle_ns) > 1e-9:
         sys.exit(f"the oracle costs {label_ns} N s here and {oracle_ns} N s in flinch compare")

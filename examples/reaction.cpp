@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // A game loop around one character that balls hit: it anticipates, physics takes the blow, and it
-// comes back to idle; what happens is printed. Usage: reaction SELECTOR, which `flinch train`
-// makes.
+// comes back to idle; the program prints what happens. Usage: reaction SELECTOR, a file that
+// `flinch train` makes.
 //
-// Left out: drawing, getting up, and more than one character. Characters of a library share its
-// kit.
+// Left out: drawing, getting up, and more than one character. Characters of one library share
+// its ReactionData.
 #include <cstdio>
 
 #include "reaction/reacting_character.h"
@@ -14,11 +14,11 @@ using namespace flinch;
 namespace {
 
 constexpr float kFrame_s = 1.0F / 60;
-constexpr float kFlight_s = 0.25F;  // too little to get away
-// A ball is handed to physics this long before its impact, so that it may hit early.
+constexpr float kFlight_s = 0.25F;  // too short to get away
+// Physics takes over this long before the predicted impact, since the ball may hit earlier.
 constexpr float kAhead_s = 0.15F;
 
-/// A volleyball at the belly from the front left: from + v t - g t^2 / 2 = to.
+/// A volleyball from the front left at the belly; v solves from + v t - g t^2 / 2 = to.
 features::Threat thrown_ball() {
   features::Threat ball;
   ball.position = {4.5F, 3.5F, 1.2F};
@@ -27,7 +27,7 @@ features::Threat thrown_ball() {
   return ball;
 }
 
-/// Prints who moves the character whenever that changes.
+/// Prints what moves the character, the clip or physics, whenever that changes.
 void tell(float time_s, const reaction::ReactingCharacter& hero, reaction::PoseSource& last) {
   if (hero.pose_source() == last) return;
   last = hero.pose_source();
@@ -40,7 +40,7 @@ bool play(const runtime::Library& library, runtime::Workspace& workspace) {
   reaction::ReactingCharacter hero(library, data);
   const features::Threat threat = thrown_ball();
   reaction::PoseSource last = hero.pose_source();
-  float flown_s = -1;  // of the ball; it is thrown at 0
+  float flown_s = -1;  // time since the throw; negative before
   bool is_met = false;
   for (int frame = 0; frame < 600; ++frame) {
     const bool is_thrown = flown_s < 0 && flown_s + kFrame_s >= 0;

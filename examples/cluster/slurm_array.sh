@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Simulates many scenarios on a cluster as a Slurm job array, without MPI: each task simulates a
-# range of its own into a store of its own, and a last job joins them.
+# Simulates many scenarios on a cluster as a Slurm job array, without MPI: each task simulates its
+# own range of scenarios into its own store, and a last job merges the stores.
 #
 #     array=$(sbatch --parsable --array=0-99 examples/cluster/slurm_array.sh)
 #     sbatch --dependency=afterok:$array examples/cluster/slurm_array.sh merge
 #
-# A task that fails or runs out of time is submitted again (--array=17): it goes on where it was.
+# Submit a task that fails or runs out of time again (--array=17): it resumes where it stopped.
 #SBATCH --job-name=flinch
 #SBATCH --cpus-per-task=32
 #SBATCH --mem=4G
@@ -23,7 +23,7 @@ if [[ ${1-} == merge ]]; then
   exec "$flinch" merge "$store".part-?????? --out "$store"
 fi
 
-# The first tasks take one more where the number does not divide evenly.
+# If the number does not divide evenly, the first tasks take one scenario more.
 tasks=$SLURM_ARRAY_TASK_COUNT
 task=$((SLURM_ARRAY_TASK_ID - ${SLURM_ARRAY_TASK_MIN:-0}))
 count=$((scenarios / tasks + (task < scenarios % tasks)))
