@@ -21,7 +21,7 @@ double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
   return a.x() * b.y() - a.y() * b.x();
 }
 
-/// A few points on the ground.
+/// A small set of points on the ground.
 class GroundPoints {
  public:
   void add(const Eigen::Vector3d& point) { points_[count_++] = point.head<2>(); }
@@ -47,8 +47,8 @@ void for_each_sole_corner(const sim::FigureModel& figure_model,
 
 }  // namespace
 
-// Seen from outside, all points lie on one side of the line to the outermost of them; then the
-// nearest point of the hull is on one of its edges, and no other pair of points lies nearer.
+// Seen from outside, all points lie on one side of the line to the outermost of them. The nearest
+// point of the hull is then on one of its edges, and no segment between other points is nearer.
 double distance_outside(std::span<const Eigen::Vector2d> points, const Eigen::Vector2d& point) {
   const bool outside = std::any_of(points.begin(), points.end(), [&](const auto& outermost) {
     return std::all_of(points.begin(), points.end(), [&](const auto& other) {

@@ -10,8 +10,9 @@ namespace {
 
 using motion::Body;
 
-constexpr double kFootFrequency = 60;  // rad/s, as the trainer's figure holds its feet
-constexpr double kSoleFriction = 0.8;  // friction of a sole, of the weight that it carries
+// Rad/s, natural frequency of the hold, the same as in training.
+constexpr double kFootFrequency = 60;
+constexpr double kSoleFriction = 0.8;  // friction coefficient of a sole
 constexpr double kGravity_mps2 = 9.81;
 constexpr double kMaxStandingHeight_m = 0.02;
 constexpr double kMaxStandingSpeed_mps = 0.15;
@@ -20,7 +21,7 @@ bool stands(const sim::BodyState& foot, const sim::MovingShape& outline) {
   if (foot.velocity.norm() > kMaxStandingSpeed_mps) return false;
   const Eigen::Quaterniond turn = foot.orientation * outline.orientation;
   const Eigen::Vector3d centre = foot.position + foot.orientation * outline.centre;
-  // The lowest corner: what the half extents reach downwards together.
+  // The lowest corner: the sum of the half extents' downward components.
   const Eigen::Vector3d down = turn.conjugate() * Eigen::Vector3d::UnitZ();
   return centre.z() - down.cwiseAbs().dot(outline.half_extents) < kMaxStandingHeight_m;
 }
@@ -38,7 +39,7 @@ FootLock::FootLock(const sim::FigureModel& figure_model, dWorldID world, sim::Fi
   unlock();
 }
 
-// A pull beyond the grip is one of softer gains, as for the pelvis: the foot slides.
+// A force beyond the friction limit acts as softer gains do, as for the pelvis: the foot slides.
 void FootLock::lock(const sim::ReferenceState& target, double step_s, double share) {
   std::array<bool, 2> standing{};
   for (std::size_t i = 0; i < feet_.size(); ++i) {

@@ -46,7 +46,7 @@ ReactingCharacter::ReactingCharacter(const runtime::Library& library,
 ReactionStatus ReactingCharacter::react_to(const sim::Ball& ball) noexcept {
   const ReactionStatus status = reaction_.begin(before_, pose_, double{step_s_}, &ball);
   if (status != ReactionStatus::ok) return status;
-  // What is tracked is the character's motion, which the clip has left behind.
+  // The simulation tracks the character's own motion, which the reaction clip does not follow.
   if (pose_source_ == PoseSource::reaction_clip) resume_from_shown_pose(step_s_);
   pose_source_ = PoseSource::physics;
   has_searched_ = false;
@@ -75,7 +75,7 @@ ReactionStatus ReactingCharacter::update(float dt_s) noexcept {
   return status_;
 }
 
-// A clip is looked for once, before the way to what is returned to begins.
+// Searches for a clip once, before the return to the destination begins.
 void ReactingCharacter::update_from_physics(float dt_s) noexcept {
   match_age_s_ += dt_s;
   const motion::Pose wanted = character_.pose();

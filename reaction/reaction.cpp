@@ -10,7 +10,7 @@
 namespace flinch::reaction {
 namespace {
 
-// A ball that has not hit by then is not waited for.
+// Longest wait for the ball's contact.
 constexpr double kMaxWaitForContact_s = 0.3;
 
 bool is_in_range(const ReactionOptions& options) {
@@ -23,7 +23,7 @@ bool is_frame_time(double dt_s) {
   return dt_s > 0 && dt_s <= kMaxReactionFrame_s;
 }
 
-// Masses too far apart are more than the solver bears; the rest keeps numbers sane.
+// The solver fails for mass ratios that are too large; the other bounds exclude meaningless values.
 bool is_in_range(const sim::Ball& ball) {
   return ball.position.allFinite() && ball.velocity.norm() <= 1000 && ball.radius >= 1e-3 &&
          ball.radius <= 10 && ball.mass_kg >= 1e-3 && ball.mass_kg <= 1000;
@@ -31,7 +31,7 @@ bool is_in_range(const sim::Ball& ball) {
 
 }  // namespace
 
-/// A reaction under way.
+/// State of a reaction in progress.
 struct Reaction::State {
   std::shared_ptr<const sim::FigureModel> figure_model;
   ReactionOptions options;
@@ -39,10 +39,10 @@ struct Reaction::State {
   ReactionPhase phase = ReactionPhase::none;
   motion::Pose shown;
   sim::Ball initial_ball;
-  double time_s = 0;  ///< since begin
+  double time_s = 0;  ///< since begin()
   bool has_failed = false;
   bool is_returning = false;
-  motion::Pose wanted_at_return;  ///< where both motions were when the way back began
+  motion::Pose wanted_at_return;  ///< both motions at the time at which the return began
   motion::Pose returning_at_return;
 
   void begin(const motion::Pose& before, const motion::Pose& now, double dt_s,
@@ -63,7 +63,7 @@ std::shared_ptr<const sim::FigureModel> make_figure_model(
   }
 }
 
-/// Negative before it.
+/// Seconds since the contact; negative before it.
 double Reaction::State::since_contact_s() const {
   return time_s - std::min(run->encounter().first_contact_s(), kMaxWaitForContact_s);
 }
@@ -136,7 +136,7 @@ const char* message_of(ReactionStatus status) noexcept {
     case ReactionStatus::bad_options:
       return "there is no figure, or an option is out of its range";
     case ReactionStatus::bad_time:
-      return "the time step must be above 0 and at most 0.1 s";
+      return "the time step must be above 0 s and at most 0.1 s";
     case ReactionStatus::bad_pose:
       return "a pose is not finite, or a rotation is not of unit length";
     case ReactionStatus::bad_ball:
@@ -144,7 +144,7 @@ const char* message_of(ReactionStatus status) noexcept {
     case ReactionStatus::failed:
       break;
   }
-  return "the physics engine failed; the motion goes on without it";
+  return "the physics engine failed; the motion continues without it";
 }
 
 Reaction::Reaction(std::shared_ptr<const sim::FigureModel> figure,

@@ -39,7 +39,7 @@ ReactionClips::ReactionClips(const motion::Physique& character, std::span<const 
     const float last_s = motion.duration_s() - kMinRemaining_s;
     for (int k = 0; static_cast<float>(k) / kRate_hz <= last_s; ++k) {
       const float time_s = static_cast<float>(k) / kRate_hz;
-      // At the very beginning there is no pose before: the next difference stands in.
+      // The first pose has no predecessor, so the next difference replaces it.
       const float to_s = std::max(time_s, kDifference_s);
       Frame frame =
           frame_of(sample(motion, to_s - kDifference_s), sample(motion, to_s), kDifference_s);
@@ -72,7 +72,8 @@ ReactionClips::Frame ReactionClips::frame_of(const motion::Pose& before, const m
   return frame;
 }
 
-// A frame is given up as soon as its first bodies, the heaviest, are farther than the best.
+// Rejects a frame as soon as the distance of its first bodies, which are the heaviest, exceeds the
+// best.
 std::optional<ReactionMatch> ReactionClips::find(const motion::Pose& before,
                                                  const motion::Pose& now, float dt_s,
                                                  float max_distance_m) const noexcept {

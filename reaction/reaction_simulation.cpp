@@ -13,15 +13,16 @@ namespace {
 using motion::Body;
 using motion::Role;
 
-// The free step is half the trainer's, as what is soft swings far and is seen; the contact step
-// twice the trainer's, as a frame must end.
+// The free step is half of the one in training, because soft joints swing far and the swing is
+// visible. The contact step is twice the one in training, because a frame has a time limit.
 constexpr double kFreeStep_s = 1.0 / 120;
 constexpr double kContactStep_s = 1.0 / 1000;
 constexpr double kMaxStepRate_hz = 180;
 constexpr double kMaxSavedSteps = 2;
-constexpr double kNegligibleStep_s = 1e-6;  // not worth a step
+constexpr double kNegligibleStep_s = 1e-6;  // remainders below this are not simulated
 constexpr double kImpactStiffnessShare = 1e-4;
-constexpr double kPelvisForceShare = 0.7;  // share of the figure's weight that pulls it back
+// Largest force that pulls the figure back, as a share of its weight.
+constexpr double kPelvisForceShare = 0.7;
 
 sim::SimulationOptions simulation_options() {
   sim::SimulationOptions options;
@@ -61,8 +62,8 @@ void ReactionSimulation::advance(double dt_s, const motion::Pose& wanted) {
   while (after_.time_s < shown_s_ - kNegligibleStep_s) step();
 }
 
-// Steps cost, so there is a budget of them: a rate, and some saved up for the first touches. Beyond
-// it steps are as long as the rate allows, whatever is touched.
+// Steps cost time, so they have a budget: a rate, and a reserve for the first contacts. When the
+// budget is spent, steps are as long as the rate allows, whatever is in contact.
 void ReactionSimulation::step() {
   const sim::ReferenceState now = wanted_.at(encounter_.time_s());
   const double step_s =
@@ -75,13 +76,13 @@ void ReactionSimulation::step() {
   after_ = snapshot();
   for (const sim::BodyState& body : after_.body) {
     if (!body.position.allFinite() || !body.orientation.coeffs().allFinite()) {
-      throw Error("reaction", "the simulated figure is nowhere");
+      throw Error("reaction", "the position of the simulated figure is not finite");
     }
   }
 }
 
-// A blow lasts no time: what holds the figure to the ground has none to answer it, while gains set
-// for the velocity before it would.
+// A blow is instantaneous, so the force that holds the figure to the ground has no time to oppose
+// it. Gains computed from the velocity before the blow would oppose it.
 void ReactionSimulation::set_motors(const sim::ReferenceState& target, double step_s) {
   const double to_ground = encounter_.is_ball_hit() ? kImpactStiffnessShare : 1;
   sim::MotorStrength strength =

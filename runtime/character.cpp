@@ -18,8 +18,8 @@ using motion::Pose;
 using motion::Role;
 
 constexpr float kVelocityInterval_s =
-    1.0F / 240;                              // over which velocities of responses are measured
-constexpr float kMinPoseInterval_s = 1e-4F;  // nearer poses say nothing of velocities
+    1.0F / 240;  // interval over which velocities of responses are measured
+constexpr float kMinPoseInterval_s = 1e-4F;  // poses less far apart say nothing about velocities
 
 bool is_usable(const features::Threat& threat) {
   return threat.position.allFinite() && threat.velocity.allFinite() &&
@@ -41,7 +41,7 @@ const char* message_of(Status status) noexcept {
     case Status::ok:
       return "ok";
     case Status::misses:
-      return "the threat will hit nothing";
+      return "the threat hits nothing";
     case Status::unnoticed:
       return "the character has not noticed the threat";
     case Status::not_loaded:
@@ -49,15 +49,15 @@ const char* message_of(Status status) noexcept {
     case Status::other_workspace:
       return "the workspace was made for another library";
     case Status::bad_clip:
-      return "the library has no such clip, or it is not annotated";
+      return "the library has no such clip, or the clip is not annotated";
     case Status::bad_threat:
-      return "the threat has a number that is not finite or a time that is not positive";
+      return "a number of the threat is not finite, or its time is not positive";
     case Status::bad_time:
       return "the time step is not positive and finite";
     case Status::bad_pose:
-      return "the pose has a number that is not finite or a rotation that is not unit";
+      return "the pose has a number that is not finite or a rotation that is not of unit length";
     case Status::bad_placement:
-      return "the place or direction is not finite";
+      return "the position or direction is not finite";
   }
   return "unknown";
 }
@@ -185,8 +185,7 @@ Status Character::respond(int clip, float time_to_impact_s) noexcept {
   return status;
 }
 
-// The state of a character that idles moves on in its idle clip; one that does not stands where its
-// feet say.
+// An idling character's state advances in its idle clip; that of any other is where its feet are.
 features::CharacterState Character::current_state() const noexcept {
   if (is_responding()) {
     if (time_s_ < double{kMinPoseInterval_s}) return response_.state;
@@ -235,7 +234,7 @@ Status Character::update(float dt_s) noexcept {
   time_to_impact_s_ -= dt;
   if (delayed_clip_) {
     delay_s_ -= dt;
-    // What hits before the delay is over is not answered any more.
+    // A threat that hits before the delay is over gets no response.
     if (time_to_impact_s_ <= 0) {
       delayed_clip_.reset();
     } else if (delay_s_ <= 0) {
@@ -244,7 +243,8 @@ Status Character::update(float dt_s) noexcept {
   }
   if (is_responding() && time_s_ >= double{duration_s(response_)}) finish();
   if (!is_responding()) {
-    // The idle clip goes to and fro: a whole period changes nothing, and keeps the time small.
+    // The idle clip plays forwards and backwards. Removing whole periods changes nothing and keeps
+    // the time small.
     const double period_s = 2 * double{library_->prepared().idle().duration_s()};
     if (period_s > 0 && time_s_ >= period_s) time_s_ = std::fmod(time_s_, period_s);
   }

@@ -18,7 +18,7 @@ bool is_at_least_zero(float number) {
   return number >= 0 && std::isfinite(number);
 }
 
-/// What one threat's perception is off by: standard normal, but for the chance.
+/// Random errors in the perception of one threat: standard normal, except the chance.
 struct Draws {
   double chance;  ///< uniform in [0, 1)
   std::array<float, 2> bearing;
@@ -27,7 +27,8 @@ struct Draws {
   float speed;
 };
 
-// Always all, in one order, so that no limit moves another's.
+// Draws all numbers in a fixed order, so that changing one limit does not change the others'
+// errors.
 Draws draw(std::uint64_t seed, std::uint64_t number) {
   features::Random random(seed, features::RandomStream::perception, number);
   const auto normal = [&] { return static_cast<float>(random.normal()); };
@@ -40,7 +41,7 @@ Draws draw(std::uint64_t seed, std::uint64_t number) {
   return draws;
 }
 
-/// The vector turned about two axes across it.
+/// Returns `vector` rotated by normal angles about two axes perpendicular to it.
 Eigen::Vector3f turned(const Eigen::Vector3f& vector, const std::array<float, 2>& normals,
                        float noise) {
   const float length = vector.norm();
@@ -51,7 +52,7 @@ Eigen::Vector3f turned(const Eigen::Vector3f& vector, const std::array<float, 2>
          vector;
 }
 
-/// exp(sigma n): exactly 1 without noise.
+/// Returns exp(sigma n), which is exactly 1 without noise.
 float factor(float normal, float noise) {
   return std::exp(noise * normal);
 }
@@ -65,7 +66,7 @@ bool is_valid(const PerceptionLimits& limits) noexcept {
          limits.chance_to_fail <= 1;
 }
 
-// Hick: delay = a + b log2(choices).
+// Hick's law: delay = a + b log2(choices).
 PerceptionLimits human_limits(int choices) noexcept {
   const float doublings = std::log2(static_cast<float>(std::max(choices, 1)));
   return {.reaction_delay_s = kSimpleReactionTime_s + kDelayPerDoubling_s * doublings,

@@ -6,7 +6,7 @@
 namespace flinch::runtime {
 
 bool is_usable(const motion::Pose& pose) noexcept {
-  constexpr float kUnit = 1e-2F;  // by which a rotation's length may differ from 1
+  constexpr float kUnit = 1e-2F;  // tolerance of a rotation's length
   return is_sound(pose, kUnit) && (pose.root_position.array().abs() <= features::kMaxExtent).all();
 }
 

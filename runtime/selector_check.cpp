@@ -47,8 +47,8 @@ bool is_sound(const features::Scaling& scaling, std::size_t feature_count) {
                     [](double least, double most) { return least <= most; });
 }
 
-/// Whether one of a machine's four lists of vectors, which begins at `next`, is of rising indices
-/// of a class of this many vectors; moves on to the next list.
+/// Checks one of a machine's four lists of vectors, which starts at `next`: ascending indices of a
+/// class with this many vectors. Advances `next` to the following list.
 bool is_list(const models::SvmModel& model, std::size_t& next, std::size_t count, int vectors) {
   if (count > model.vectors.size() - next) return false;
   const auto list = std::span(model.vectors).subspan(next, count);
@@ -57,7 +57,7 @@ bool is_list(const models::SvmModel& model, std::size_t& next, std::size_t count
          (list.empty() || list.back() < vectors);
 }
 
-/// Whether the machines are one a pair of classes, and their lists and coefficients are all there.
+/// Whether there is one machine per pair of classes, with all of its lists and coefficients.
 bool are_machines_sound(const models::SvmModel& model) {
   const std::size_t classes = model.label.size();
   if (model.machines.size() != classes * (classes - 1) / 2) return false;
@@ -77,7 +77,7 @@ bool are_machines_sound(const models::SvmModel& model) {
   return next == model.vectors.size() && coefficients == model.coefficients.size();
 }
 
-/// Whether the rows are finite numbers, and zeros where they are filled up.
+/// Whether the rows are finite and their padding is zero.
 bool are_rows_sound(const models::SvmModel& model) {
   const std::vector<float>& values = model.support_vectors;
   const auto features = static_cast<std::size_t>(model.feature_count);
@@ -111,7 +111,7 @@ bool is_sound(const models::SvmModel& model, std::size_t clip_count, std::size_t
          are_machines_sound(model);
 }
 
-// Sums of costs have room for 65535 neighbours.
+// The sums of costs have room for 65535 neighbours.
 bool is_sound(const models::KnnModel& model, std::size_t clip_count, std::size_t feature_count) {
   const bool has_costs = model.vote == models::KnnVote::cost;
   return model.k >= 1 && model.k <= 0xFFFF && model.vote <= models::KnnVote::cost &&
@@ -124,13 +124,13 @@ bool is_sound(const models::KnnModel& model, std::size_t clip_count, std::size_t
          (!has_costs || (std::isfinite(model.cost_step_ns) && model.cost_step_ns > 0));
 }
 
-// A unit too many, or a member, would be read beyond the weights; sizes beyond a few thousand would
+// An extra unit or member would be read beyond the weights; sizes above a few thousand would
 // overflow their product.
 bool is_sound(const models::NetworkModel& model, std::size_t clip_count,
               std::size_t feature_count) {
   constexpr int kMaxCount = 1 << 12;
   const auto is_weight = [](float weight) {
-    return std::abs(weight) <= models::kMaxNetworkWeight;  // not so where it is not a number
+    return std::abs(weight) <= models::kMaxNetworkWeight;  // false for not-a-number
   };
   return static_cast<std::size_t>(model.feature_count) == feature_count &&
          model.hidden_count >= 1 && model.hidden_count <= kMaxCount &&
@@ -144,7 +144,7 @@ bool is_sound(const models::NetworkModel& model, std::size_t clip_count,
          std::all_of(model.weights.begin(), model.weights.end(), is_weight);
 }
 
-// A sum beyond the bound would overflow; a machine too many would be read beyond the weights.
+// A sum beyond the bound would overflow; an extra machine would be read beyond the weights.
 bool is_sound(const models::PairwiseModel& model, std::size_t clip_count,
               std::size_t feature_count) {
   const std::size_t classes = model.clip.size();

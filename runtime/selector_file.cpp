@@ -15,10 +15,11 @@ namespace {
 
 using database::LoadStatus;
 
-static_assert(std::endian::native == std::endian::little, "files are read as they are kept");
+static_assert(std::endian::native == std::endian::little,
+              "files are little-endian and are read in place");
 
-// FlatBuffers' verifier looks at where a vector lies, not at whether its numbers are aligned there,
-// which those of a file made up by somebody may not be.
+// FlatBuffers' verifier checks that a vector lies inside the file but not that its numbers are
+// aligned there. In a forged file they may not be.
 template <typename T>
 std::vector<T> to_vector(const flatbuffers::Vector<T>& stored) {
   std::vector<T> numbers(stored.size());
@@ -40,7 +41,7 @@ models::ClipSummary read_clip(const schema::Clip& stored) {
   return clip;
 }
 
-/// No machines where their numbers disagree.
+/// Returns no machines if their numbers disagree.
 std::vector<models::SvmMachine> read_machines(const schema::Svm& stored) {
   const auto& rho = *stored.rho();
   const auto& counts = *stored.counts();
@@ -100,14 +101,14 @@ models::PairwiseModel read_model(const schema::PairwiseLinear& stored, int featu
           .weights = to_vector(*stored.weights())};
 }
 
-/// None unless this build computes every feature.
+/// Returns nothing unless this build computes every feature.
 std::optional<features::Layout> read_layout(const schema::Selector& stored) {
   std::vector<std::string> names;
   for (const flatbuffers::String* name : *stored.feature_names()) names.push_back(name->str());
   return features::Layout::of(names);
 }
 
-/// False for what the schema's own verification leaves open.
+/// Returns false for errors that the schema's own verification does not find.
 bool read_stored(const schema::Selector& stored, models::Selector& selector) {
   selector.library_hash = stored.library_hash();
   for (const schema::Clip* clip : *stored.clips()) selector.clips.push_back(read_clip(*clip));
@@ -137,14 +138,14 @@ bool read_stored(const schema::Selector& stored, models::Selector& selector) {
   return true;
 }
 
-/// The library that the file has in it, where it has one.
+/// Reads the library that the file contains, if it contains one.
 LoadStatus read_clips(const schema::Selector& stored, SelectorFile& file) {
   if (stored.library() == nullptr) return LoadStatus::ok;
   const std::span<const std::byte> bytes =
       std::as_bytes(std::span(stored.library()->data(), stored.library()->size()));
   const LoadStatus status = database::read_embedded_library(bytes, file.library.emplace());
   if (status == LoadStatus::out_of_memory) return status;
-  // Whatever else is wrong with it: it is this file that cannot be used.
+  // Whatever the error, it means that this file cannot be used.
   return status == LoadStatus::ok && is_compatible(file.selector, *file.library)
              ? LoadStatus::ok
              : LoadStatus::damaged;

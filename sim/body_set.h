@@ -8,7 +8,7 @@
 
 namespace flinch::sim {
 
-/// A set of bodies, one bit each.
+/// A set of bodies, one bit per body.
 using BodySet = std::uint32_t;
 
 inline constexpr BodySet kAllBodies = (BodySet{1} << motion::kBodyCount) - 1;
@@ -17,12 +17,12 @@ constexpr BodySet set_of(motion::Body body) {
   return BodySet{1} << static_cast<unsigned>(body);
 }
 
-/// The bodies that come after `body`.
+/// The bodies that follow `body` in the enumeration.
 constexpr BodySet bodies_after(motion::Body body) {
   return kAllBodies & ~(2 * set_of(body) - 1);
 }
 
-/// By rising number, parents first.
+/// Calls `visit` for each body of the set in ascending order, which is parents first.
 template <class Visit>
 void for_each_body(BodySet bodies, Visit visit) {
   for (; bodies != 0; bodies &= bodies - 1) {

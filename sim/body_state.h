@@ -5,7 +5,7 @@
 
 namespace flinch::sim {
 
-/// Where a body is and how it moves: its centre of mass, world.
+/// Pose and velocity of a rigid body at its centre of mass. World frame.
 struct BodyState {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();               ///< m
   Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();  ///< unit

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kCutoffHz = 12;
 
-/// Positions of one point or several, a column each, at a fixed rate, m.
+/// Positions of one or more points, one column per point, at a fixed rate, m.
 template <class Positions>
 using Path = std::vector<Positions>;
 using CentresOfMass = Eigen::Matrix<double, 3, motion::kBodyCount>;
@@ -31,7 +31,7 @@ LowPass butterworth(double cutoff_hz, double rate_hz) {
   return {b, 2 * b, b, 2 * (k * k - 1) / n, (1 - std::numbers::sqrt2 * k + k * k) / n};
 }
 
-/// One pass, from the state of having rested at the first value for ever.
+/// One pass, starting from rest at the first value.
 template <class In, class Out>
 void filter(const LowPass& pass, In begin, In end, Out out) {
   const auto* x1 = &*begin;
@@ -47,8 +47,8 @@ void filter(const LowPass& pass, In begin, In end, Out out) {
   }
 }
 
-// Reflecting each end about its value, 2 x_0 - x_k, keeps position and velocity there, so that the
-// filter starts and ends without a transient.
+// Reflecting each end about its value, 2 x_0 - x_k, preserves position and velocity there, so that
+// the filter starts and ends without a transient.
 template <class Positions>
 Path<Positions> extended(const Path<Positions>& path, std::ptrdiff_t count) {
   Path<Positions> result;
@@ -65,9 +65,10 @@ Path<Positions> extended(const Path<Positions>& path, std::ptrdiff_t count) {
 
 template <class Positions>
 Path<Positions> smoothed(const Path<Positions>& path, double rate_hz) {
-  if (path.size() < 2 || rate_hz <= 2 * kCutoffHz) return path;  // nothing above the cut-off
+  // The rate cannot carry frequencies above the cut-off.
+  if (path.size() < 2 || rate_hz <= 2 * kCutoffHz) return path;
   const LowPass pass = butterworth(kCutoffHz, rate_hz);
-  // Half a second is six periods of the cut-off: transients are gone.
+  // Half a second is six periods of the cut-off, enough for transients to decay.
   const auto reach = std::min<std::ptrdiff_t>(std::lround(rate_hz / 2), std::ssize(path) - 1);
   Path<Positions> smooth = extended(path, reach);
   Path<Positions> forwards(smooth.size());
@@ -104,7 +105,7 @@ motion::PerBody<double> mechanical_work(const motion::Physique& character,
   motion::PerBody<double> work;
   if (motion.poses.size() < 4) return work;
   const motion::BodyModel model = motion::make_body_model(character);
-  Path<CentresOfMass> path(motion.poses.size());  // all bodies' at once: filtered side by side
+  Path<CentresOfMass> path(motion.poses.size());  // all bodies at once: filtered side by side
   for (std::size_t k = 0; k < path.size(); ++k) {
     const motion::JointFrames frames =
         motion::forward_kinematics(character.skeleton, motion.poses[k]);

@@ -11,8 +11,8 @@
 
 namespace flinch::runtime {
 
-/// What every C handle begins with: says what it is, so that a wrong one is noticed. A handle has a
-/// `kMark` of its kind and a smart pointer `content` to what it stands for.
+/// First member of every C handle: identifies its kind, so that a wrong handle is detected. A
+/// handle has a `kMark` of its kind and a smart pointer `content` to its object.
 struct HandleHeader {
   explicit HandleHeader(std::uint32_t mark_of_kind) : mark(mark_of_kind) {}
 
@@ -29,8 +29,9 @@ flinch_status check_handle(const Handle* handle) {
 }
 
 #ifdef FLINCH_CHECK_HANDLES
-/// Marks a handle as freed and keeps it, without its content, so that it can be told from others
-/// for as long as the program runs. The list is for leak checkers, and for any number of threads.
+/// Marks a handle as freed, releases its content and keeps the handle itself, so that later uses
+/// are detected for as long as the program runs. The list keeps leak checkers quiet and is safe for
+/// any number of threads.
 template <class Handle>
 void release_handle(Handle* handle) {
   static std::atomic<HandleHeader*> freed{nullptr};

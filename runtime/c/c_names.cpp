@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The words of the C interface: messages and names, which need no handle.
+// Status messages and names of the C interface, which need no handle.
 #include <string_view>
 
 #include "runtime/c/flinch.h"
@@ -29,11 +29,12 @@ const char* flinch_status_message(flinch_status status) {
     case FLINCH_BAD_HANDLE:
       return "the handle was freed, or is of another kind";
     case FLINCH_BAD_SIZE:
-      return "the struct's size is none that this version of Flinch knows: set it to its sizeof";
+      return "the size member of a struct is not one that this version of Flinch knows: set it to "
+             "sizeof";
     case FLINCH_OTHER_LIBRARY:
-      return "the workspace was made for another library than the character";
+      return "the workspace was made for a different library than the character";
     case FLINCH_BAD_INDEX:
-      return "there is no such clip or target, or the capacity is below 0";
+      return "there is no such clip or target, or the capacity is negative";
     case FLINCH_BAD_CLIP:
       return message_of(runtime::Status::bad_clip);
     case FLINCH_BAD_THREAT:
@@ -45,7 +46,7 @@ const char* flinch_status_message(flinch_status status) {
     case FLINCH_BAD_PLACEMENT:
       return message_of(runtime::Status::bad_placement);
     case FLINCH_BAD_LIMITS:
-      return "a limit of perception is below 0, not finite, or a chance above 1";
+      return "a limit of perception is negative, not finite, or a probability above 1";
     case FLINCH_BAD_MASK:
       return "a weight of the mask is not between 0 and 1";
     case FLINCH_OUT_OF_MEMORY:
@@ -53,7 +54,7 @@ const char* flinch_status_message(flinch_status status) {
     case FLINCH_CANNOT_OPEN:
       return "the file cannot be read";
     case FLINCH_NOT_A_SELECTOR:
-      return "this is no selector: flinch train makes one";
+      return "this is not a selector: make one with flinch train";
     case FLINCH_OTHER_VERSION:
       return "the selector was written by another version of Flinch: train it again";
     case FLINCH_DAMAGED:
@@ -63,11 +64,11 @@ const char* flinch_status_message(flinch_status status) {
     case FLINCH_WITHOUT_CLIPS:
       return "the selector has no clips in its file: train it again";
     default:
-      return "this is no status of Flinch";
+      return "this is not a status of Flinch";
   }
 }
 
-// The names are string literals: each ends where its view does.
+// The names are string literals, so each is null-terminated where its view ends.
 const char* flinch_joint_name(int32_t joint) {
   if (!is_below(joint, motion::kRoleCount)) return nullptr;
   return name_of(static_cast<motion::Role>(joint)).data();

@@ -10,7 +10,8 @@
 
 namespace flinch::runtime {
 
-/// The least size of a C struct: that of its first version, or what cannot be left out.
+/// Smallest valid size of a C struct: the size of its first version, or up to its last required
+/// member.
 template <class T>
 inline constexpr std::size_t kMinSize = sizeof(T);
 template <>
@@ -25,8 +26,8 @@ flinch_status check_struct(const T* value) {
   return fits ? FLINCH_OK : FLINCH_BAD_SIZE;
 }
 
-/// What the caller's struct, which was checked, says; what it is too small for is left as in
-/// `defaults`.
+/// Returns the values of the caller's struct, which was checked; members that it is too small to
+/// hold are as in `defaults`.
 template <class T>
 T read_struct(const T& from, const T& defaults = {}) {
   T value = defaults;
@@ -34,7 +35,7 @@ T read_struct(const T& from, const T& defaults = {}) {
   return value;
 }
 
-/// As much of `value` as the caller's struct, which was checked, has room for.
+/// Writes as much of `value` as the caller's struct, which was checked, has room for.
 template <class T>
 void write_struct(T& to, T value) {
   value.size = to.size;

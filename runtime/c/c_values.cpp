@@ -24,7 +24,7 @@ void write(float (&to)[4], const Eigen::Quaternionf& from) {
   std::copy_n(from.vec().data(), 3, to + 1);
 }
 
-// The C enumerations are ours, in other words.
+// The values of the C enumerations equal those of the C++ enumerations.
 static_assert(FLINCH_JOINT_COUNT == motion::kRoleCount);
 static_assert(FLINCH_MOST_CANDIDATES == Character::kMaxCandidates);
 static_assert(FLINCH_LEGS == static_cast<int>(motion::Target::legs));

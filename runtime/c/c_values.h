@@ -9,8 +9,8 @@
 
 namespace flinch::runtime {
 
-/// Statuses and values of the C interface, from and to ours. Structs of the C interface have been
-/// checked (see c_struct.h); what they leave out is the default.
+/// Converts statuses and values between the C interface and C++. Structs of the C interface have
+/// been checked (see c_struct.h); members that they lack have their default.
 
 flinch_status status_of(Status status) noexcept;
 flinch_status status_of(database::LoadStatus status) noexcept;
@@ -24,7 +24,7 @@ flinch_perception_limits to_c(const PerceptionLimits& limits);
 flinch_pose to_c(const motion::Pose& pose);
 flinch_joint_frames to_c(const motion::JointFrames& frames);
 flinch_skeleton to_c(const motion::Skeleton& skeleton);
-/// Refers to the clip's texts.
+/// The result refers to the clip's strings.
 flinch_clip to_c(const motion::Clip& clip);
 
 /// Whether all weights are in [0, 1].

@@ -25,7 +25,7 @@ using runtime::status_of;
 using runtime::to_c;
 using runtime::write_struct;
 
-// A library is shared by its handle and all that was made from it.
+// The library's handle and everything made from it share the library.
 using SharedLibrary = std::shared_ptr<const runtime::Library>;
 
 struct flinch_library : runtime::HandleHeader {
@@ -71,7 +71,7 @@ flinch_status check_one(const T* argument) {
   }
 }
 
-/// The first thing that is wrong with handles and structs, in their order.
+/// Returns the first error in handles and structs, in the order of the arguments.
 template <class... Arguments>
 flinch_status check(const Arguments*... arguments) {
   flinch_status status = FLINCH_OK;
@@ -83,7 +83,7 @@ bool is_index(int index, std::size_t count) {
   return index >= 0 && static_cast<std::size_t>(index) < count;
 }
 
-/// Makes a handle of what `make` gives.
+/// Makes a handle for the result of `make`.
 template <class Handle, class Make>
 flinch_status make_handle(Handle** out, const Make& make) try {
   *out = new Handle(make());

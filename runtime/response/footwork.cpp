@@ -16,10 +16,10 @@ using motion::JointFrames;
 using motion::Role;
 using motion::Side;
 
-constexpr float kMinSwing_s = 0.05F;  // s, of a swing and of a stand between two
-constexpr float kOpening_s = 0.2F;    // s, in which weight is compared
+constexpr float kMinSwing_s = 0.05F;  // s, shortest swing, and shortest stance between two swings
+constexpr float kOpening_s = 0.2F;    // s, time over which weight is compared
 
-// Adds the swing that ends at `end_s`, or joins it to the last one.
+// Adds the swing that ends at `end_s`, or merges it with the last swing.
 void close_swing(float begin_s, float end_s, std::vector<Swing>& swings) {
   if (!swings.empty() && begin_s - swings.back().end_s < kMinSwing_s) {
     swings.back().end_s = end_s;
@@ -41,8 +41,8 @@ bool touches(const std::vector<Eigen::Vector3f>& points, const Eigen::Vector3f& 
   });
 }
 
-// Whether min_height is within kMaxStandingHeight_m of the ground: the first point that is will do,
-// and most often it is one of the foot's own.
+// Whether min_height is within kMaxStandingHeight_m of the ground. Stops at the first point that
+// is, which is usually one of the foot's own.
 bool stands(const motion::Skeleton& skeleton, const Sole& sole, const motion::Pose& pose,
             Side side) {
   const Role toes = motion::roles_of(side).toes;
@@ -60,7 +60,7 @@ std::vector<Swing> swings_of(const motion::Skeleton& skeleton, const Sole& sole,
     const float time_s = static_cast<float>(k) / motion.rate_hz;
     if (time_s < onset_s) continue;
     if (!stands(skeleton, sole, motion.poses[k], side)) {
-      // It left after the frame before.
+      // It left the ground after the frame before.
       if (!left_ground_s) left_ground_s = std::max(time_s - 1 / motion.rate_hz, onset_s);
     } else if (left_ground_s) {
       close_swing(*left_ground_s, time_s, swings);
@@ -73,10 +73,10 @@ std::vector<Swing> swings_of(const motion::Skeleton& skeleton, const Sole& sole,
   return swings;
 }
 
-// The foot nearer to the centre of mass, on average over the opening.
+// Returns the foot that is nearer to the centre of mass, on average over the opening.
 Side nearer_foot(const motion::Skeleton& skeleton, const motion::BodyModel& bodies,
                  const motion::Motion& motion, float onset_s) {
-  float nearer_to_left = 0;  // m, summed
+  float nearer_to_left = 0;  // m, sum over the poses
   for (std::size_t k = 0; k < motion.poses.size(); ++k) {
     const float time_s = static_cast<float>(k) / motion.rate_hz;
     if (time_s < onset_s) continue;

@@ -10,46 +10,49 @@
 
 namespace flinch::runtime {
 
-/// A time in which a foot is off the ground, s of the clip.
+/// Interval in which a foot is off the ground, seconds of the clip.
 struct Swing {
   float begin_s = 0;
   float end_s = 0;
 };
 
-/// What a clip does with its feet.
+/// How a clip uses its feet.
 struct Footwork {
-  motion::PerSide<std::vector<Swing>> swings;  ///< in order of time
-  /// The foot that carries more weight in the clip's opening: the one that stays where the other
-  /// leaves the ground before the peak, else the one nearer to the centre of mass.
+  motion::PerSide<std::vector<Swing>> swings;  ///< in ascending order of time
+  /// The support foot: the foot that carries more weight in the clip's opening. If one foot stays
+  /// down while the other leaves the ground before the peak, that foot; otherwise the foot nearer
+  /// to the centre of mass.
   motion::Side support = motion::Side::left;
 };
 
-/// An outline, and the hull of its contact with the ground.
+/// Outline of a sole, with the convex hull of its contact with the ground.
 struct Sole : motion::SoleOutline {
-  /// The whole sole's hull on flat ground, counter-clockwise, in the foot's frame seen from above.
+  /// Convex hull of the whole sole on flat ground, counter-clockwise, in the foot's frame seen from
+  /// above.
   std::vector<Eigen::Vector2f> hull;
 };
 
 Sole make_sole(const motion::Skeleton& skeleton, motion::Side side);
 
-/// The pelvis and the leg down to the foot, parents first: what places a foot.
+/// Returns the pelvis and the leg down to the foot, parents first: the joints that determine a
+/// foot's position.
 std::span<const motion::Role> leg_chain(motion::Side side);
 
-/// Ankle and orientation of one foot alone, world: cheaper than all joints.
+/// Returns ankle and orientation of one foot, world. Cheaper than forward kinematics of all joints.
 motion::FootPose foot_of(const motion::Skeleton& skeleton, const motion::Pose& pose,
                          motion::Side side);
 
-/// Lowest point of a sole in the world, z, m, of a foot at this place whose toes are turned by
-/// `toes` against it. `toes_offset` is the skeleton's.
+/// Returns the height of the lowest point of a sole, world z, m. The foot is at `foot`, and its
+/// toes are rotated against it by `toes`. `toes_offset` is the skeleton's.
 float min_height(const Sole& sole, const motion::FootPose& foot, const Eigen::Quaternionf& toes,
                  const Eigen::Vector3f& toes_offset);
 float min_height(const Sole& sole, const motion::JointFrames& frames, motion::Side side);
 
-/// A foot stands where a point of its sole is within this of the ground, m.
+/// A foot stands if a point of its sole is within this distance of the ground, m.
 inline constexpr float kMaxStandingHeight_m = 0.008F;
 
-/// Works out the footwork of a clip, from its onset on; that of a clip without an annotation from
-/// its beginning. Swings shorter than 0.05 s are noise and left out, as are stands between swings.
+/// Returns the footwork of a clip from its onset on or, without an annotation, from its start.
+/// Leaves out swings shorter than 0.05 s as noise, and likewise stances between swings.
 Footwork footwork_of(const motion::Skeleton& skeleton, const motion::BodyModel& bodies,
                      const motion::PerSide<Sole>& soles, const motion::Clip& clip);
 

@@ -14,8 +14,8 @@ struct Sphere {
 
 constexpr int kMaxSpheres = 9;
 
-/// Spheres within a part that reach its surface: along a capsule's axis; a box's corners and the
-/// largest in its middle.
+/// Spheres inside a part that touch its surface: along a capsule's axis; at a box's corners and,
+/// the largest, in its middle.
 class InnerSpheres {
  public:
   explicit InnerSpheres(const MovingShape& shape) {
@@ -43,7 +43,7 @@ class InnerSpheres {
   std::size_t count_ = 0;
 };
 
-/// The sphere that is nearest to a part.
+/// The inner sphere that is nearest to the other part.
 struct NearestSphere {
   NearestSphere(const InnerSpheres& spheres, const MovingShape& shape) : sphere(spheres.begin()) {
     for (const Sphere& candidate : spheres) {

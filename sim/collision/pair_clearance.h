@@ -5,8 +5,9 @@
 
 namespace flinch::sim {
 
-/// How near two parts are: spheres that fill either against the exact other; where each is nearest.
-/// The normal points from `second` to `first`.
+/// Smallest gap between two parts and where each is nearest to the other. Each part in turn is
+/// approximated by spheres inside it and tested against the exact shape of the other. The normal
+/// points from `second` to `first`.
 motion::Clearance clearance(const MovingShape& first, const MovingShape& second);
 
 }  // namespace flinch::sim

@@ -40,7 +40,8 @@ std::optional<double> time_of_contact(const features::FreeFlight& ball, const Mo
                        0.5 * slack_mps2 * time_s * time_s;
     if (gap <= contact_distance_m) return time_s;
     if (rate <= 0) return std::nullopt;
-    // Half of touch_m may be skipped too: it keeps a ball that glides past from taking for ever.
+    // Half of touch_m is skipped too; otherwise a ball that glides past would take very many
+    // iterations.
     time_s += (gap - 0.5 * contact_distance_m) / rate;
   }
   return std::nullopt;

@@ -11,8 +11,8 @@ using motion::Body;
 
 constexpr double kDrivenTime_s = 0.1;  // six times 1 / w of the joints' springs
 constexpr double kImpactSpeed_mps = 0.1;
-// What a blow has set in motion swings no farther than it moves in kSwingTime_s, twice 1 / w, and
-// what it carries along less than kStrikeDistance_m.
+// A joint that a blow sets in motion swings at most as far as it moves in kSwingTime_s, which is
+// twice 1 / w; what it carries along moves less than kStrikeDistance_m.
 constexpr double kSwingTime_s = 0.03;
 constexpr double kStrikeDistance_m = 0.01;
 constexpr double kPushTolerance_m = 1e-3;
@@ -22,12 +22,12 @@ double closing_speed(const MovingShape& first, const MovingShape& second,
   return -near.normal.dot(first.velocity_at(near.point) - second.velocity_at(near.point));
 }
 
-// Where two are nearest, at a gap g, that point is within r + g of either's centre, r being the
-// radius of the sphere about it, and so they close by no more than
+// Let g be the gap between two bodies. Where they are nearest, that point is within r + g of either
+// centre, r being the radius of the bounding sphere, so the bodies close by at most
 //
-//   V + W g,  V = |v_1 - v_2| + |w_1| r_1 + |w_2| r_2,  W = |w_1| + |w_2|:
+//   V + W g,  V = |v_1 - v_2| + |w_1| r_1 + |w_2| r_2,  W = |w_1| + |w_2|.
 //
-// where g <= d + (V + W g) h, g <= (d + V h) / (1 - W h).
+// With g <= d + (V + W g) h it follows that g <= (d + V h) / (1 - W h).
 double max_reachable_gap(const MovingShape& first, double first_radius_m, const MovingShape& second,
                          double second_radius_m, double distance_m, double horizon_s) {
   if (horizon_s <= 0) return distance_m;
@@ -40,8 +40,9 @@ double max_reachable_gap(const MovingShape& first, double first_radius_m, const 
                    : std::numeric_limits<double>::infinity();
 }
 
-/// Whether two are within `distance_m` and what they may close by in the horizon, by the spheres
-/// about them and by the sphere about either against the other itself.
+/// Whether two bodies may come within `distance_m` after closing at their largest rate for the
+/// horizon. Tests the bounding spheres against each other, then the bounding sphere of either
+/// against the other's shape.
 bool may_come_near(const MovingShape& first, double first_radius_m, const MovingShape& second,
                    double second_radius_m, double distance_m, double horizon_s) {
   const double max_gap =
@@ -52,12 +53,13 @@ bool may_come_near(const MovingShape& first, double first_radius_m, const Moving
          motion::gap(second.centre, second_radius_m, first) <= max_gap;
 }
 
-/// How fast the reference moves the material of `shape` that is at `point`, m/s.
+/// Velocity that the reference gives the material point of `shape` that is at `point`, m/s.
 Eigen::Vector3d reference_velocity(const BodyState& reference, const Eigen::Vector3d& point) {
   return reference.velocity + reference.angular_velocity.cross(point - reference.position);
 }
 
-/// How fast the reference lets the two close where they are nearest, m/s; 0 where it parts them.
+/// Speed at which the reference lets the two close where they are nearest, m/s; 0 where it
+/// separates them.
 double reference_closing_speed(const BodyState& first, const BodyState& second,
                                const motion::Clearance& near) {
   const Eigen::Vector3d relative =
@@ -92,7 +94,8 @@ BodySet BodyContacts::driven() const {
   return bodies;
 }
 
-/// Once each, in a fixed order, but for those too far apart to touch within the horizon.
+/// Calls `visit` once for each pair, in a fixed order, and leaves out pairs that are too far apart
+/// to touch within the horizon.
 template <class Visit>
 void BodyContacts::for_each_pair(const motion::PerBody<MovingShape>& shapes, double distance_m,
                                  double horizon_s, Visit visit) const {

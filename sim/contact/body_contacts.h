@@ -11,7 +11,7 @@
 
 namespace flinch::sim {
 
-/// A body that pushes another in a step.
+/// A contact in which one body pushes another during a step.
 struct BodyContact {
   motion::Body first{};
   motion::Body second{};
@@ -20,37 +20,40 @@ struct BodyContact {
   bool is_impact = false;
 };
 
-/// The parts that the ball drives against others, a hand into the face, and who is charged.
+/// Contacts between bodies of the figure that the ball causes (a hand driven into the face), and
+/// the impulses charged for them.
 ///
-/// A body that the ball hits is driven for kDrivenTime_s, until its motors have taken the blow
-/// back; a body that a driven one strikes, for as long as that one. Pairs of which one is driven
-/// push each other where they touch, against closing faster than the reference motion does: what
-/// the motion itself presses together, a knee against the belly, is not the ball's doing.
+/// A body that the ball hits counts as driven for kDrivenTime_s, which is the time that its motors
+/// need to absorb the blow. A body that a driven body strikes counts as driven for as long as that
+/// body. Where at least one body of a pair is driven and the two touch, they push each other if
+/// they close faster than in the reference motion: what the motion itself presses together, such as
+/// a knee against the belly, is not caused by the ball.
 ///
-/// Both bodies of a pair are charged for blows: in the step in which the ball hits one of them, or
-/// where they close faster than the reference by kImpactSpeed_mps. A body passes on at most what it
-/// was given, by the ball or by another: the rest of a push is the motors'.
+/// Both bodies of a pair are charged for blows only: in the step in which the ball hits one of
+/// them, or while they close faster than the reference by kImpactSpeed_mps. A body passes on at
+/// most the impulse that it received from the ball or from another body; the motors cause the rest
+/// of a push.
 class BodyContacts {
  public:
   /// `figure_model` must outlive this.
   explicit BodyContacts(const FigureModel& figure_model);
 
-  /// Before each step's other calls: the driving of what was hit long ago ends.
+  /// Call before the other calls of a step. Ends the driven state of bodies whose hit is long past.
   void begin_step(double time_s);
-  /// The ball hits `body` in this step.
+  /// Records that the ball hits `body` in this step.
   void add_hit(motion::Body body);
   /// Whether any body is driven.
   bool is_any_driven() const { return driven() != 0; }
-  /// The pushes of this step; valid until the next call. `reference` is where the motion has the
-  /// figure now.
+  /// Returns the contacts of this step, valid until the next call. `reference` is the state of the
+  /// reference motion now.
   std::span<const BodyContact> find(const motion::PerBody<MovingShape>& shapes,
                                     const ReferenceState& reference);
-  /// Whether a blow may fall within `horizon_s` as the bodies move now.
+  /// Whether a blow may happen within `horizon_s` if the bodies keep their velocities.
   bool is_impact_ahead(const motion::PerBody<MovingShape>& shapes, const ReferenceState& reference,
                        double horizon_s) const;
-  /// Whether a driven body may still strike another, or be near enough to.
+  /// Whether a driven body may still strike another body or come near enough to do so.
   bool may_collide_again(const motion::PerBody<MovingShape>& shapes) const;
-  /// Adds to each body's impulse, N·s, what it is charged for a step's contacts.
+  /// Adds the impulse that each body is charged for the contacts of a step, N·s.
   void add_impulses(std::span<const ContactImpulse> contacts, motion::PerBody<double>& impulse);
 
  private:
@@ -64,7 +67,7 @@ class BodyContacts {
   std::vector<BodyContact> found_;
   double time_s_ = 0;
   motion::PerBody<double> driven_until_s_;
-  motion::PerBody<double> received_ns_;  ///< and not yet passed on
+  motion::PerBody<double> received_ns_;  ///< received but not yet passed on
   motion::PerBody<bool> hit_now_;
 };
 

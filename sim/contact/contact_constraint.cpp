@@ -6,8 +6,8 @@
 namespace flinch::sim {
 namespace {
 
-constexpr double kFriction = 0.5;           // of ball and body or ground
-constexpr double kGroundFrequency_hz = 20;  // of the figure on its feet
+constexpr double kFriction = 0.5;           // between ball and body or ground
+constexpr double kGroundFrequency_hz = 20;  // of the ground spring under the feet
 
 }  // namespace
 
@@ -29,7 +29,7 @@ ContactConstraint body_contact_constraint(const motion::Clearance& at, double fr
   return constraint;
 }
 
-// A spring k and damper c taken implicitly over a step h (ODE manual, 3.8.2):
+// A spring k and damper c integrated implicitly over a step h (ODE manual, 3.8.2):
 //   erp = h k / (h k + c),  cfm = 1 / (h k + c),  with k = m w^2 and c = 2 m w.
 ContactConstraint ground_constraint(const Eigen::Vector3d& point, double depth_m, double mass_kg,
                                     double step_s) {

@@ -7,11 +7,11 @@
 
 namespace flinch::sim {
 
-/// What a measured contact gave in a step: the magnitude of its force, normal and friction, times
-/// the step.
+/// Impulse of a measured contact in a step, N·s: the magnitude of its force, normal and friction,
+/// times the step.
 struct ContactImpulse {
   motion::Body first{};
-  std::optional<motion::Body> second;  ///< none: the ball hit `first`
+  std::optional<motion::Body> second;  ///< empty if the ball hit `first`
   double impulse_ns = 0;
 };
 

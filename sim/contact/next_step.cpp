@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kMinStep_s = 1e-5;
 
-/// The first time within `horizon_s` at which the ball may touch one of the shapes.
+/// Returns the first time within `horizon_s` at which the ball may touch one of the shapes.
 std::optional<double> first_contact(const features::FreeFlight& ball,
                                     std::span<const MovingShape> shapes, double horizon_s,
                                     double contact_distance_m, double slack_mps2) {
@@ -55,7 +55,8 @@ NextStep next_step(const features::FreeFlight& ball, std::span<const MovingShape
   if (!bounce) return ahead;
   if (*bounce <= kMinStep_s) {
     ahead.on_ground = true;
-    // Within the step of a bounce the ball falls the wrong way: short, unless it lies or rolls.
+    // A step that contains a bounce is short, because the ball falls below the ground in it, unless
+    // the ball lies or rolls.
     if (-ball.velocity.z() > kMinBounceSpeed_mps) {
       ahead.step_s = std::min(ahead.step_s, options.contact_step_s);
     }

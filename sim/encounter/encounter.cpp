@@ -19,11 +19,11 @@ double Encounter<Scene>::begin_step(const ReferenceState& now, double max_step_s
   if (body_contacts_.is_impact_ahead(shapes_, now, step_s)) step_s = options_.contact_step_s;
   if (flight) step_s = std::min(step_s, find_hits(*flight));
   step_s = std::max(step_s, min_step_s);
-  // A last sliver of a step would only cost.
+  // A tiny remainder of a step would cost time and change nothing.
   return step_s > max_step_s * (1 - 1e-9) ? max_step_s : step_s;
 }
 
-/// Adds what the ball touches now, and says how long a step it allows.
+/// Adds the ball's contacts of now and returns how long a step they allow.
 template <class Scene>
 double Encounter<Scene>::find_hits(const features::FreeFlight& flight) {
   const NextStep ahead = next_step(flight, {&*shapes_.begin(), motion::kBodyCount}, options_);

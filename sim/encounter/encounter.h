@@ -10,12 +10,12 @@
 
 namespace flinch::sim {
 
-/// A figure and, if there is one, a ball: what happens in a step, the same for the trainer and for
-/// the game and whichever scene solves it, OdeScene or TreeScene.
+/// Runs the steps of a figure and, if there is one, a ball, with the same rules for training and
+/// game and for either scene that solves the step, OdeScene or TreeScene.
 template <class Scene>
 class Encounter {
  public:
-  /// At `time_s`, in a scene made of `arguments`. `figure_model` must outlive this.
+  /// Starts at `time_s` in a scene constructed from `arguments`. `figure_model` must outlive this.
   template <class... Arguments>
   Encounter(const FigureModel& figure_model, const SimulationOptions& options, double time_s,
             Arguments&&... arguments)
@@ -24,21 +24,24 @@ class Encounter {
         scene_(std::forward<Arguments>(arguments)...),
         time_s_(time_s) {}
 
-  /// Finds what the ball hits now and how long a step that allows, at most `max_step_s`; no shorter
-  /// than `min_step_s`, whatever it allows. `now` is where the motion has the figure.
+  /// Finds what the ball hits now and returns the length of step that this allows: at most
+  /// `max_step_s`, and at least `min_step_s` even where less is safe. `now` is the state of the
+  /// reference motion.
   double begin_step(const ReferenceState& now, double max_step_s, double min_step_s = 0);
-  /// Steps the scene. `target` is where the motion has the figure at the step's end.
+  /// Steps the scene. `target` is the state of the reference motion at the step's end.
   void end_step(const ReferenceState& now, const ReferenceState& target, double step_s);
 
-  /// Whether, but for the ball, a body may still strike another; between begin_step and end_step.
+  /// Whether a body may still strike another body without further help of the ball. Call between
+  /// begin_step and end_step.
   bool may_collide_again() const { return body_contacts_.may_collide_again(shapes_); }
 
   double time_s() const { return time_s_; }
   /// Whether the ball hits the figure in the step that has begun.
   bool is_ball_hit() const { return is_blow_; }
-  /// Impulse that each body took from the ball, and from bodies that the ball drove into it, N·s.
+  /// Impulse that each body received from the ball and from bodies that the ball drove into it,
+  /// N·s.
   const motion::PerBody<double>& impulse() const { return impulse_; }
-  double first_contact_s() const { return first_contact_s_; }  ///< infinite before
+  double first_contact_s() const { return first_contact_s_; }  ///< infinity until then
   const Scene& scene() const { return scene_; }
 
  protected:
@@ -47,7 +50,7 @@ class Encounter {
   SimulationOptions options_;
   BodyContacts body_contacts_;
   Scene scene_;
-  motion::PerBody<MovingShape> shapes_;  // at the beginning of the step
+  motion::PerBody<MovingShape> shapes_;  // at the start of the step
   motion::PerBody<double> impulse_;
   double first_contact_s_ = std::numeric_limits<double>::infinity();
   double time_s_ = 0;
@@ -57,7 +60,7 @@ class Encounter {
 extern template class Encounter<OdeScene>;
 extern template class Encounter<TreeScene>;
 
-/// An encounter in a world of ODE. A step is a call of begin_step, of Figure::set_motors and of
+/// An encounter in an ODE world. A step is a call of begin_step, of Figure::set_motors and of
 /// end_step.
 class OdeEncounter : public Encounter<OdeScene> {
  public:
@@ -65,7 +68,7 @@ class OdeEncounter : public Encounter<OdeScene> {
                const ReferenceState& start, const Ball* ball)
       : Encounter(figure_model, options, 0, figure_model, start, ball, options.gravity_mps2) {}
 
-  /// A step in which only the ball moves: the figure is frozen, for good.
+  /// A step in which only the ball moves. Freezes the figure permanently.
   void step_ball_alone();
 
   Figure& figure() { return scene_.figure(); }

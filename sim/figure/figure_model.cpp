@@ -10,8 +10,8 @@ namespace {
 
 using motion::Body;
 
-// How fast the figure takes back what a motion or a hit has put it out of, rad/s: the tracking
-// study of docs/simulation.md.
+// Natural frequency at which the figure returns to its reference after a motion or a hit has
+// displaced it, rad/s: the tracking study of docs/simulation.md.
 constexpr double kJointFrequency = 60;
 constexpr double kPelvisFrequency = 60;
 
@@ -21,10 +21,10 @@ MovingShape collision_shape_of(const motion::BodyProperties& properties) {
   return outline;
 }
 
-// Of even density, with V the volume and m the mass:
+// Inertia of shapes of uniform density, with V the volume and m the mass:
 //
 //   box of sides a, b, c:       I_x = m (b^2 + c^2) / 12, and so on
-//   capsule along z, of radius r, whose cylinder is l long (volume V_1) and whose caps make up a
+//   capsule along z, of radius r, whose cylinder is l long (volume V_1) and whose caps form a
 //   sphere (volume V_2):        I_x = I_y = m / V (V_1 (r^2 / 4 + l^2 / 12)
 //                                                 + V_2 (2 r^2 / 5 + 3 r l / 8 + l^2 / 4))
 //                               I_z = m / V (V_1 / 2 + 2 V_2 / 5) r^2
@@ -48,7 +48,7 @@ Eigen::Vector3d capsule_inertia(double r, double l, double mass_kg) {
   return mass_kg / (cylinder + caps) * Eigen::Vector3d(across, across, along);
 }
 
-/// About its own middle, of a body that fills its outline, kg·m².
+/// Inertia about its centre of a body that fills its outline, kg·m².
 Eigen::Matrix3d inertia_of(const MovingShape& outline, double mass_kg) {
   const Eigen::Vector3d principal =
       outline.kind == motion::Shape::Kind::capsule
@@ -65,7 +65,7 @@ bool is_ancestor_or_self(Body ancestor, Body body) {
   return false;
 }
 
-/// What a joint carries in the rest pose: the inertia about it of all bodies beyond it,
+/// Inertia that a joint carries in the rest pose, of all bodies beyond it about the joint,
 ///   I = sum tr(I_i)/3 + m_i |c_i - p|^2.
 double composite_inertia(const FigureModel& figure_model, const motion::JointFrames& rest,
                          Body joint) {

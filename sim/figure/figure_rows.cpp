@@ -10,25 +10,27 @@ namespace {
 
 using motion::Body;
 
-// A joint's stop against its own spring: stiff enough to hold, soft enough to solve.
+// Stiffness of a joint's limit relative to the joint's own spring: stiff enough to hold, soft
+// enough to solve.
 constexpr double kLimitStiffnessRatio = 20;
-// A joint bent by no more than this is as good as straight.
+// A joint bent by at most this angle counts as straight.
 constexpr double kStraight_rad = 0.1;
-// The pelvis is pulled and turned back as from no farther than this: what pulls it has a limit.
+// The force and torque that return the pelvis grow up to this distance only.
 constexpr double kMaxPelvisError_m = 0.1;
 constexpr double kMaxPelvisError_rad = 0.35;
 
-/// The axes of a joint's motor in the parent's frame; the first `free` are driven by springs, the
+/// The axes of a joint's motor in the parent's frame. Springs drive the first `free` axes; the
 /// others are rigid.
 struct JointAxes {
   Eigen::Matrix3d frame = Eigen::Matrix3d::Identity();
   int free = 3;
 };
 
-// A recorded knee or elbow is no pure hinge, and which way it bends depends on how the skeleton
-// shares twist along the limb. So the hinge's axis is the one about which the reference bends the
-// joint, or for a straight joint the anatomical one; across it the joint rigidly follows the
-// reference, which loses nothing of the recording and still carries a blow from the side on.
+// A recorded knee or elbow is no pure hinge, and its bending axis depends on how the skeleton
+// distributes twist along the limb. So the hinge's axis is the axis about which the reference bends
+// the joint or, for a straight joint, the anatomical axis. About the axes across it the joint
+// follows the reference rigidly, which keeps every detail of the recording and still transmits a
+// blow from the side.
 JointAxes axes_of(JointKind kind, const JointRange& limits, const Eigen::Quaterniond& reference) {
   if (kind == JointKind::ball) return {};
   const bool elbow = kind == JointKind::elbow;
@@ -44,15 +46,16 @@ JointAxes axes_of(JointKind kind, const JointRange& limits, const Eigen::Quatern
   return axes;
 }
 
-/// Heel and toe, on the sole's middle, in the frame of the foot's centre of mass, m. Two points a
-/// foot, not its corners: each costs the solver a pivot, and a foot's roll is its ankle's matter.
+/// Heel and toe on the sole's centre line, in the frame of the foot's centre of mass, m. Two points
+/// per foot instead of its corners, because each point costs the solver a pivot; the ankle controls
+/// the foot's roll.
 std::array<Eigen::Vector3d, 2> heel_and_toe(const MovingShape& foot) {
   return {sole_point(foot, -1, 0), sole_point(foot, 1, 0)};
 }
 
 }  // namespace
 
-// A pull beyond the limit is one of softer gains: f = k e + c (w_d - w) scales with them.
+// A force beyond the limit acts as softer gains do: f = k e + c (w_d - w) scales with them.
 PelvisRows pelvis_rows(const FigureModel& figure_model, const BodyState& now,
                        const BodyState& target, double step_s, const MotorStrength& strength) {
   const Gains angular = scaled_gains(figure_model.gains[Body::pelvis], strength.pelvis);
@@ -78,8 +81,9 @@ PelvisRows pelvis_rows(const FigureModel& figure_model, const BodyState& now,
   return rows;
 }
 
-// In the axes that the joint's motor has: F's columns, in the parent's frame. At a stop the springs
-// along the way back stiffen, each axis by its share of that way; a stop never weakens.
+// Works in the axes of the joint's motor: the columns of F, in the parent's frame. At a limit the
+// springs along the direction back to the range stiffen, each axis by its share of that direction;
+// a limit never weakens a spring.
 JointRows joint_rows(const FigureModel& figure_model, Body body,
                      const Eigen::Quaterniond& now_world, const Eigen::Quaterniond& parent_now,
                      const ReferenceState& target, double step_s, double share) {

@@ -13,13 +13,13 @@ namespace {
 
 using motion::Body;
 
-// A row of the human limits and which share of it one joint has.
+// A row of the human limits and the share of it that one joint has.
 struct LimitSource {
-  std::string_view name;  // of the left side or the middle
+  std::string_view name;  // of the left side, or of the middle
   double share = 1;
 };
 
-// Spine and neck are two joints each here, which share their range equally.
+// Spine and neck have two joints each here, which share their range equally.
 LimitSource limit_source_of(Body body) {
   switch (body) {
     case Body::abdomen:
@@ -52,7 +52,7 @@ JointRange limits_from(const LimitSource& source) {
           source.share * human.min.cast<double>(), source.share * human.max.cast<double>()};
 }
 
-// Mirrored in the plane of X and Z, angles about X and Z change sign.
+// Under reflection in the XZ plane, angles about X and Z change sign.
 JointRange mirrored(const JointRange& left) {
   const Eigen::Vector3d same(0, 1, 0);
   const Eigen::Vector3d turned(-1, 0, -1);
@@ -63,15 +63,15 @@ JointRange mirrored(const JointRange& left) {
           left.max.cwiseProduct(same) + left.min.cwiseProduct(turned)};
 }
 
-// A rotation vector is 2 f(c) times the quaternion's own vector, c being its cosine |w| and
+// A rotation vector is 2 f(c) times the quaternion's vector part, where c = |w| is its cosine and
 //
-//   f(c) = acos(c) / sqrt(1 - c^2),   convex and falling from pi/2 at c = 0 to 1 at c = 1,
+//   f(c) = acos(c) / sqrt(1 - c^2),   convex and falling from pi/2 at c = 0 to 1 at c = 1.
 //
-// and so above its tangent at 1 and below the chord:
+// So f lies above its tangent at 1 and below the chord:
 //
 //   (4 - c) / 3 <= f(c) <= pi/2 - (pi/2 - 1) c.
 
-/// Where each angle of a rotation may be, at some distance from a guess.
+/// Bounds of each angle of a rotation, at some distance from an estimate.
 struct AngleBounds {
   Eigen::Vector3d guess;
   Eigen::Vector3d error;
@@ -85,10 +85,10 @@ struct AngleBounds {
   }
 };
 
-/// Whether a rotation is within the limits for sure: most are, which this finds without the arcus
-/// tangents of joint_angles.
+/// Returns true only if a rotation is certainly within the limits. Most are, and this finds it
+/// without the arctangents of joint_angles.
 bool is_well_within(const JointRange& limits, const Eigen::Quaterniond& rotation) {
-  constexpr double kMargin_rad = 1e-9;  // for rounding
+  constexpr double kMargin_rad = 1e-9;  // for rounding errors
   const auto [swing, twist] =
       motion::decompose_swing_twist<double>(limits.reference.conjugate() * rotation, limits.bone);
   AngleBounds angles{Eigen::Vector3d::Zero(), Eigen::Vector3d::Constant(kMargin_rad)};
@@ -140,8 +140,8 @@ Eigen::Vector3d limit_violation(const JointRange& limits, const Eigen::Quaternio
   if (nearest == angles) return Eigen::Vector3d::Zero();
   const Eigen::Vector3d back =
       motion::rotation_vector(joint_rotation(limits, nearest) * rotation.conjugate());
-  // The reference is within these limits, so that no way back is longer than the way to it; where
-  // angles jump, at half a turn, they would say otherwise.
+  // The reference lies within these limits, so the rotation back to them is at most as long as the
+  // rotation to it. Where angles jump, at half a turn, the clamped angles would say otherwise.
   const Eigen::Vector3d to_reference = motion::rotation_vector(reference * rotation.conjugate());
   return back.squaredNorm() < to_reference.squaredNorm() ? back : to_reference;
 }

@@ -17,7 +17,8 @@ motion::PerBody<BodyState> places(const motion::BodyModel& model,
   motion::PerBody<BodyState> result;
   for (Body body : motion::kBodies) {
     const motion::Role role = role_of(body);
-    // In double from here on: the sum of the links must fit the joints to better than float.
+    // Double precision from here on: the sum of the links must fit the joints better than float
+    // allows.
     result[body].orientation = frames.orientation[role].cast<double>().normalized();
     result[body].position = frames.position[role].cast<double>() +
                             result[body].orientation * model[body].centre_of_mass.cast<double>();
@@ -48,7 +49,7 @@ Reference::Reference(const motion::Skeleton& skeleton, const motion::BodyModel& 
   const std::size_t last = motion.poses.size() - 1;
   velocities_.resize(motion.poses.size());
   if (last == 0) return;
-  std::array<motion::PerBody<BodyState>, 3> states;  // of pose k in k modulo 3
+  std::array<motion::PerBody<BodyState>, 3> states;  // pose k is in element k modulo 3
   const auto place = [&](std::size_t k) {
     states[k % 3] = places(model, forward_kinematics(skeleton, motion.poses[k]));
   };
@@ -74,7 +75,7 @@ ReferenceState Reference::at(double time_s) const {
       state_at_rest(skeleton_, model_, sample(motion_, static_cast<float>(time_s)));
   const double position = std::max(time_s * static_cast<double>(motion_.rate_hz), 0.0);
   const auto index = static_cast<std::size_t>(position);
-  if (index + 1 >= velocities_.size()) return state;  // at rest at and beyond the end
+  if (index + 1 >= velocities_.size()) return state;  // at rest at the end and beyond
   const double weight = position - std::floor(position);
   const Velocities& from = velocities_[index];
   const Velocities& to = velocities_[index + 1];

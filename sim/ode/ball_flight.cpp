@@ -4,7 +4,7 @@
 namespace flinch::sim {
 BallFlight::BallFlight(dWorldID world, const Ball& ball, double gravity_mps2)
     : body_(dBodyCreate(world)), radius_(ball.radius), gravity_mps2_(gravity_mps2) {
-  // A shell: I = 2/3 m r^2.
+  // Spherical shell: I = 2/3 m r^2.
   const double inertia = 2.0 / 3 * ball.mass_kg * ball.radius * ball.radius;
   dMass mass;
   dMassSetParameters(&mass, ball.mass_kg, 0, 0, 0, inertia, inertia, inertia, 0, 0, 0);

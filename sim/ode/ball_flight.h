@@ -7,8 +7,8 @@
 
 namespace flinch::sim {
 
-/// A ball in a world. Its gravity is ours: half before a step and half after, so that its free
-/// flight is exact, x + v h - g h^2 / 2, whatever the steps.
+/// A ball in an ODE world. Applies gravity itself, half before a step and half after it, so that
+/// free flight is exact, x + v h - g h^2 / 2, for any step lengths.
 class BallFlight {
  public:
   BallFlight(dWorldID world, const Ball& ball, double gravity_mps2);

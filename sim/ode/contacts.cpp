@@ -6,7 +6,7 @@
 namespace flinch::sim {
 namespace {
 
-// The ball with every body, and every pair of bodies.
+// The ball with each body, and each pair of bodies.
 constexpr std::size_t kMaxMeasured =
     motion::kBodyCount + motion::kBodyCount * (motion::kBodyCount - 1) / 2;
 dContact contact_of(const ContactConstraint& constraint) {

@@ -10,7 +10,7 @@
 
 namespace flinch::sim {
 
-/// The contact joints of one step. Allocates nothing once made but what ODE does.
+/// The contact joints of one step. Allocates nothing after construction except what ODE allocates.
 class Contacts {
  public:
   explicit Contacts(dWorldID world);
@@ -18,25 +18,26 @@ class Contacts {
   Contacts(const Contacts&) = delete;
   Contacts& operator=(const Contacts&) = delete;
 
-  /// The ball hits a part, at `at` as `clearance` gives it: impact_constraint. Measured.
+  /// The ball hits a part, at `at` as `clearance` returns it; see impact_constraint. Its impulse is
+  /// measured.
   void add_hit(dBodyID ball, dBodyID part, motion::Body body, const motion::Clearance& at,
                double restitution);
-  /// The ball meets the ground: impact_constraint. Not measured.
+  /// The ball hits the ground; see impact_constraint. Not measured.
   void add_bounce(dBodyID ball, const Eigen::Vector3d& point, double restitution);
-  /// A part pushes another: body_contact_constraint. The normal of `at` points from `second` to
+  /// A part pushes another; see body_contact_constraint. The normal of `at` points from `second` to
   /// `first`.
   void add_body_contact(dBodyID first_part, motion::Body first, dBodyID second_part,
                         motion::Body second, const motion::Clearance& at, double free_closing_mps,
                         bool measured);
-  /// The ground carries a part: ground_constraint. Not measured.
+  /// The ground supports a part; see ground_constraint. Not measured.
   void add_support(dBodyID part, const Eigen::Vector3d& point, double depth_m, double mass_kg,
                    double step_s);
 
-  /// What the last step's measured contacts gave, in the order in which they were added. Valid
-  /// until the next call.
+  /// Returns the impulses of the last step's measured contacts, in the order in which they were
+  /// added. Valid until the next call.
   std::span<const ContactImpulse> impulses(double step_s);
 
-  /// Before the next step's contacts are added.
+  /// Removes all contacts. Call before adding those of the next step.
   void clear();
 
  private:
@@ -50,7 +51,7 @@ class Contacts {
 
   dWorldID world_;
   dJointGroupID group_;
-  std::vector<Measured> measured_;  // ODE keeps pointers to the feedback: it never grows
+  std::vector<Measured> measured_;  // never grows: ODE keeps pointers to the feedback
   std::vector<ContactImpulse> impulses_;
 };
 

@@ -10,7 +10,7 @@ namespace {
 
 using motion::Body;
 
-// Of a fallen figure: how many points share its weight, and how soon the ground stops a part.
+// Of a fallen figure: number of points that share its weight, and how fast the ground stops a part.
 constexpr double kFallenContactPoints = 12;
 constexpr double kGroundDrag_hz = 10;
 
@@ -19,7 +19,7 @@ dJointID make_ball_joint(dWorldID world, dBodyID child, dBodyID parent,
   const dJointID joint = dJointCreateBall(world, nullptr);
   dJointAttach(joint, child, parent);
   dJointSetBallAnchor(joint, place.x(), place.y(), place.z());
-  // Nothing is redundant in a tree of joints, so that they need no softness to be solved.
+  // The constraints of a tree of joints are independent, so they need no softness to be solvable.
   dJointSetBallParam(joint, dParamCFM, 0);
   return joint;
 }
@@ -33,8 +33,8 @@ dBodyID make_body(dWorldID world, double mass_kg, const Eigen::Matrix3d& inertia
   return body;
 }
 
-/// Where a part would touch the ground first, at either end: of a box, those of the largest capsule
-/// along its longest axis.
+/// Points at either end of a part that would touch the ground first; for a box, those of the
+/// largest capsule along its longest axis.
 std::array<Eigen::Vector3d, 2> lowest_end_points(const MovingShape& shape) {
   double radius = shape.radius;
   Eigen::Vector3d end(0, 0, shape.half_length);
@@ -118,9 +118,9 @@ void Figure::add_foot_support(Contacts& contacts, const ReferenceState& target,
   }
 }
 
-// What each part needs to change its momentum and its angular momentum as the reference does,
+// Force and torque that change each part's momentum and angular momentum as the reference does,
 //   F = m (v_1 - v_0) / h,   T = (L_1 - L_0) / h,   L = R I R^T w,
-// so that the joints bear nothing (d'Alembert).
+// so that the joints carry no load (d'Alembert's principle).
 void Figure::add_feedforward(const ReferenceState& before, const ReferenceState& after,
                              double step_s) {
   for (Body body : motion::kBodies) {
@@ -151,8 +151,8 @@ void Figure::freeze() {
   for (dBodyID body : bodies_) dBodyDisable(body);
 }
 
-// Instead of friction, which would cost the solver
-// two bounded rows a point, a part that touches is slowed down as if in mud.
+// Viscous damping of the parts that touch replaces friction, which would cost the solver two
+// bounded rows per point.
 void Figure::add_fallen_support(Contacts& contacts, double step_s) const {
   const motion::PerBody<MovingShape> outlines = shapes();
   for (Body body : motion::kBodies) {

@@ -9,33 +9,35 @@
 
 namespace flinch::sim {
 
-/// The 17 bodies in a world, tracking a reference.
+/// The 17 bodies of a figure in an ODE world, tracking a reference.
 class Figure {
  public:
-  /// Placed exactly at `start`, with its velocities. `figure_model` must outlive the figure.
+  /// Places the figure exactly at `start`, with its velocities. `figure_model` must outlive the
+  /// figure.
   Figure(const FigureModel& figure_model, dWorldID world, const ReferenceState& start);
 
-  /// Sets the motors of the next step, of `step_s`, at whose end `target` is wanted.
+  /// Sets the motors for the next step, of `step_s`, so that it ends at `target`.
   void set_motors(const ReferenceState& target, double step_s, const MotorStrength& strength = {});
-  /// Adds to that step, beforehand, the forces that move the undisturbed figure exactly as its
-  /// reference moves, whatever its springs: they then answer to disturbances alone. Takes gravity
-  /// off the figure, which those forces would have to bear.
+  /// Adds feed-forward forces to the next step that move the undisturbed figure exactly as its
+  /// reference moves, for any spring gains; the springs then answer disturbances only. Disables
+  /// gravity for the figure, since these forces would otherwise have to balance it.
   void add_feedforward(const ReferenceState& before, const ReferenceState& after, double step_s);
-  /// Lets go of the pelvis for good and gives the figure its weight.
+  /// Permanently releases the pelvis from its motors and lets gravity act on the figure.
   void start_falling();
   bool is_fallen() const { return fallen_; }
-  /// Takes the figure out of the world's steps for good: it stays as it is.
+  /// Permanently excludes the figure from the world's steps; it stays as it is.
   void freeze();
-  /// Adds the ground's support of the feet in that step, but of those that something else holds.
+  /// Adds the ground's support of the feet for the next step, except of feet that something else
+  /// holds.
   void add_foot_support(Contacts& contacts, const ReferenceState& target, double step_s) const;
 
-  /// Adds the ground's support of whatever part touches it, for a figure that has fallen.
+  /// Adds the ground's support of every part that touches it, for a figure that has fallen.
   void add_fallen_support(Contacts& contacts, double step_s) const;
 
   void set_locked(motion::Body foot, bool locked) { locked_[foot] = locked; }
 
   dBodyID body(motion::Body body) const { return bodies_[body]; }
-  /// The outlines where they are now, as they move now.
+  /// Returns the outlines at the bodies' current poses, with their velocities.
   motion::PerBody<MovingShape> shapes() const;
 
  private:

@@ -9,7 +9,7 @@
 
 namespace flinch::sim {
 
-/// A figure and, if there is one, a ball in a world of their own, which ODE steps.
+/// A figure and, if there is one, a ball in their own ODE world.
 class OdeScene {
  public:
   /// `figure_model` must outlive this.
@@ -19,7 +19,7 @@ class OdeScene {
   motion::PerBody<MovingShape> shapes() const { return figure_.shapes(); }
   std::optional<features::FreeFlight> flight() const;
 
-  // Contacts of the next step, as Contacts adds them.
+  // Contacts of the next step; see Contacts.
   void clear_contacts() { contacts_.clear(); }
   void add_hit(motion::Body body, const motion::Clearance& at, double restitution);
   void add_bounce(double restitution) { ball_->add_ground_contact(contacts_, restitution); }
@@ -27,7 +27,7 @@ class OdeScene {
                         double free_closing_mps, bool measured);
   void add_supports(const ReferenceState& target, double step_s);
 
-  /// A step by the motors as Figure::set_motors has set them.
+  /// Steps with the motors that Figure::set_motors has set.
   void step(const ReferenceState& target, double step_s);
   void step_ball(double step_s) const { ball_->step(world_, step_s); }
   std::span<const ContactImpulse> impulses(double step_s) { return contacts_.impulses(step_s); }

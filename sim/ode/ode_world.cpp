@@ -10,15 +10,16 @@
 namespace flinch::sim {
 namespace {
 
-// ODE's handlers take no context and are one set a process; a counter a thread is the least state
-// that tells one simulation's messages from another's.
+// ODE has one set of handlers per process and passes them no context; a counter per thread is the
+// least state that tells the messages of one simulation from those of another.
 thread_local int message_count = 0;
 
 void count_message(int, const char*, va_list) {
   ++message_count;
 }
 
-// ODE would exit() or abort() after these; its frames are C++ and unwind.
+// Without this ODE would call exit() or abort(). Throwing through it is safe: ODE is compiled as
+// C++ and unwinds.
 [[noreturn]] void throw_error(int number, const char* format, va_list arguments) {
   char text[256];
   std::vsnprintf(text, sizeof text, format, arguments);
@@ -37,7 +38,7 @@ int solver_messages_on_this_thread() {
   return message_count;
 }
 
-// ODE stays initialised until the process ends: closing it would need every thread to be done.
+// ODE stays initialised until the process ends: closing it would require every thread to be done.
 void prepare_this_thread() {
   static std::once_flag once;
   std::call_once(once, [] {

@@ -10,22 +10,23 @@
 
 namespace flinch::sim {
 
-/// What ODE wanted to print on this thread so far. ODE keeps one message handler a process; ours
-/// counts on the thread that the message came from, so that a simulation can tell its own.
+/// Number of messages that ODE has tried to print on this thread. ODE keeps one message handler per
+/// process; ours counts on the thread that the message came from, so that a simulation can tell its
+/// own.
 int solver_messages_on_this_thread();
 
-/// To be called on a thread before a world that was made on another is stepped there. Cheap.
+/// Must be called on a thread before it steps a world that another thread created. Cheap.
 void prepare_this_thread();
 
-/// An empty ODE world with its own threading object, so that worlds can be stepped on different
-/// threads at a time. Prepares ODE, and the calling thread for it, first. What ODE holds to be an
-/// error is thrown as flinch::Error; nothing is ever printed.
+/// An empty ODE world with its own threading object, so that different threads can step different
+/// worlds at the same time. The constructor first prepares ODE for the process and for the calling
+/// thread. Errors of ODE are thrown as flinch::Error; nothing is ever printed.
 class OdeWorld {
  public:
   OdeWorld();
 
   dWorldID id() const { return world_.get(); }
-  /// One step of the direct solver, dWorldStep.
+  /// Runs one step of the direct solver, dWorldStep.
   void step(double step_s) const;
 
  private:
@@ -33,11 +34,11 @@ class OdeWorld {
     void operator()(dxThreadingImplementation* threading) const;
     void operator()(dxWorld* world) const;
   };
-  std::unique_ptr<dxThreadingImplementation, Free> threading_;  // outlives the world
+  std::unique_ptr<dxThreadingImplementation, Free> threading_;  // must outlive the world
   std::unique_ptr<dxWorld, Free> world_;
 };
 
-// ODE's vectors in Eigen's terms.
+// ODE's vectors converted to Eigen.
 Eigen::Vector3d position_of(dBodyID body);          ///< m
 Eigen::Quaterniond orientation_of(dBodyID body);    ///< unit
 Eigen::Vector3d velocity_of(dBodyID body);          ///< of the centre of mass, m/s

@@ -6,9 +6,9 @@
 
 namespace flinch::sim {
 
-/// A response as the figure performs it while nothing touches it: the same for every ball that may
-/// meet it. Made by Simulator::rehearse, which must outlive it, and never changed; one may serve
-/// several threads at a time.
+/// The undisturbed run of a response, the same for every ball that may meet it. Simulator::rehearse
+/// creates it; the Simulator must outlive it. Immutable: one rehearsal may serve several threads at
+/// a time.
 class Rehearsal {
  public:
   struct Track;
@@ -17,8 +17,8 @@ class Rehearsal {
   Rehearsal(Rehearsal&&) noexcept;
   Rehearsal& operator=(Rehearsal&&) noexcept;
 
-  double from_s() const;      ///< a ball that touches earlier cannot be simulated
-  double duration_s() const;  ///< how long the response is performed, from time 0
+  double from_s() const;      ///< a ball that touches the figure earlier cannot be simulated
+  double duration_s() const;  ///< the response runs from time 0 to here
   std::size_t byte_count() const;
   const Track& track() const { return *track_; }
 

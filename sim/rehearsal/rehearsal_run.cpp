@@ -14,8 +14,8 @@ namespace {
 
 using motion::Body;
 
-// A struck figure may be this far from where it was rehearsed, and a ball that bounced off the
-// ground from where it is expected, before the exit test goes wrong.
+// Tolerance of the exit test: how far a struck figure may be from its undisturbed run, and a
+// bounced ball from its predicted path.
 constexpr double kClearDistance_m = 0.05;
 
 features::FreeFlight flight_of(const Ball& ball, double time_s, double gravity_mps2) {
@@ -31,12 +31,12 @@ bool may_reach(const Rehearsal::Track::Sphere& reach, const features::FreeFlight
 }
 
 // The gap falls by at most (|v_ball - v_part| + |w| radius + g T) T, and by a T^2 / 2 more where
-// the part accelerates; time_of_contact rules out by a rate with a T in full and half as much
-// beside, and so must this, or a step would be cut here that is not cut there.
+// the part accelerates. time_of_contact uses a bound of the rate with a T in full and half as much
+// besides. This test must use the same bound, or it would shorten steps that the full simulation
+// does not shorten.
 
-/// Whether a ball may come within `distance_m` of a part within `time_s` on either side of now: by
-/// the sphere about the part's centre of mass, of `radius`. The part may accelerate by
-/// `slack_mps2`.
+/// Whether a ball may come within `distance_m` of a part within `time_s` before or after now. Tests
+/// the sphere of `radius` about the part's centre of mass; the part may accelerate by `slack_mps2`.
 bool may_be_reached(double radius, const BodyState& part, const features::FreeFlight& ball,
                     double time_s, double distance_m, double slack_mps2) {
   const double speed = (ball.velocity - part.velocity).norm() +
@@ -46,8 +46,8 @@ bool may_be_reached(double radius, const BodyState& part, const features::FreeFl
   return (ball.position - part.position).squaredNorm() <= max_distance * max_distance;
 }
 
-/// What step_ahead says among the whole figure: those parts that the sweep would rule out by the
-/// spheres about them are not even placed.
+/// Returns what next_step returns for the whole figure, but places only the parts that their
+/// bounding spheres do not rule out.
 NextStep next_step_of_figure(const FigureModel& figure_model, const SimulationOptions& options,
                              const motion::PerBody<BodyState>& figure,
                              const features::FreeFlight& ball) {
@@ -62,7 +62,7 @@ NextStep next_step_of_figure(const FigureModel& figure_model, const SimulationOp
   return next_step(ball, std::span(shapes).first(count), options);
 }
 
-/// A ball as it goes on from a time, bouncing off the ground without spin.
+/// Path of a ball from a given time on, bouncing off the ground without spin.
 class BouncingFlight {
  public:
   BouncingFlight(const features::FreeFlight& ball, double time_s, double restitution)
@@ -96,7 +96,7 @@ class BouncingFlight {
   double restitution_;
 };
 
-/// Whether a ball stays clear of the figure, as it was rehearsed, from `time_s` on.
+/// Whether a ball stays clear of the undisturbed figure from `time_s` on.
 bool stays_clear(const FigureModel& figure_model, const SimulationOptions& options,
                  const Rehearsal::Track& track, const features::FreeFlight& ball, double now_s,
                  double time_s) {
@@ -134,7 +134,7 @@ std::optional<std::size_t> first_possible_contact(const FigureModel& figure_mode
         features::time_of_bounce(flight, options.free_step_s, kContactDistance_m).has_value();
     if (!bounces && !may_reach(track.reach[step], flight, options.free_step_s)) continue;
     if (step < track.first_kept) {
-      throw Error("simulation", "a ball reaches the figure before the rehearsal begins, at " +
+      throw Error("simulation", "the ball reaches the figure before the rehearsal starts, at " +
                                     std::to_string(track.from_s) + " s");
     }
     const NextStep ahead =

@@ -8,15 +8,15 @@
 
 namespace flinch::sim {
 
-/// The number of the first free step of a rehearsal in which a ball may touch something, the figure
-/// or the ground; nothing if there is none. Up to there a simulation is the rehearsal. Throws Error
-/// if the rehearsal was not kept so early.
+/// Returns the index of the first free step of a rehearsal in which a ball may touch the figure or
+/// the ground, or nothing if there is none. Until then a simulation equals the rehearsal. Throws
+/// Error if the rehearsal was not kept from early enough.
 std::optional<std::size_t> first_possible_contact(const FigureModel& figure_model,
                                                   const SimulationOptions& options,
                                                   const Rehearsal::Track& track, const Ball& ball);
 
-/// Simulates a ball and the figure of a rehearsal from where they may first meet to where they
-/// never will again.
+/// Simulates a ball and the figure of a rehearsal from the time at which they may first meet until
+/// they can no longer meet.
 SimulationResult run_rehearsed(const FigureModel& figure_model, const SimulationOptions& options,
                                const Rehearsal::Track& track, const Ball& ball);
 

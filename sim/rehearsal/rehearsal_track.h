@@ -12,9 +12,9 @@
 
 namespace flinch::sim {
 
-/// What a rehearsal keeps: where the figure is at the beginning of every free step.
+/// The states that a rehearsal keeps: the figure at the start of every free step.
 struct Rehearsal::Track {
-  /// Rehearses. `figure_model` must outlive the track.
+  /// Runs the undisturbed simulation. `figure_model` must outlive the track.
   Track(const FigureModel& figure_model, const SimulationOptions& options,
         const motion::Motion& response, double kept_from_s, double rehearsed_s);
   Track(const Track&) = delete;
@@ -29,14 +29,15 @@ struct Rehearsal::Track {
   Reference reference;
   double from_s;
   double duration_s;
-  std::vector<double> step_begins_s;  ///< of each step
-  /// About the figure and wherever it may be before the step's end, whatever the sweep allows for.
+  std::vector<double> step_begins_s;  ///< one per step
+  /// Bounding sphere of the figure over the whole step, with the accelerations that the sweep
+  /// allows for.
   struct Sphere {
     Eigen::Vector3d centre;
     double radius = 0;
   };
   std::vector<Sphere> reach;
-  std::size_t first_kept = 0;  ///< step
+  std::size_t first_kept = 0;  ///< index of a step
   std::vector<motion::PerBody<BodyState>> figures;
 };
 

@@ -16,7 +16,7 @@ using motion::Body;
 constexpr std::array kEndEffectors{Body::head, Body::left_hand, Body::right_hand, Body::left_foot,
                                    Body::right_foot};
 
-/// Squared distance of the end effectors from where the reference has them, mean, m².
+/// Mean squared distance of the end effectors from the reference, m².
 double squared_error(const Figure& figure, const ReferenceState& target) {
   double sum = 0;
   for (Body body : kEndEffectors) {
@@ -25,7 +25,7 @@ double squared_error(const Figure& figure, const ReferenceState& target) {
   return sum / static_cast<double>(kEndEffectors.size());
 }
 
-/// One simulation under way.
+/// State of a simulation in progress.
 class TrackedSimulation {
  public:
   TrackedSimulation(const FigureModel& figure_model, const SimulationOptions& options,

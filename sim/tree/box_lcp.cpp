@@ -7,9 +7,9 @@
 namespace flinch::sim {
 namespace {
 
-constexpr int kMaxStalledPivots = 8;  // block pivots that do not better the best before single ones
+constexpr int kMaxStalledPivots = 8;  // block pivots without improvement before single pivots
 constexpr int kMaxPivots = 200;
-constexpr double kRelativeTolerance = 1e-12;  // of a row's own terms
+constexpr double kRelativeTolerance = 1e-12;  // relative to a row's own terms
 
 }  // namespace
 
@@ -44,7 +44,7 @@ bool BoxLcp::solve(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& right_h
   x.resize(count);
   states_.clear();
   for (Eigen::Index i = 0; i < count; ++i) {
-    // Without a range there is nothing to find: it costs a pivot to get to where it has to be.
+    // A variable with an empty range has a known value; leaving it free would cost a pivot.
     states_.push_back(lower[i] < upper[i] ? BoundState::free : BoundState::lower);
   }
   std::ptrdiff_t min_infeasible = count + 1;

@@ -6,13 +6,14 @@
 
 namespace flinch::sim {
 
-/// Finds x with low <= x <= high and w = A x - b such that w = 0 where x is between its bounds,
-/// w >= 0 where it is low and w <= 0 where it is high: for a symmetric positive definite A there is
-/// exactly one. By block principal pivoting, one row at a time where blocks do not get on (Judice
-/// and Pires 1994). Its buffers are kept from call to call.
+/// Finds x with low <= x <= high and w = A x - b such that w = 0 where x is between its bounds, w
+/// >= 0 where it is low and w <= 0 where it is high. For a symmetric positive definite A there is
+/// exactly one solution. Uses block principal pivoting, and single pivots where blocks make no
+/// progress (Judice and Pires 1994). Reuses its buffers between calls.
 class BoxLcp {
  public:
-  /// Whether it was found; if not, `x` is within its bounds and as near as pivoting came.
+  /// Returns whether it found the solution. If not, `x` is within its bounds and the best that
+  /// pivoting reached.
   bool solve(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& right_hand_side,
              const Eigen::VectorXd& lower, const Eigen::VectorXd& upper, Eigen::VectorXd& x);
 

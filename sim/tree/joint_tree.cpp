@@ -25,7 +25,7 @@ Matrix3d times_cross(const Matrix3d& matrix, const Vector3d& v) {
   return product;
 }
 
-/// first second^T where that is known to be symmetric.
+/// first second^T, for a product that is known to be symmetric.
 Matrix3d symmetric_product(const Matrix3d& first, const Matrix3d& second) {
   Matrix3d product;
   for (int j = 0; j < 3; ++j) {
@@ -38,7 +38,7 @@ Matrix3d symmetric_product(const Matrix3d& first, const Matrix3d& second) {
   return product;
 }
 
-/// By cofactors, which are symmetric too.
+/// Inverse by cofactors, which are symmetric too.
 Matrix3d symmetric_inverse(const Matrix3d& m) {
   const double xx = m(1, 1) * m(2, 2) - m(1, 2) * m(1, 2);
   const double xy = m(0, 2) * m(1, 2) - m(0, 1) * m(2, 2);
@@ -54,7 +54,7 @@ Matrix3d symmetric_inverse(const Matrix3d& m) {
   return inverse;
 }
 
-// At a point whose velocity v' = v - [r]x w is that of one farther by r: with A symmetric,
+// Moves an inertia to a point at distance r, whose velocity is v' = v - [r]x w. With A symmetric,
 //   B' = B + A [r]x,   C' = C + H^T [r]x + (H^T [r]x)^T,   H = B + A [r]x / 2.
 SpatialInertia moved_to(const SpatialInertia& inertia, const Vector3d& arm) {
   const Matrix3d lever = times_cross(inertia.mass, arm);
@@ -63,7 +63,7 @@ SpatialInertia moved_to(const SpatialInertia& inertia, const Vector3d& arm) {
   return {inertia.mass, inertia.coupling + lever, inertia.angular + turned + turned.transpose()};
 }
 
-/// An impulse at a point that is `arm` from where `impulse` is taken.
+/// Moves an impulse to a point from which `arm` leads to the present one.
 Twist moved_to(const Twist& impulse, const Vector3d& arm) {
   return {impulse.linear, impulse.angular - arm.cross(impulse.linear)};
 }
@@ -78,12 +78,12 @@ Vector6d to_vector(const Twist& twist) {
   return both;
 }
 
-// The torque of a spinning body on itself, w' taken at the end of the step h (Lacoursiere 2006), in
-// the body's frame, in which its inertia I stays as it is:
+// Gyroscopic torque of a rotating body, with w' at the end of the step h (Lacoursiere 2006). In the
+// body's frame, where its inertia I is constant,
 //
-//   I (w' - w) = h L x w',  L = I w   <=>   (I - h [L]x) w' = L
+//   I (w' - w) = h L x w',  L = I w   <=>   (I - h [L]x) w' = L,
 //
-// which holds in the world's axes as well, of all of them. The momentum I w':
+// which holds in the world's axes too if all terms are in them. Returns the angular momentum I w':
 Vector3d momentum_with_gyroscopic_torque(const Matrix3d& inertia, const Vector3d& angular_velocity,
                                          double step_s) {
   const Vector3d momentum = inertia * angular_velocity;
@@ -91,7 +91,8 @@ Vector3d momentum_with_gyroscopic_torque(const Matrix3d& inertia, const Vector3d
   return momentum + step_s * momentum.cross(equations.inverse() * momentum);
 }
 
-// At a point r from the centre of mass:  [m, m [r]x; sym., I + m (r^2 - r r^T)].
+// Spatial inertia of a rigid body at a point r from its centre of mass:  [m, m [r]x; sym., I + m
+// (r^2 - r r^T)].
 SpatialInertia rigid_inertia(double mass_kg, const Matrix3d& inertia, const Vector3d& arm) {
   const Vector3d moment = mass_kg * arm;
   SpatialInertia rigid{mass_kg * Matrix3d::Identity(), cross_matrix(moment),
@@ -100,7 +101,7 @@ SpatialInertia rigid_inertia(double mass_kg, const Matrix3d& inertia, const Vect
   return rigid;
 }
 
-// [A B; B^T C]^-1 with the Schur complement S = C - B^T A^-1 B:
+// [A B; B^T C]^-1 by the Schur complement S = C - B^T A^-1 B:
 //   [A^-1 + G S^-1 G^T, -G S^-1; -S^-1 G^T, S^-1],  G = A^-1 B.
 Eigen::Matrix<double, 6, 6> inverse(const SpatialInertia& inertia) {
   const Matrix3d free = symmetric_inverse(inertia.mass);
@@ -113,15 +114,15 @@ Eigen::Matrix<double, 6, 6> inverse(const SpatialInertia& inertia) {
   return result;
 }
 
-/// How a joint turns under the rows of its turning.
+/// Response of a joint's rotation to moments, given its angular rows.
 struct JointMobility {
   Matrix3d mobility;               ///< E
   Vector3d bias;                   ///< e
-  Vector3d prescribed;             ///< the turning part of c_0
-  double isotropic_stiffness = 0;  ///< D where it is the same about any axis; else 0
+  Vector3d prescribed;             ///< the angular part of c_0
+  double isotropic_stiffness = 0;  ///< D where it is the same about every axis; else 0
 };
 
-/// Of a joint that turns about three axes equally.
+/// Mobility of a joint whose three axes have the same stiffness.
 JointMobility isotropic_mobility(const JointRows& rows, double step_s, const Matrix3d& angular) {
   const auto& [first, second, third] = rows.angular;
   const double stiffness = step_s / first.softness;
@@ -184,7 +185,8 @@ JointTree::JointTree(const FigureModel& figure_model) : figure_model_(figure_mod
   }
 }
 
-// With velocities v' after the step and impulses p of the rows, a body obeys
+// Featherstone's articulated-body algorithm, with springs in the joints and over a whole step. With
+// velocities v' after the step and impulses p of the rows, a body obeys
 //
 //   M v' = b + sum J^T p,   b = M v + h f,
 //
@@ -192,30 +194,31 @@ JointTree::JointTree(const FigureModel& figure_model) : figure_model_(figure_mod
 //
 //   u - u_p + S p = c,   S = softness / h,
 //
-// three of them rigid (S = 0) and three that turn about the axes F, of which some are rigid too.
-// Eliminated from the leaves to the root (Baraff, "Linear-time dynamics using Lagrange
-// multipliers", 1996; with springs in the rows it is Featherstone's articulated-body recursion): if
-// a child with all beyond it obeys M u = b + M c_0 + p, M = [A B; B^T C], with c_0 = c on the rigid
-// rows, else 0, then with U = [B; C]
+// where three rows are linear and rigid (S = 0) and three are angular, about the axes F, some of
+// them rigid too. The first pass eliminates the joints from the leaves to the root (Baraff,
+// "Linear-time dynamics using Lagrange multipliers", 1996). Let a child and its descendants obey M
+// u = b + M c_0 + p, where M = [A B; B^T C] is the articulated-body inertia, b the bias impulse,
+// and c_0 = c on the rigid rows, else 0. With U = [B; C]
 //
-//   E = F (F^T C F + D)^-1 F^T,  e = F (F^T C F + D)^-1 D c_F,  D = 1/S,  on the axes that give,
+//   E = F (F^T C F + D)^-1 F^T,  e = F (F^T C F + D)^-1 D c_F,  D = 1/S,  on the axes that are not
+//   rigid,
 //   t = E b_w + e,
 //
-// its parent gains the inertia and the impulse
+// its parent gains the articulated inertia and the bias impulse
 //
 //   N = M - U E U^T,   b - U t,
 //
-// and on the way back
+// The second pass, from the root to the leaves, gives
 //
 //   u = u_p + c_0 + (0, q),   q = t - (U E)^T u_p,
 //
-// b_w being the moment in b. Where D is the same about all three axes, 1 - E C = D E, and so
+// where b_w is the moment in b. If D is the same about all three axes, 1 - E C = D E and so
 //
 //   N = [A - B E B^T, D B E; sym., D C E]
 //
-// and C E, which is then symmetric. An impulse f on the bodies changes b, t and the root's velocity
-// in proportion: passed on alone it leaves f_0 at the root and at each joint a moment m, so that
-// the whole inverse is the sum of a term for each joint and the root (inverse_inertia_product,
+// where C E is symmetric. An impulse f on the bodies changes b, t and the root's velocity linearly:
+// propagated alone, it leaves an impulse f_0 at the root and a moment m at each joint. So the
+// inverse inertia is a sum of one term for the root and one per joint (inverse_inertia_product,
 // propagate, add),
 //
 //   f^T M^-1 g = f_0^T M_0^-1 g_0 + sum m_f^T E m_g.

@@ -8,14 +8,14 @@
 
 namespace flinch::sim {
 
-/// Velocities of a body at its centre of mass, m/s and rad/s; or an impulse and its moment there,
-/// N·s and N·m·s. World.
+/// Linear and angular velocity of a body at its centre of mass, m/s and rad/s; or an impulse and
+/// its moment there, N·s and N·m·s. World.
 struct Twist {
   Eigen::Vector3d linear = Eigen::Vector3d::Zero();
   Eigen::Vector3d angular = Eigen::Vector3d::Zero();
 };
 
-/// All that a step asks of a figure but for its contacts.
+/// All equations of a figure for a step, except its contacts.
 struct FigureRows {
   PelvisRows pelvis;
   motion::PerBody<JointRows> joints;  ///< the pelvis has none
@@ -29,24 +29,25 @@ struct BodyImpulse {
   Twist impulse;
 };
 
-/// The inertia of bodies at a point: [mass coupling; coupling^T angular] takes the velocities of
-/// the point and about it to impulse and moment.
+/// Spatial inertia of bodies at a point: [mass coupling; coupling^T angular] maps the point's
+/// velocity and the angular velocity to impulse and moment.
 struct SpatialInertia {
   Eigen::Matrix3d mass, coupling, angular;
 };
 
-/// An impulse as the joints pass it on to the pelvis.
+/// An impulse on bodies, propagated through the joints to the pelvis.
 struct PropagatedImpulse {
-  BodySet chain = 0;                         ///< the bodies by whose joints it passes
-  motion::PerBody<Eigen::Vector3d> moment;   ///< at the joint of each; others are not set
-  motion::PerBody<Eigen::Vector3d> angular;  ///< E times that
+  BodySet chain = 0;                         ///< the bodies through whose joints it passes
+  motion::PerBody<Eigen::Vector3d> moment;   ///< at each of their joints; others are not set
+  motion::PerBody<Eigen::Vector3d> angular;  ///< E times the moment
   Eigen::Vector<double, 6> root_impulse,
-      root_velocity_change;  ///< at the pelvis, and what it does there
+      root_velocity_change;  ///< at the pelvis, and the velocity change that it causes there
 };
 
-/// The equations of motion of a figure's joints over one step, solved in time proportional to its
-/// bodies: what ODE's dWorldStep solves, whose rows are all equations and form a tree but for the
-/// contacts; joint_tree.cpp derives it.
+/// The equations of motion of a figure's joints over one step, solved by an articulated-body
+/// recursion in time proportional to the number of bodies. Solves the same system as ODE's
+/// dWorldStep; without the contacts all of its rows are equations and form a tree. joint_tree.cpp
+/// has the derivation.
 class JointTree {
  public:
   /// `figure_model` must outlive this.
@@ -55,23 +56,23 @@ class JointTree {
   /// Sets the step and factors its equations.
   void set_step(const motion::PerBody<BodyState>& now, const FigureRows& rows, double step_s,
                 double gravity_mps2);
-  /// How loads, whose impulses add up, are passed on in the step.
+  /// Propagates impulses, summed, through the joints to the pelvis.
   void propagate(std::span<const BodyImpulse> body_impulses, PropagatedImpulse& propagated) const;
-  /// By how much `first` changes the velocity along `second` after the step, and the other way
-  /// round: first^T M^-1 second.
+  /// Returns first^T M^-1 second: the velocity change along `second` that `first` causes after the
+  /// step. Symmetric in the two.
   static double inverse_inertia_product(const PropagatedImpulse& first,
                                         const PropagatedImpulse& second);
-  /// Gives the figure `size` times an impulse in the step.
+  /// Applies `size` times a propagated impulse to the figure in this step.
   void add(const PropagatedImpulse& propagated, double size);
-  /// The velocities after the step of the bodies in `wanted`, with all that was added; those of
-  /// others are not set. `wanted` must contain the parents of all that it contains.
+  /// Computes the velocities after the step, with all added impulses, of the bodies in `wanted`;
+  /// those of other bodies are not set. `wanted` must contain the parents of all its bodies.
   void velocities(BodySet wanted, motion::PerBody<Twist>& after) const;
 
  private:
   using Body = motion::Body;
   struct Link {
     Body parent{};
-    BodySet chain = 0;  // the body and all that carry it
+    BodySet chain = 0;  // the body and all its ancestors
     Eigen::Vector3d joint_local = Eigen::Vector3d::Zero();
     Eigen::Vector3d to_joint;           // from the body's centre of mass, world
     Eigen::Vector3d parent_to_joint;    // from the parent's
@@ -79,7 +80,7 @@ class JointTree {
     Eigen::Matrix3d mobility;           // E
     Eigen::Matrix3d coupling_mobility;  // B E
     Eigen::Matrix3d angular_mobility;   // C E
-    Twist prescribed;         // c_0: what the rigid rows ask of the child against its parent
+    Twist prescribed;         // c_0: velocity of the child relative to the parent in the rigid rows
     Eigen::Vector3d angular;  // E b_w + e
   };
   void factor(const JointRows& rows, const motion::PerBody<BodyState>& now, Body body,
@@ -88,13 +89,13 @@ class JointTree {
 
   const FigureModel& figure_model_;
   motion::PerBody<Link> links_;
-  // Of the bodies and, as far as they are factored, of all beyond them; at their joints, or the
-  // pelvis' centre of mass.
+  // Articulated-body inertia: of each body with all factored descendants, at its joint; of the
+  // pelvis at its centre of mass.
   motion::PerBody<SpatialInertia> inertia_;
   motion::PerBody<Twist> momentum_;
   Eigen::Matrix<double, 6, 6>
       root_inverse_inertia_;                // inverse of the whole figure's inertia at the pelvis
-  Eigen::Vector<double, 6> root_velocity_;  // of the pelvis, with all that was added
+  Eigen::Vector<double, 6> root_velocity_;  // of the pelvis, with all added impulses
 };
 
 }  // namespace flinch::sim

@@ -14,7 +14,8 @@ using motion::Body;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// Two directions across a unit vector, as ODE takes them: the pyramid of friction has corners.
+/// Two directions perpendicular to a unit vector. The same as ODE's, because the friction pyramid
+/// is not isotropic.
 std::array<Vector3d, 2> across(const Vector3d& normal) {
   const bool upright = std::abs(normal.z()) > std::sqrt(0.5);
   const Vector3d first =
@@ -25,7 +26,7 @@ std::array<Vector3d, 2> across(const Vector3d& normal) {
 
 }  // namespace
 
-// A shell: I = 2/3 m r^2.
+// Spherical shell: I = 2/3 m r^2.
 BallState ball_state(const Ball& ball) {
   BallState state;
   state.body.position = ball.position;
@@ -129,7 +130,7 @@ void TreeScene::step(const ReferenceState& target, double step_s) {
   apply_gravity(step_s / 2);
 }
 
-// x' = x + h v', and q' the unit of q + h/2 w' q, as ODE moves bodies.
+// x' = x + h v', and q' is q + h/2 w' q normalised, as in ODE.
 void TreeScene::move(BodyState& state, const Twist& after, double step_s) const {
   state.velocity = after.linear;
   state.angular_velocity = after.angular;
@@ -179,13 +180,14 @@ Twist TreeScene::free_velocity(const ContactBody& contact_body) const {
                                                       : current_velocity(contact_body);
 }
 
-/// How fast a row's two part who move like this.
+/// Relative velocity along a row of its two bodies when they move with these velocities.
 double TreeScene::relative_velocity(const Row& row, const Twist& first, const Twist& second) {
   return row.direction.dot(first.linear - second.linear) + row.first_moment.dot(first.angular) +
          row.second_moment.dot(second.angular);
 }
 
-/// Passes each row's unit impulse on, and finds how those that the rows act on move without it.
+/// Propagates the unit impulse of each row and finds the velocity of each row without contact
+/// impulses.
 void TreeScene::propagate_rows() {
   if (propagated_.size() < rows_.size()) propagated_.resize(rows_.size());
   BodySet wanted = 0;
@@ -206,7 +208,7 @@ void TreeScene::propagate_rows() {
   tree_.velocities(wanted, after_);
 }
 
-/// The velocity that a contact's law asks of a row at the least.
+/// The minimum velocity that the contact's law demands of a row.
 double TreeScene::target_relative_velocity(const Row& row, double step_s) const {
   if (row.normal >= 0) return 0;
   const Contact& contact = contacts_[row.contact];
@@ -220,8 +222,8 @@ double TreeScene::target_relative_velocity(const Row& row, double step_s) const 
                                        : wanted;
 }
 
-// With v the rows' velocities without contacts, and A the change of each by a unit impulse of
-// another, A p + softness/h p - (v_wanted - v) complements p.
+// With v the rows' velocities without contact impulses and A_ij the velocity change of row i per
+// unit impulse of row j, A p + softness/h p - (v_wanted - v) is complementary to p.
 void TreeScene::make_equations(double step_s) {
   const auto count = static_cast<Eigen::Index>(rows_.size());
   matrix_.resize(count, count);
@@ -253,7 +255,7 @@ void TreeScene::make_equations(double step_s) {
   }
 }
 
-// As ODE has it: friction is bounded by the normal forces of a step without it.
+// As in ODE, the normal forces of a step without friction bound the friction.
 bool TreeScene::solve_rows() {
   const auto count = static_cast<Eigen::Index>(rows_.size());
   lower_ = Eigen::VectorXd::Zero(count);

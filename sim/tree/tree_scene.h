@@ -14,7 +14,7 @@
 
 namespace flinch::sim {
 
-/// A ball that flies and spins.
+/// State of a ball that flies and spins.
 struct BallState {
   BodyState body;
   double radius = 0;
@@ -24,7 +24,7 @@ struct BallState {
 BallState ball_state(const Ball& ball);
 
 /// A figure and a ball that obey the laws of an OdeScene, stepped by JointTree in a tenth of the
-/// time. A plain value but for its plan.
+/// time. A plain value except for its pointer to the figure model.
 class TreeScene {
  public:
   /// `figure_model` must outlive this.
@@ -34,7 +34,7 @@ class TreeScene {
   motion::PerBody<MovingShape> shapes() const;
   std::optional<features::FreeFlight> flight() const;
 
-  // Contacts of the next step, as Contacts adds them.
+  // Contacts of the next step; see Contacts.
   void clear_contacts();
   void add_hit(motion::Body body, const motion::Clearance& at, double restitution);
   void add_bounce(double restitution);
@@ -42,16 +42,16 @@ class TreeScene {
                         double free_closing_mps, bool measured);
   void add_supports(const ReferenceState& target, double step_s);
 
-  /// A step, at whose end `target` is wanted.
+  /// Runs a step that ends at `target`.
   void step(const ReferenceState& target, double step_s);
   std::span<const ContactImpulse> impulses(double step_s);
 
   const motion::PerBody<BodyState>& bodies() const { return bodies_; }
-  /// Steps whose contacts were not solved.
+  /// Number of steps whose contacts were not solved.
   int solver_messages() const { return solver_messages_; }
 
  private:
-  /// Who takes part in a contact: a body of the figure, the ball, or for a second the ground.
+  /// A side of a contact: a body of the figure, the ball or, as the second, the ground.
   struct ContactBody {
     enum class Kind : unsigned char { body, ball, ground } kind = Kind::ground;
     motion::Body body{};
@@ -63,18 +63,18 @@ class TreeScene {
     bool measured = false;
     double impulse_ns = 0;
   };
-  /// One direction of a contact.
+  /// One direction of a contact, a row of the complementarity problem.
   struct Row {
     std::size_t contact = 0;
-    Eigen::Vector3d direction;      ///< of first's impulse
-    Eigen::Vector3d first_moment;   ///< of that impulse
-    Eigen::Vector3d second_moment;  ///< of second's, which is the opposite
-    Eigen::Index normal = -1;       ///< row of the normal that bounds this one
+    Eigen::Vector3d direction;      ///< of the impulse on the first
+    Eigen::Vector3d first_moment;   ///< moment of that impulse
+    Eigen::Vector3d second_moment;  ///< moment of the opposite impulse on the second
+    Eigen::Index normal = -1;       ///< normal row whose force bounds this row
   };
 
   void apply_gravity(double time_s);
   const BodyState& state_of(const ContactBody& contact_body) const;
-  /// The velocities of a party now, and after the step without contacts.
+  /// Velocity of a side of a contact now, and after the step without contact impulses.
   Twist current_velocity(const ContactBody& contact_body) const;
   Twist free_velocity(const ContactBody& contact_body) const;
   static double relative_velocity(const Row& row, const Twist& first, const Twist& second);
@@ -95,10 +95,10 @@ class TreeScene {
   std::vector<ContactImpulse> impulses_;
   int solver_messages_ = 0;
 
-  // Of a step, kept for their memory.
+  // Scratch buffers of a step.
   motion::PerBody<Twist> after_;
   std::vector<Row> rows_;
-  std::vector<PropagatedImpulse> propagated_;  // of each row; may be longer
+  std::vector<PropagatedImpulse> propagated_;  // one per row; may be longer than the number of rows
   Eigen::MatrixXd matrix_;
   Eigen::VectorXd right_hand_side_, lower_, upper_, solution_;
   BoxLcp lcp_;

@@ -6,7 +6,7 @@
 
 namespace flinch::train {
 
-/// An interval of values, `from` included and `to` not, and its name in tables.
+/// A half-open interval of values, [from, to), and its name in tables.
 struct Bin {
   const char* name;
   float from, to;
@@ -15,7 +15,7 @@ struct Bin {
 };
 inline constexpr float kUnbounded = std::numeric_limits<float>::infinity();
 
-/// Of the time to impact, s.
+/// Bins of the time to impact, s.
 inline constexpr std::array<Bin, 4> kTimeBins{{{"less than 0.50", 0, 0.5F},
                                                {"0.50 to 0.75", 0.5F, 0.75F},
                                                {"0.75 to 1.00", 0.75F, 1},

@@ -14,61 +14,62 @@
 
 namespace flinch::train {
 
-/// Seconds from whenever: what durations are measured with. The only thing here whose results
-/// differ from run to run.
+/// Seconds since any fixed moment, to measure durations. The only input whose results differ from
+/// run to run.
 using Clock = std::function<double()>;
 
-/// A method's selector and how long it took to fit.
+/// A method's selector and the time that its fit took.
 struct FittedMethod {
   Method method{};
   Training training;
   double fit_s = 0;
-  std::size_t file_bytes = 0;  ///< of the selector's file without clips
+  std::size_t file_bytes = 0;  ///< size of the selector's file without clips
 };
 
-/// Fits methods one after the other, each on all processors.
+/// Fits methods one after the other, each with all processors.
 std::vector<FittedMethod> fit_methods(const StoreHeader& header,
                                       std::span<const Observation> observations,
                                       const CostModel& cost_model, std::span<const Method> methods,
                                       std::uint64_t seed, const Clock& clock);
 
-/// What a row makes of a scenario: up to three clips, best first.
+/// A row's candidates for a scenario: up to three clips, best first.
 struct Ranking {
   std::array<models::Candidate, 3> best;
   std::size_t count = 0;
 };
 using Chooser = std::function<Ranking(const Observation&)>;
 
-/// How a selector's candidates rank.
+/// Returns the ranking of a selector's candidates.
 Ranking ranking_of(const models::Selector& selector, const features::FeatureVector& features,
                    motion::Target threatened);
 
-/// How much another row's choices cost more than this one's, scenario by scenario.
+/// Cost of this row's choices less that of another row's, paired by scenario.
 struct Difference {
   std::string from;  ///< the row that is subtracted
-  Estimate cost_ns;  ///< negative where this row is the better one
+  Estimate cost_ns;  ///< negative if this row is better
 };
 
-/// How one row did on the tested scenarios. Vectors have one value a scenario.
+/// Results of one row on the test scenarios. Vectors have one value per scenario.
 struct EvaluationRow {
   std::string name;
-  std::vector<int> chosen;  ///< clip
+  std::vector<int> chosen;  ///< clip index
   std::vector<double> cost_ns;
   std::vector<double> damage_ns;
-  std::vector<double> hit;              ///< 1 where the label was chosen
-  std::vector<double> hit_in_three;     ///< 1 where it is among the first three candidates
-  std::vector<float> vote;              ///< of the chosen clip
-  std::vector<float> expected_cost_ns;  ///< of the chosen clip; not a number where none is told
+  std::vector<double> hit;           ///< 1 if the label was chosen
+  std::vector<double> hit_in_three;  ///< 1 if the label is among the first three candidates
+  std::vector<float> vote;           ///< of the chosen clip
+  /// Of the chosen clip; not a number if the method gives none.
+  std::vector<float> expected_cost_ns;
   Estimate accuracy;
   Estimate top_three;  ///< of `hit_in_three`
   Estimate mean_cost_ns;
   Estimate mean_damage_ns;
   Estimate regret_ns;   ///< mean cost minus the oracle's
-  Estimate protection;  ///< 0 stands still, 1 is the oracle; not a number if those are the same
-  std::vector<Difference> differences;  ///< from svm and knn, where those are rows
+  Estimate protection;  ///< 0 for standing still, 1 for the oracle; not a number if those are equal
+  std::vector<Difference> differences;  ///< from svm and knn, if those are rows
 };
 
-/// How long a row takes to choose, from the features to the clip, and to fit.
+/// Time that a row takes to choose, from features to clip, and to fit.
 struct RowTiming {
   std::string name;
   double median_us = 0;
@@ -77,26 +78,27 @@ struct RowTiming {
   std::size_t file_bytes = 0;
 };
 
-/// Rows side by side on the same scenarios.
+/// Rows compared on the same scenarios.
 struct Evaluation {
   CostModel cost_model;
-  Labels labels;                    ///< of the tested scenarios
+  Labels labels;                    ///< of the test scenarios
   std::vector<EvaluationRow> rows;  ///< idle, random, nearest_annotation, methods, oracle
   std::vector<RowTiming> timing;    ///< of the methods
 };
 
-/// (idle - cost) / (idle - oracle): not a number where idling is the best.
+/// Returns (idle - cost) / (idle - oracle); not a number if idling is the best choice.
 double protection_of(double idle, double cost, double oracle);
 
-/// The row with this name; null if there is none.
+/// Returns the row with this name, or null if there is none.
 const EvaluationRow* row_named(const Evaluation& evaluation, std::string_view name);
 
-/// Tries baselines, methods and the oracle on the split's tested scenarios. `seed` draws the random
-/// row and 2000 bootstrap resamples. The same bits for any number of threads but for the timing.
+/// Evaluates baselines, methods and the oracle on the split's test scenarios. `seed` seeds the
+/// random row and the 2000 bootstrap resamples. The result, except the timing, is the same to the
+/// bit for any number of threads.
 Evaluation evaluate(const TrainTestSplit& split, const CostModel& cost_model,
                     std::span<const FittedMethod> methods, std::uint64_t seed, const Clock& clock);
 
-/// What a chooser's choices are worth, without intervals: mean cost, N·s.
+/// Returns the mean cost of a selector's choices, N·s, without an interval.
 double mean_cost_ns(std::span<const Observation> observations, const Labels& labels,
                     const Chooser& choose);
 

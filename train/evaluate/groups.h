@@ -8,10 +8,10 @@
 
 namespace flinch::train {
 
-/// How one row did on some of the tested scenarios.
+/// Results of one row on a group of the test scenarios.
 struct GroupRow {
   std::string group;  ///< "target", "speed_mps" (at the impact) or "time_to_impact_s"
-  std::string value;  ///< which of the group, such as "head" or "0.50 to 0.75"
+  std::string value;  ///< name of the group's value, such as "head" or "0.50 to 0.75"
   std::size_t scenarios = 0;
   std::string name;  ///< of the row
   Estimate mean_cost_ns;
@@ -19,8 +19,8 @@ struct GroupRow {
   Estimate protection;
 };
 
-/// Every row in every group that has scenarios, with intervals over the group's own scenarios.
-/// `seed` draws the resamples.
+/// Returns the results of every row in every group that has scenarios, with intervals over the
+/// group's own scenarios. `seed` seeds the resamples.
 std::vector<GroupRow> group_rows(const TrainTestSplit& split, const Evaluation& evaluation,
                                  std::uint64_t seed);
 

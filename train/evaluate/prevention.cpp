@@ -13,7 +13,7 @@ namespace {
 
 using ObservationFilter = std::function<bool(const Observation&)>;
 
-/// Directions are the annotation's: eight sectors about the facing, in (-180, 180] degrees.
+/// Directions as in annotations: eight sectors about the facing, in (-180, 180] degrees.
 int sector_of(const Observation& observation) {
   const double turns = double{azimuth_of(observation.scenario)} / (2 * std::numbers::pi);
   const int sector = static_cast<int>(std::lround(8 * turns));

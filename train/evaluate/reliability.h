@@ -8,19 +8,20 @@
 
 namespace flinch::train {
 
-/// What a row says of its choices against what came of them, for choices of like confidence.
+/// Predicted and actual results of a row's choices, for choices of similar confidence.
 struct ReliabilityBin {
   std::string name;      ///< of the row
   std::string said;      ///< "vote" or "expected_cost_ns"
-  double mean_said = 0;  ///< of the chosen clips
+  double mean_said = 0;  ///< prediction, over the chosen clips
   std::size_t scenarios = 0;
   double accuracy = 0;  ///< share whose label was chosen
   double mean_cost_ns = 0;
   double mean_regret_ns = 0;
 };
 
-/// Ten bins of equally many scenarios, by rising confidence, of every row that tells votes or
-/// expected costs; fewer where there are fewer scenarios. Ties of confidence by scenario.
+/// Returns ten bins of equally many scenarios, by ascending confidence, for each row that predicts
+/// votes or expected costs; fewer bins if there are fewer scenarios. Ties of confidence are in the
+/// order of the scenarios.
 std::vector<ReliabilityBin> reliability(const Evaluation& evaluation);
 
 }  // namespace flinch::train

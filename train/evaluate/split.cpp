@@ -26,16 +26,17 @@ void require_independent(const Store& training, const Store& test, const std::st
   const StoreHeader& fitted = training.header;
   const StoreHeader& tested = test.header;
   if (tested.library_hash != fitted.library_hash)
-    throw Error(path, "is of another library (" + tested.library_name + ") than what is fitted (" +
-                          fitted.library_name + "); simulate the same library");
+    throw Error(path, "was made from another library (" + tested.library_name +
+                          ") than the training store (" + fitted.library_name +
+                          "); simulate the same library");
   if (tested.simulation != fitted.simulation)
     throw Error(path, "was made with another simulation, " + tested.simulation +
                           "; simulate it again with this program");
   if (tested.layout != fitted.layout)
-    throw Error(path, "has other features than what is fitted; derive the same");
+    throw Error(path, "has other features than the training store; derive the same");
   if (tested.seed == fitted.seed && tested.distribution == fitted.distribution &&
       share_a_number(training.observations, test.observations))
-    throw Error(path, "shares scenarios with what is fitted (both of seed " +
+    throw Error(path, "shares scenarios with the training store (both have seed " +
                           std::to_string(fitted.seed) +
                           "); simulate test scenarios with another --seed");
 }

@@ -9,29 +9,30 @@
 
 namespace flinch::train {
 
-/// Whether a scenario is kept out of fitting where there is no other store to test on: every
-/// fourth, by its number.
+/// Whether a scenario is held out of the fit when there is no test store: every fourth, by its
+/// number.
 constexpr bool is_held_out(std::uint64_t number) {
   return number % 4 == 3;
 }
 
-/// What selectors are fitted to, and what they are tried on.
+/// The observations that selectors are fitted to, and those that they are tested on.
 struct TrainTestSplit {
-  StoreHeader header;  ///< of the store that is fitted to
+  StoreHeader header;  ///< of the training store
   std::vector<Observation> fitted;
   std::vector<Observation> tested;
-  bool has_test_store = false;  ///< otherwise the tested ones were held out
+  /// If false, the test scenarios were held out of the training store.
+  bool has_test_store = false;
 };
 
-/// Throws Error unless both stores are of one library and one simulation, have features in one
-/// layout, and share no scenario: none with the same number, seed and distribution. `path` holds
-/// `test`.
+/// Throws Error unless both stores are from the same library and simulation, have the same feature
+/// layout, and share no scenario, that is none with the same number, seed and distribution. `path`
+/// is the file of `test`.
 void require_independent(const Store& training, const Store& test, const std::string& path);
 
-/// Every fourth scenario is held out. Throws Error when fewer than two are.
+/// Holds out every fourth scenario. Throws Error if those are fewer than two.
 TrainTestSplit split_of(Store store);
 
-/// Fits to one store and tests on another, which require_independent() lets pass. Throws Error when
+/// Fits to one store and tests on another; the two must pass require_independent(). Throws Error if
 /// either has fewer than two scenarios.
 TrainTestSplit split_of(Store training, Store test);
 

@@ -16,7 +16,7 @@ constexpr std::array<std::size_t, 7> kLearningCurveSizes{500,    1000,   2000,  
                                                          10'000, 20'000, 50'000};
 constexpr std::array kBrawns{0.0, 0.1, 0.3, 0.5};
 
-/// What choices are judged by.
+/// Scores a choice of clips.
 struct ChoiceScorer {
   ChoiceScorer(const TrainTestSplit& split, const CostModel& cost_model)
       : observations(split.tested), labels(label(split.tested, cost_model)) {

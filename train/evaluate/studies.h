@@ -10,7 +10,7 @@
 
 namespace flinch::train {
 
-/// What was chosen for a method.
+/// Results of one method's choices.
 struct MethodSummary {
   std::string name;
   std::string parameters;
@@ -18,7 +18,7 @@ struct MethodSummary {
 };
 std::vector<MethodSummary> summaries_of(std::span<const FittedMethod> methods);
 
-/// What a study needs of a split: the same in all of them.
+/// Common inputs of all studies of a split.
 struct StudyPlan {
   const TrainTestSplit& split;
   const CostModel& cost_model;
@@ -26,33 +26,33 @@ struct StudyPlan {
   std::uint64_t seed = 1;
 };
 
-/// Whom to tell what is being fitted: fits take long.
+/// Called with the name of what is being fitted, because fits take long.
 using ProgressCallback = std::function<void(const std::string& what)>;
 
-/// A method with noise on the features that it is asked with.
+/// Results of a method when its input features are noisy.
 struct NoiseRow {
   std::string name;
-  double noise = 0;  ///< standard deviation, a share of each feature's half range in fitting
+  double noise = 0;  ///< standard deviation, as a share of each feature's half range in the fit
   double regret_ns = 0;
   double protection = 0;
 };
-/// Normal noise on every feature but the target's, the same draws for every method and, scaled, for
-/// every level; the mask is that of the true target.
+/// Adds normal noise to every feature except the target's. All methods use the same draws and all
+/// levels the same draws, scaled; the mask is that of the true target.
 std::vector<NoiseRow> noise_rows(const StudyPlan& plan, std::span<const FittedMethod> methods);
 
-/// A method fitted to the first so many scenarios.
+/// Results of a method fitted to the first `scenarios` scenarios.
 struct LearningCurveRow {
   std::string name;
   std::size_t fitted_count = 0;
   double regret_ns = 0;
   double protection = 0;
 };
-/// At 500, 1000, 2000, 5000, 10,000, 20,000 and 50,000 scenarios as far as there are so many, and
-/// at all. Parameters are chosen anew at each size.
+/// Fits at 500, 1000, 2000, 5000, 10,000, 20,000 and 50,000 scenarios, as far as there are as many,
+/// and at all scenarios. Parameters are chosen anew at each size.
 std::vector<LearningCurveRow> learning_curve_rows(const StudyPlan& plan,
                                                   const ProgressCallback& progress);
 
-/// A method fitted for one brawn and judged for another.
+/// Results of a method fitted for one brawn and evaluated for another.
 struct TransferRow {
   std::string name;
   double fitted_brawn = 0;
@@ -60,10 +60,10 @@ struct TransferRow {
   double regret_ns = 0;
   double protection = 0;
 };
-/// Each of 0, 0.1, 0.3 and 0.5 against each.
+/// Fits for each brawn of 0, 0.1, 0.3 and 0.5 and evaluates for each of them.
 std::vector<TransferRow> transfer_rows(const StudyPlan& plan, const ProgressCallback& progress);
 
-/// A method with other features.
+/// Results of a method with another set of features.
 struct AblationRow {
   std::string name;
   std::string features;  ///< a set's name, or "geometry without contact"
@@ -72,7 +72,7 @@ struct AblationRow {
   double regret_ns = 0;
   double protection = 0;
 };
-/// Every feature set, and every set without each of its groups.
+/// Evaluates every feature set, and every set without each of its groups.
 std::vector<AblationRow> ablation_rows(const StudyPlan& plan, const ProgressCallback& progress);
 
 }  // namespace flinch::train

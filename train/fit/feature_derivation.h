@@ -7,12 +7,12 @@
 
 namespace flinch::train {
 
-/// Gives observations the features of a layout, from their scenarios and the library that stands in
-/// their store's header, as a game computes them. Throws Error when that library cannot be used.
+/// Computes the features of a layout for observations, from their scenarios and the library in
+/// their store's header, as a game computes them. Throws Error if that library cannot be used.
 void derive_features(const features::Layout& layout, const StoreHeader& header,
                      std::span<Observation> observations);
 
-/// The same of a whole store, which keeps the layout.
+/// Does the same for a whole store, and stores the layout in its header.
 void derive_features(const features::Layout& layout, Store& store);
 
 }  // namespace flinch::train

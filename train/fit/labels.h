@@ -11,25 +11,26 @@
 
 namespace flinch::train {
 
-/// How a store's impulses and work are weighed.
+/// Returns the cost model for a store's impulses and work.
 CostModel make_cost_model(const StoreHeader& header, const Vulnerability& vulnerability,
                           double brawn);
 
-/// What every trial of a store costs, and which clip is best: new ones need no new simulation.
+/// The cost of every trial of a store, and the best clip. Other cost models need no new simulation.
 struct Labels {
-  std::vector<std::vector<double>> cost;  ///< N·s, one row an observation, one value a trial
-  std::vector<int> clip;                  ///< the label: the clip of least cost
+  std::vector<std::vector<double>> cost;  ///< N·s, one row per observation, one value per trial
+  std::vector<int> clip;                  ///< the label: index of the clip with the lowest cost
 };
 Labels label(std::span<const Observation> observations, const CostModel& model);
 
-/// Cost of answering observation number `observation` with a clip that was tried on it.
+/// Returns the cost of responding to observation number `observation` with a clip that was tried on
+/// it.
 double cost_of_choice(std::span<const Observation> observations, const Labels& labels,
                       std::size_t observation, int clip);
 
-/// The scaling of these observations' features.
+/// Returns the scaling of these observations' features.
 features::Scaling scaling_of(const StoreHeader& header, std::span<const Observation> observations);
 
-/// The observations as the models are fitted to them, with the costs of their trials.
+/// Returns the observations in the form that models are fitted to, with the costs of their trials.
 models::TrainingSet make_training_set(const StoreHeader& header,
                                       std::span<const Observation> observations,
                                       const Labels& labels, const features::Scaling& scaling);

@@ -16,8 +16,8 @@ namespace schema = runtime::schema;
 using flatbuffers::FlatBufferBuilder;
 using flatbuffers::Offset;
 
-// Parts are stored one statement each: the order of a call's arguments is the compiler's to choose,
-// and the bytes must not depend on it.
+// Stores one part per statement: the compiler chooses the order in which a call's arguments are
+// evaluated, and the bytes must not depend on it.
 Offset<schema::Clip> store(FlatBufferBuilder& builder, const models::ClipSummary& clip) {
   const auto name = builder.CreateString(clip.name);
   Offset<schema::Annotation> annotation;
@@ -92,7 +92,7 @@ schema::Model kind_of(const models::PairwiseModel&) {
   return schema::Model::PairwiseLinear;
 }
 
-// At a multiple of 16 bytes, so that the library is read in place.
+// Stores the library at a multiple of 16 bytes, so that it can be read in place.
 Offset<flatbuffers::Vector<std::uint8_t>> store(FlatBufferBuilder& builder,
                                                 std::span<const std::byte> library_file) {
   builder.ForceVectorAlignment(library_file.size(), 1, 16);
@@ -138,7 +138,7 @@ std::string selector_bytes(const models::Selector& selector,
   models::Selector read;
   const database::LoadStatus status = runtime::read_selector(database::bytes_of(bytes), read);
   if (status != database::LoadStatus::ok) {
-    throw Error("", std::string("the selector cannot be written: read back, it ") +
+    throw Error("", std::string("the selector cannot be written, because on reading it back it ") +
                         database::message_of(status) + "; check what it was trained on");
   }
   return bytes;

@@ -9,14 +9,14 @@
 
 namespace flinch::train {
 
-/// The bytes of a selector's file: the same for the same selector and library. `library_file` is
-/// the library's whole file, so that the run time needs no other; empty for a selector without
-/// clips. Throws Error when the run time would refuse to read them (see runtime/selector_file.h),
-/// so that nothing is written that cannot be used.
+/// Returns the bytes of a selector's file, the same for the same selector and library.
+/// `library_file` is the library's whole file, so that the run time needs no other file; empty for
+/// a selector without clips. Throws Error if the run time would refuse the bytes (see
+/// runtime/selector_file.h), so that no unusable file is written.
 std::string selector_bytes(const models::Selector& selector,
                            std::span<const std::byte> library_file = {});
 
-/// Writes the file whole or not at all. Throws Error.
+/// Writes the file completely or not at all. Throws Error.
 void write_selector(const models::Selector& selector, std::span<const std::byte> library_file,
                     const std::string& path);
 

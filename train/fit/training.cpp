@@ -20,7 +20,7 @@ namespace {
 
 constexpr int kMaxFolds = 5;
 
-/// What a method makes of a training set.
+/// Result of fitting a method to a training set.
 struct Fitted {
   decltype(models::Selector::model) model;
   std::vector<NamedValue> parameters;
@@ -45,8 +45,8 @@ Fitted fit_knn_cost(const models::TrainingSet& set, std::span<const int> folds,
   return {models::fit_knn(set, chosen.parameters), {{"k", chosen.parameters.k}}, chosen.mean_score};
 }
 
-/// The parameters of models that take long to fit are chosen on 5000 observations at the most, and
-/// on as few folds as tell them apart.
+/// For models that take long to fit, parameters are chosen on at most 5000 observations and on as
+/// few folds as separate the candidates.
 template <typename Parameters>
 models::TunedParameters<Parameters> choose_on_subset(const models::TrainingSet& set,
                                                      const std::vector<Parameters>& grid,
@@ -121,7 +121,7 @@ struct MethodEntry {
   std::string_view name;
   Fit fit;
 };
-// By rising method.
+// In the order of the enumeration.
 constexpr std::array kMethodEntries{
     MethodEntry{Method::knn, "knn", fit_knn},
     MethodEntry{Method::svm, "svm", fit_svm},

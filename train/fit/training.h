@@ -15,43 +15,43 @@
 
 namespace flinch::train {
 
-/// A way to learn a selector.
+/// A method of learning a selector.
 enum class Method : std::uint8_t {
-  knn,            ///< the nearest observations vote
-  svm,            ///< C-SVC with a polynomial kernel: the paper's
+  knn,            ///< vote of the nearest observations
+  svm,            ///< C-SVC with a polynomial kernel, as in the paper
   svm_rbf,        ///< C-SVC with an RBF kernel
-  knn_cost,       ///< the nearest observations tell what each clip costs
-  network,        ///< small networks expect what each clip costs
-  pairwise_cost,  ///< a linear machine for each pair of clips, weighted by what its mistakes cost
+  knn_cost,       ///< mean cost of each clip over the nearest observations
+  network,        ///< small networks that predict the cost of each clip
+  pairwise_cost,  ///< one linear machine per pair of clips, weighted by the cost of its errors
 };
 
-/// Of the two of least regret on held-out scenarios, one on an authored library and one on motion
-/// capture, the one that chooses sooner: docs/selectors.md has the figures.
+/// Two methods had the lowest regret on held-out scenarios, one on an authored library and one on
+/// motion capture. This is the one that chooses faster; docs/selectors.md has the figures.
 inline constexpr Method kDefaultMethod = Method::network;
 
-/// As options and `compare`'s rows have it.
+/// Returns the method's name in options and in `compare`'s rows.
 std::string_view name_of(Method method);
 std::optional<Method> method_named(std::string_view name);
-/// All of them, in the order in which they are shown.
+/// Returns all methods, in the order in which they are shown.
 std::span<const Method> methods();
 
-/// A parameter that was chosen.
+/// A parameter and its chosen value.
 struct NamedValue {
   std::string name;
   std::variant<std::string, int, double> value;
 };
 
-/// A selector and how it came about.
+/// A selector and how it was trained.
 struct Training {
   models::Selector selector;
   std::vector<NamedValue> parameter_values;
   std::string parameters;                ///< the same as text: "k 10, vote majority"
-  double cross_validated_regret_ns = 0;  ///< mean, of the folds that were not fitted to
+  double cross_validated_regret_ns = 0;  ///< mean over the folds, each held out once
 };
 
 /// Labels the observations, chooses the method's parameters from its grid by cross-validation with
-/// the mean regret as score (folds drawn from `seed`), and fits to all of them. Throws Error for
-/// fewer than two observations. The same bits for any number of threads.
+/// the mean regret as score (folds drawn from `seed`), and fits to all observations. Throws Error
+/// for fewer than two observations. The result is the same to the bit for any number of threads.
 Training train_selector(const StoreHeader& header, std::span<const Observation> observations,
                         const CostModel& cost_model, Method method, std::uint64_t seed);
 

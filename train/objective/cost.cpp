@@ -35,7 +35,8 @@ constexpr std::array<VulnerabilityProfile, 2> kProfiles{{
     {"uniform", uniform_vulnerability()},
 }};
 
-constexpr double kTieTolerance = 0.01;  // costs this near to the least are as good as it
+// Costs within this share of the lowest count as equal to it.
+constexpr double kTieTolerance = 0.01;
 
 }  // namespace
 

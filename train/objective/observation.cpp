@@ -20,7 +20,7 @@ std::size_t trial_of(const Observation& observation, int clip) {
   if (found == observation.trials.end())
     throw Error("", "clip " + std::to_string(clip) + " was never tried on scenario " +
                         std::to_string(observation.number) +
-                        "; the store and the mask disagree, simulate it again");
+                        "; the store does not fit the mask, simulate it again");
   return static_cast<std::size_t>(found - observation.trials.begin());
 }
 

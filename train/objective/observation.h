@@ -11,15 +11,15 @@
 
 namespace flinch::train {
 
-/// What one clip did in one scenario.
+/// Result of one clip in one scenario.
 struct Trial {
-  int clip = 0;                    ///< the library's index
+  int clip = 0;                    ///< index in the library
   float work_j = 0;                ///< of the whole response, all bodies
   motion::PerBody<float> impulse;  ///< N·s, unweighted
 };
 
-/// A scenario with the impulses and work of every clip that was tried on it: the allowed ones and
-/// the idle clip, by rising index.
+/// A scenario with the impulses and work of every clip that was tried on it: the allowed clips and
+/// the idle clip, in ascending order.
 struct Observation {
   std::uint64_t number = 0;  ///< of the scenario
   features::Scenario scenario;
@@ -27,11 +27,11 @@ struct Observation {
   std::vector<Trial> trials;
 };
 
-/// Where the threat comes from at perception, radians counter-clockwise from the character's
-/// facing.
+/// Returns the direction from which the threat comes at perception, radians counter-clockwise from
+/// the character's facing.
 float azimuth_of(const features::Scenario& scenario);
 
-/// Index of a clip's trial. Throws Error when the clip was not tried.
+/// Returns the index of a clip's trial. Throws Error if the clip was not tried.
 std::size_t trial_of(const Observation& observation, int clip);
 
 }  // namespace flinch::train

@@ -10,7 +10,7 @@
 namespace flinch::train {
 namespace {
 
-// Pixels of the drawing, and of what is kept free for titles.
+// Size of the drawing and its margins, pixels.
 constexpr double kChartWidth = 640;
 constexpr double kChartHeight = 300;
 constexpr double kLeftMargin = 60;
@@ -45,7 +45,7 @@ struct Range {
   }
 };
 
-/// From values to pixels.
+/// Maps values to pixels.
 struct Scale {
   Range range;
   double from = 0;
@@ -59,7 +59,8 @@ struct Scale {
   }
 };
 
-/// Round numbers, from about the least to about the most: 1, 2 or 5 times a power of ten apart.
+/// Returns round numbers from about the minimum to about the maximum, spaced by 1, 2 or 5 times a
+/// power of ten.
 std::vector<double> round_ticks(const Range& range) {
   const double rough = (range.most - range.least) / kTickCount;
   const double power = std::pow(10, std::floor(std::log10(rough)));
@@ -132,7 +133,7 @@ std::string drawn(const Series& series, const Scale& x, const Scale& y, std::siz
   return "<polyline class='line" + colour + "' points='" + points + "'/>" + dots;
 }
 
-/// The names at the lines' ends, moved apart where they would overlap.
+/// The names at the lines' ends, shifted where they would overlap.
 std::string end_labels(const std::vector<Series>& series, const Scale& y) {
   std::vector<std::pair<double, std::size_t>> places;
   for (std::size_t i = 0; i < series.size(); ++i)
@@ -238,7 +239,7 @@ std::string svg_of(const DotChart& chart) {
 }
 
 std::string chart_style() {
-  // Okabe and Ito's colours, which people tell apart whatever their colour vision.
+  // Okabe and Ito's colours, which people with any colour vision can tell apart.
   return "figure{margin:0}figcaption{font-weight:600;margin:0 0 .5rem}"
          "svg{width:100%;height:auto;font:12px system-ui,sans-serif}"
          ".grid{stroke:var(--grid);stroke-width:1}.diagonal{stroke:var(--quiet);stroke-dasharray:4 "

@@ -8,24 +8,24 @@
 
 namespace flinch::train {
 
-/// Points of one name, joined in their order.
+/// Named points, joined in their order.
 struct Series {
   std::string name;
   std::vector<double> x;
   std::vector<double> y;
 };
 
-/// Lines over one axis. Not-a-number points are left out.
+/// Lines over a common x axis. Points that are not a number are left out.
 struct LineChart {
   std::string title;
   std::string x_title;
   std::string y_title;
-  bool logarithmic_x = false;  ///< all x positive
+  bool logarithmic_x = false;  ///< requires all x to be positive
   bool diagonal = false;       ///< with the line y = x
   std::vector<Series> series;
 };
 
-/// A value with its interval a name: dots with whiskers, one below the other.
+/// One value with its interval per name: dots with whiskers, one below the other.
 struct DotChart {
   std::string title;
   std::string x_title;
@@ -33,15 +33,15 @@ struct DotChart {
   std::vector<Estimate> estimates;
 };
 
-/// Each as one <figure> with inline SVG that uses the classes of chart_style(). The same text for
-/// the same chart, whatever the locale.
+/// Returns a chart as one <figure> with inline SVG that uses the classes of chart_style(). The same
+/// text for the same chart in every locale.
 std::string svg_of(const LineChart& chart);
 std::string svg_of(const DotChart& chart);
 
-/// CSS for the figures, for light and dark screens.
+/// Returns the CSS of the figures, for light and dark screens.
 std::string chart_style();
 
-/// Text with what HTML would take for markup escaped.
+/// Returns the text with HTML's special characters escaped.
 std::string html_escaped(const std::string& text);
 
 }  // namespace flinch::train

@@ -15,7 +15,7 @@ std::string header_line(const StoreHeader& header) {
   return text + '\n';
 }
 
-/// One cell a clip of the library.
+/// One cell per clip of the library.
 std::string clip_costs(const StoreHeader& header, const Observation& observation,
                        const std::vector<double>& costs) {
   std::vector<std::string> cells(header.clips.size());

@@ -30,7 +30,7 @@ Json cost_model_document(const CostModel& model) {
           {"vulnerability", vulnerability}};
 }
 
-/// One object an element; an empty array for none.
+/// One object per element; an empty array if there are none.
 template <class Element, class ToDocument>
 Json list(const std::vector<Element>& elements, const ToDocument& to_document) {
   Json documents = Json::array();
@@ -123,7 +123,7 @@ Json document_of(const RowTiming& timing) {
           {"fit_s", timing.fit_s}};
 }
 
-/// The difference of SVM and KNN; nothing where one of them is no row.
+/// The difference of SVM and KNN; nothing if one of them is not a row.
 Json paired_document(const Evaluation& evaluation) {
   const EvaluationRow* svm = row_named(evaluation, "svm");
   if (svm == nullptr || svm->differences.empty()) return nullptr;
@@ -140,7 +140,8 @@ std::string cell(const Json& value) {
   return value.is_null() ? "" : value.dump();
 }
 
-/// Flat objects with the same keys as comma-separated values; a `…_ci` makes two columns.
+/// Converts flat objects with the same keys to comma-separated values; a `…_ci` becomes two
+/// columns.
 std::string csv_of(const Json& objects) {
   std::string text;
   for (const auto& [key, value] : objects.front().items()) {
@@ -211,7 +212,7 @@ std::string scenarios_csv(const TrainTestSplit& split, const Evaluation& evaluat
 void write_report(const Report& report, const TrainTestSplit& split, const std::string& folder) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
-  if (error) throw Error(folder, "cannot make the folder: " + error.message());
+  if (error) throw Error(folder, "cannot create the folder: " + error.message());
   const auto write = [&](const std::string& name, const std::string& text) {
     database::write_file_atomically((std::filesystem::path(folder) / name).string(), text);
   };

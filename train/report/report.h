@@ -13,7 +13,7 @@
 
 namespace flinch::train {
 
-/// All that `flinch compare` finds out.
+/// All results of `flinch compare`.
 struct Report {
   std::string library;
   std::uint64_t library_hash = 0;
@@ -27,26 +27,26 @@ struct Report {
   std::vector<GroupRow> groups;
   std::vector<ReliabilityBin> reliability;
   std::vector<NoiseRow> noise;
-  std::vector<LearningCurveRow> curves;   ///< empty unless asked for
-  std::vector<TransferRow> transfer;      ///< empty unless asked for
-  std::vector<AblationRow> ablation;      ///< empty unless asked for
-  std::vector<PreventionRow> prevention;  ///< over all scenarios of the store that is fitted to
+  std::vector<LearningCurveRow> curves;   ///< empty unless requested
+  std::vector<TransferRow> transfer;      ///< empty unless requested
+  std::vector<AblationRow> ablation;      ///< empty unless requested
+  std::vector<PreventionRow> prevention;  ///< over all scenarios of the training store
 };
 
-/// What `flinch compare --json` prints but for the timing: the same for the same stores and
-/// options, so that reports can be compared. Has the cost model, with which anyone can compute the
-/// costs again from the store.
+/// Returns what `flinch compare --json` prints, except the timing: the same for the same stores and
+/// options, so that reports can be compared. Contains the cost model, with which anyone can
+/// recompute the costs from the store.
 nlohmann::ordered_json report_document(const Report& report);
 
-/// How long the rows took to fit and to choose: differs from run to run.
+/// Returns the time that the rows took to fit and to choose, which differs from run to run.
 nlohmann::ordered_json timing_document(const Evaluation& evaluation);
 
-/// One line a tested scenario: number, target, label, and for each row the clip that it chose and
-/// what that cost.
+/// Returns one line per test scenario: number, target, label and, for each row, the chosen clip and
+/// its cost.
 std::string scenarios_csv(const TrainTestSplit& split, const Evaluation& evaluation);
 
-/// Writes report.json, timing.json, the page report.html, scenarios.csv and the data behind each
-/// chart into a folder, which is made if missing. Throws Error.
+/// Writes report.json, timing.json, the page report.html, scenarios.csv and the data of each chart
+/// into a folder, which it creates if missing. Throws Error.
 void write_report(const Report& report, const TrainTestSplit& split, const std::string& folder);
 
 }  // namespace flinch::train

@@ -80,14 +80,14 @@ std::string timing_table(const Report& report) {
   return table({"selector", "median, µs", "p99, µs", "fit, s", "file, KiB", "chosen"}, rows);
 }
 
-/// A number on a ground that is the fuller the larger it is.
+/// A number whose background is stronger the larger the number is.
 std::string heat_cell(double value, double most) {
   const double share = most > 0 && std::isfinite(value) ? std::clamp(value / most, 0.0, 1.0) : 0;
   return "<div style='background:rgb(var(--heat)/" + fixed(0.55 * share, 2) +
          ");border-radius:4px;padding:0 .35rem;margin:0 -.35rem'>" + fixed(value, 3) + "</div>";
 }
 
-/// Regret of rows but random and oracle in every group.
+/// Regret in every group of all rows except random and oracle.
 std::string groups_table(const Report& report) {
   std::vector<std::string> titles{"regret, N s", "", "scenarios"};
   std::vector<std::size_t> shown;
@@ -137,7 +137,7 @@ DotChart dots(const Report& report, const std::string& title, const std::string&
   return chart;
 }
 
-/// One series a name, in the order in which names come.
+/// One series per name, in the order in which the names first occur.
 template <class Row, class X, class Y>
 std::vector<Series> series_of(const std::vector<Row>& rows, const X& x, const Y& y) {
   std::vector<Series> series;
@@ -158,14 +158,14 @@ std::vector<ReliabilityBin> bins_that_say(const Report& report, const std::strin
 
 std::string charts(const Report& report) {
   std::string text =
-      svg_of(dots(report, "Regret: mean cost over the exhaustive choice's, with 95 %", "N s",
+      svg_of(dots(report, "Regret: mean cost above that of the exhaustive choice, with 95 %", "N s",
                   [](const EvaluationRow& row) { return row.regret_ns; })) +
-      svg_of(dots(report, "Protection: 0 stands still, 1 is the exhaustive choice", "share",
+      svg_of(dots(report, "Protection: 0 for standing still, 1 for the exhaustive choice", "share",
                   [](const EvaluationRow& row) { return row.protection; }));
   const auto protection = [](const auto& row) { return row.protection; };
   if (!report.curves.empty()) {
     text += svg_of(LineChart{
-        "Learning curves", "scenarios fitted to", "protection", true, false,
+        "Learning curves", "training scenarios", "protection", true, false,
         series_of(
             report.curves,
             [](const LearningCurveRow& row) { return static_cast<double>(row.fitted_count); },
@@ -181,24 +181,24 @@ std::string charts(const Report& report) {
   const auto said = [](const ReliabilityBin& bin) { return bin.mean_said; };
   if (const auto bins = bins_that_say(report, "vote"); !bins.empty()) {
     text += svg_of(LineChart{
-        "How votes tell regret", "share of votes for the choice", "regret, N s", false, false,
+        "Regret by share of votes", "share of votes for the choice", "regret, N s", false, false,
         series_of(bins, said, [](const ReliabilityBin& bin) { return bin.mean_regret_ns; })});
   }
   if (const auto bins = bins_that_say(report, "expected_cost_ns"); !bins.empty()) {
     text += svg_of(LineChart{
-        "How expected costs come true", "expected cost, N s", "mean cost, N s", false, true,
+        "Actual cost by expected cost", "expected cost, N s", "mean cost, N s", false, true,
         series_of(bins, said, [](const ReliabilityBin& bin) { return bin.mean_cost_ns; })});
   }
   return text;
 }
 
 std::string summary(const Report& report) {
-  return "Fitted to " + std::to_string(report.fitted_count) + " scenarios, tried on " +
+  return "Fitted to " + std::to_string(report.fitted_count) + " scenarios, tested on " +
          std::to_string(report.tested_count) +
          (report.has_test_store ? " of another store" : " held out") + ". Brawn " +
          fixed(report.evaluation.cost_model.brawn, 2) + ", " +
          std::to_string(report.features.size()) +
-         " features. Intervals are 95 % bootstraps over the scenarios that were tried.";
+         " features. Intervals are 95 % bootstrap intervals over the test scenarios.";
 }
 
 }  // namespace
@@ -210,7 +210,7 @@ std::string report_page(const Report& report) {
                      kStyle + chart_style() + "</style></head><body>\n<h1>" + title + "</h1>\n<p>" +
                      summary(report) + "</p>\n" + rows_table(report) +
                      "<h2>Charts</h2>\n<div class='cards'>\n" + charts(report) +
-                     "</div>\n<h2>Where the regret is</h2>\n" + groups_table(report);
+                     "</div>\n<h2>Regret by group</h2>\n" + groups_table(report);
   if (!report.ablation.empty())
     page += "<h2>Regret with other features, N s</h2>\n" + ablation_table(report);
   return page + "<h2>Time and size</h2>\n" + timing_table(report) + "</body></html>\n";

@@ -7,8 +7,8 @@
 
 namespace flinch::train {
 
-/// A report as one HTML page with inline SVG that needs nothing else: the rows, their charts, and
-/// the timing.
+/// Returns a report as one self-contained HTML page with inline SVG: the rows, their charts and the
+/// timing.
 std::string report_page(const Report& report);
 
 }  // namespace flinch::train

@@ -20,12 +20,12 @@ Eigen::Vector3f point_in_ball(double radius, features::Random& random) {
   }
 }
 
-/// A full swing of the idle clip to and fro.
+/// Period of the idle clip, forwards and backwards.
 double idle_period_s(const motion::Motion& idle) {
   return 2.0 * idle.duration_s();
 }
 
-/// The time of the same place in the first period.
+/// Returns the time in the first period with the same phase.
 double in_first_period(double time_s, double period_s) {
   return period_s > 0 ? time_s - period_s * std::floor(time_s / period_s) : 0;
 }
@@ -34,7 +34,7 @@ double in_first_period(double time_s, double period_s) {
 
 int time_to_impact_count(const ScenarioDistribution& distribution) {
   const double range_s = distribution.max_time_to_impact_s - distribution.min_time_to_impact_s;
-  // The range is whole steps, but for rounding.
+  // The range is a whole number of steps, except for rounding.
   return 1 + static_cast<int>(std::floor(range_s / distribution.time_to_impact_step_s + 1e-6));
 }
 
@@ -69,9 +69,9 @@ GridCell grid_cell_of(const ScenarioDistribution& distribution, const motion::Mo
   return cell;
 }
 
-// Backwards from the impact the ball's height is z + v sin(e) t - g t^2 / 2, which is concave in t:
-// lowest at one of its ends, so only the start can be under the ground. It is not where
-// sin(e) >= (r - z + g t^2 / 2) / (v t).
+// Backwards from the impact, the ball's height is z + v sin(e) t - g t^2 / 2. It is concave in t
+// and so lowest at one of its ends: only the start can be below the ground, and it is not if sin(e)
+// >= (r - z + g t^2 / 2) / (v t).
 double min_feasible_elevation(double speed_mps, double time_to_impact_s, double radius_m,
                               double impact_height_m) {
   const double fall = 0.5 * double{features::kGravity} * time_to_impact_s * time_to_impact_s;

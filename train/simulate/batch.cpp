@@ -12,7 +12,7 @@ namespace flinch::train {
 
 namespace {
 
-/// The first thing thrown by any of several threads.
+/// The first exception of several threads.
 class FirstException {
  public:
   void keep_current() {
@@ -31,14 +31,14 @@ class FirstException {
   std::atomic<bool> thrown_ = false;
 };
 
-/// Where a trial is in the batch, and the response that it shares.
+/// Index of a trial in the batch, and the response that it shares.
 struct TrialTask {
   ResponseKey key;
   std::size_t observation = 0;
   std::size_t trial = 0;
 };
 
-/// Tasks that are done by one thread, one after the other.
+/// Tasks that one thread does one after the other.
 using TaskGroup = std::span<const TrialTask>;
 
 std::vector<TrialTask> tasks_of(const SimulationSetup& setup,
@@ -54,7 +54,8 @@ std::vector<TrialTask> tasks_of(const SimulationSetup& setup,
   return tasks;
 }
 
-/// Those of one response; at most so many that no thread is left with a long one at the end.
+/// Groups the tasks by response, with a limit on a group's size so that no thread has a long group
+/// left at the end.
 std::vector<TaskGroup> groups_of(const std::vector<TrialTask>& tasks) {
   constexpr std::size_t kMaxGroupSize = 64;
   std::vector<TaskGroup> groups;
@@ -68,13 +69,13 @@ std::vector<TaskGroup> groups_of(const std::vector<TrialTask>& tasks) {
   return groups;
 }
 
-/// What one thread did.
+/// Results of one thread.
 struct ThreadTotals {
   SimulationCounts counts;
   PhaseTimes cpu;
 };
 
-/// What all threads of a batch work with.
+/// State that all threads of a batch share.
 class TrialRunner {
  public:
   TrialRunner(const SimulationSetup& setup, RehearsalCache& rehearsals, const BatchContext& context,

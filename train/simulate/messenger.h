@@ -12,19 +12,20 @@ struct Message {
   std::vector<std::byte> bytes;
 };
 
-/// Carries messages between the processes of one run, which are numbered from 0. Process 0 writes
-/// the store. Messages from one process to another arrive in the order in which they were sent.
+/// Carries messages between the processes of one run. Processes are numbered from 0. Process 0
+/// writes the store. Messages from one process to another arrive in the order in which they were
+/// sent.
 class Messenger {
  public:
   virtual ~Messenger() = default;
 
-  virtual int rank() const = 0;        ///< this process' number
-  virtual int size() const = 0;        ///< how many processes there are
-  virtual int local_size() const = 0;  ///< how many of them are on this machine
+  virtual int rank() const = 0;        ///< number of this process
+  virtual int size() const = 0;        ///< number of processes
+  virtual int local_size() const = 0;  ///< number of processes on this machine
 
-  /// Returns at once; the message arrives when the other asks for it.
+  /// Returns at once; the message arrives when the receiver calls receive().
   virtual void send(int to, std::vector<std::byte> bytes) = 0;
-  /// What has arrived, if anything; returns at once.
+  /// Returns the next message that has arrived, or nothing; returns at once.
   virtual std::optional<Message> receive() = 0;
 };
 

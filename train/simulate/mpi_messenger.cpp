@@ -17,13 +17,13 @@ namespace flinch::train {
 
 namespace {
 
-/// How many processes the launcher says it started, by the variables that Open MPI, and Slurm and
-/// MPICH by PMI, give them; 1 without a launcher.
+/// Returns the number of processes that the launcher says it started, from the environment
+/// variables of Open MPI, or of Slurm and MPICH through PMI; 1 without a launcher.
 int launched_count() {
   for (const char* name : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"}) {
     if (const char* size = std::getenv(name)) return std::atoi(size);
   }
-  // PMIx tells the rank alone, and Slurm the number of tasks of the step.
+  // PMIx sets only the rank; Slurm sets the number of tasks of the step.
   const char* tasks = std::getenv("SLURM_STEP_NUM_TASKS");
   return std::getenv("PMIX_RANK") != nullptr && tasks != nullptr ? std::atoi(tasks) : 1;
 }
@@ -37,7 +37,7 @@ namespace {
 class MpiMessenger : public Messenger {
  public:
   MpiMessenger() {
-    // One thread alone, that of main, sends and receives.
+    // Only the main thread sends and receives.
     int provided = 0;
     MPI_Init_thread(nullptr, nullptr, MPI_THREAD_FUNNELED, &provided);
     MPI_Comm_rank(MPI_COMM_WORLD, &rank_);
@@ -82,7 +82,7 @@ class MpiMessenger : public Messenger {
   }
 
  private:
-  /// A message on its way, which must stay in place until it has left.
+  /// A message being sent; its bytes must stay in place until it has left.
   struct Outgoing {
     std::vector<std::byte> bytes;
     MPI_Request request = MPI_REQUEST_NULL;
@@ -115,9 +115,10 @@ std::unique_ptr<Messenger> make_messenger() {
 
 std::unique_ptr<Messenger> make_messenger() {
   if (launched_count() > 1)
-    throw Error("",
-                "this flinch was built without MPI; install libopenmpi-dev and build it again, or "
-                "simulate ranges (--first) and merge them");
+    throw Error(
+        "",
+        "this flinch was built without MPI; install libopenmpi-dev and build flinch again, or "
+        "simulate ranges (--first) and merge them");
   return std::make_unique<SingleProcessMessenger>();
 }
 

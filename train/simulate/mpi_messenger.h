@@ -7,12 +7,12 @@
 
 namespace flinch::train {
 
-/// The messenger of a process that mpirun (or srun) started as one of several; nothing for one that
-/// was started by itself, which then has nothing to do with MPI. Throws Error where one of several
-/// was built without MPI: each would take itself for the only one.
+/// Returns the messenger of a process that mpirun (or srun) started as one of several, or nothing
+/// for a process that was started alone, which then does not use MPI. Throws Error if one of
+/// several processes was built without MPI, because each would take itself for the only one.
 ///
-/// The processes of a run end together when each destroys its messenger. One that does so because
-/// of an exception leaves without them, and the launcher ends the others.
+/// The processes of a run end together when each destroys its messenger. A process that destroys it
+/// because of an exception does not wait, and the launcher ends the others.
 std::unique_ptr<Messenger> make_messenger();
 
 }  // namespace flinch::train

@@ -10,17 +10,17 @@
 
 namespace flinch::train {
 
-/// Keeps responses that were rehearsed, as far as memory allows, for scenarios to come. The first
-/// ones stay: all are asked for equally often and in the same order, so that making room for the
-/// last one would only drop the next. What is not kept is rehearsed again when it is asked for,
-/// with the same result.
+/// Keeps rehearsed responses for later scenarios, as far as memory allows. Keeps the first ones:
+/// all responses are requested equally often and in the same order, so evicting one for the newest
+/// would only lose the one that is needed next. A response that is not kept is rehearsed again on
+/// request, with the same result.
 class RehearsalCache {
  public:
   explicit RehearsalCache(std::uint64_t max_bytes) : max_bytes_(max_bytes) {}
 
-  /// The kept one, or nothing. Any thread may ask.
+  /// Returns the kept response, or nothing. Any thread may call this.
   std::shared_ptr<const RehearsedResponse> find(const ResponseKey& key) const;
-  /// Keeps one that is not there yet if there is room for it.
+  /// Keeps a response that is not kept yet, if there is room for it.
   void insert(std::shared_ptr<const RehearsedResponse> response);
 
   std::uint64_t byte_count() const;

@@ -7,7 +7,7 @@ namespace flinch::train {
 
 namespace {
 
-constexpr std::uint64_t kMinPerThread = 16;  // scenarios, for each thread
+constexpr std::uint64_t kMinPerThread = 16;  // scenarios per thread
 
 }  // namespace
 
@@ -19,8 +19,9 @@ ScenarioScheduler::ScenarioScheduler(const std::vector<ScenarioRange>& missing, 
   for (const ScenarioRange& range : missing) remaining_ += range.count;
 }
 
-// As many as were handed out to each so far, which doubles the size from range to range; at most
-// half of each one's share of what is left, unless one process does it all.
+// Hands out as many scenarios as each process has received so far, which doubles the size from
+// range to range, but at most half of each process' share of the rest unless one process does
+// everything.
 std::optional<ScenarioRange> ScenarioScheduler::next(int threads) {
   if (missing_.empty()) return std::nullopt;
   const auto each = static_cast<std::uint64_t>(threads);

@@ -11,18 +11,19 @@
 namespace flinch::train {
 
 /// Hands out the scenarios that a run still has to simulate, in ranges: small ones first, so that
-/// something is committed and known of the rate soon, then ones of a second or two of work, and
-/// small ones again as the end nears, so that nobody waits long for the last.
+/// something is soon committed and the rate is soon known, then ranges of a second or two of work,
+/// and small ones again towards the end, so that no process waits long for the last.
 class ScenarioScheduler {
  public:
-  /// `missing` in the order to simulate in. `workers` processes will ask, and each range should be
-  /// of `max_per_thread` scenarios for each of their threads.
+  /// `missing` is in the order in which to simulate. `workers` processes will ask for ranges, each
+  /// of at most `max_per_thread` scenarios for each of their threads.
   ScenarioScheduler(const std::vector<ScenarioRange>& missing, int workers,
                     std::uint64_t max_per_thread);
 
-  /// The next range for a process of this many threads; nothing when all are handed out.
+  /// Returns the next range for a process with this many threads, or nothing when all are handed
+  /// out.
   std::optional<ScenarioRange> next(int threads);
-  /// Takes back a range that was handed out: it is the next.
+  /// Takes back a range that was handed out and hands it out next.
   void put_back(ScenarioRange range);
 
  private:

@@ -8,12 +8,13 @@ namespace flinch::train {
 
 namespace {
 
-// Far above what the rounding of floats does to a plan, far below what shows.
+// Far above the effect of rounding on a plan, far below anything visible.
 constexpr float kSameTime = 1e-5F;   // s
 constexpr float kSamePlace = 1e-4F;  // m, radians
 
 bool is_near(float a, float b, float tolerance) {
-  return a == b || std::abs(a - b) <= tolerance;  // the first for what never happens, at infinity
+  // Equality covers events that never happen, at infinity.
+  return a == b || std::abs(a - b) <= tolerance;
 }
 
 bool is_near(const Eigen::Vector3f& a, const Eigen::Vector3f& b) {
@@ -73,9 +74,9 @@ bool is_same_from_impact(const runtime::Response& early, float early_time_s,
 
 namespace {
 
-/// The first time from which on the clip's response is the same; negative without a response. That
-/// it stays the same once it is follows from how responses are planned: every bound that more time
-/// loosens stays loose.
+/// Returns the first time to impact from which on the clip's response is the same, or a negative
+/// number if there is no response. Once the same, it stays the same, because of how responses are
+/// planned: a bound that more time has loosened stays loose.
 int first_shared_time(const runtime::PreparedLibrary& library,
                       const ScenarioDistribution& distribution, int clip, int idle_phase) {
   const motion::Motion& idle = library.idle();

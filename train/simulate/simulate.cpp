@@ -20,9 +20,10 @@ namespace flinch::train {
 
 namespace {
 
-/// Scenarios that a thread simulates before they are committed: a second of work.
+/// Scenarios per thread that are simulated before a commit: about a second of work.
 constexpr std::uint64_t kBatchPerThread = 128;
-/// The same where responses must be rehearsed anew for every batch, which should pay.
+/// The same if responses must be rehearsed again for every batch; larger, so that the rehearsal
+/// pays.
 constexpr std::uint64_t kUncachedBatchPerThread = 1024;
 
 constexpr double degrees(double radians) {
@@ -53,7 +54,8 @@ std::string describe(const SimulationPlan& plan) {
       .dump();
 }
 
-/// About what all responses take, rehearsed: each as much in each second as idling does.
+/// Returns about how much memory all rehearsed responses take. Each second of a response takes as
+/// much as a second of idling.
 std::uint64_t bytes_of_all_responses(const SimulationSetup& setup) {
   const RehearsedResponse idle = rehearse(setup, setup.responses.key_of(setup.library.idle, {}));
   double seconds = 0;
@@ -66,7 +68,7 @@ std::uint64_t bytes_of_all_responses(const SimulationSetup& setup) {
                                     static_cast<double>(idle.byte_count()));
 }
 
-/// What must be the same in all processes of a run.
+/// Returns a hash of everything that must be the same in all processes of a run.
 std::uint64_t hash_of_run(const StoreHeader& header) {
   const std::string text = database::hash_text(header.library_hash) + " " +
                            std::to_string(header.seed) + " " + header.distribution + " " +
@@ -74,10 +76,10 @@ std::uint64_t hash_of_run(const StoreHeader& header) {
   return database::content_hash(std::as_bytes(std::span(text)));
 }
 
-/// Writes what was simulated, and tells how far it is.
+/// Writes the results and reports the progress.
 class ResultWriter {
  public:
-  /// Without a writer all is there, and nothing may be taken.
+  /// A null writer means that the store is complete and take() must not be called.
   ResultWriter(const SimulationSetup& setup, StoreWriter* writer, const SimulationRun& run)
       : setup_(setup), writer_(writer), run_(run) {
     progress_.wanted = run.wanted.count;
@@ -159,8 +161,8 @@ StoreHeader make_store_header(const SimulationSetup& setup) {
 }
 
 MemoryPlan plan_memory(const SimulationSetup& setup, std::uint64_t max_bytes, int threads) {
-  // The program with a library of a few hundred clips; and a batch, a response that is being
-  // rehearsed and a world, a thread. tests/bench measures them.
+  // Memory of the program with a library of a few hundred clips, and, per thread, of a batch, a
+  // response being rehearsed and a world. tests/bench measures them.
   constexpr std::uint64_t kProgramMebibytes = 64;
   constexpr std::uint64_t kThreadMebibytes = 16;
   constexpr int kMebibyteShift = 20;
@@ -170,7 +172,7 @@ MemoryPlan plan_memory(const SimulationSetup& setup, std::uint64_t max_bytes, in
                         << kMebibyteShift;
   if (max_bytes < plan.reserved_bytes)
     throw Error("", std::to_string(max_bytes >> kMebibyteShift) +
-                        " MiB are too little memory for " + std::to_string(threads) +
+                        " MiB of memory are too little for " + std::to_string(threads) +
                         " threads; give at least --memory " +
                         std::to_string(plan.reserved_bytes >> kMebibyteShift) + "M");
   plan.response_count = setup.responses.count();

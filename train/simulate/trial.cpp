@@ -22,7 +22,7 @@ std::size_t interval_count(double duration_s, float rate_hz) {
   return static_cast<std::size_t>(std::ceil(duration_s * double{rate_hz}));
 }
 
-/// Poses of a response at the library's rate, from perception to `duration_s` at least.
+/// Returns the poses of a response at the library's rate, from perception to at least `duration_s`.
 motion::Motion sampled(const runtime::Response& response, float rate_hz, double duration_s) {
   const std::size_t intervals = interval_count(duration_s, rate_hz);
   motion::Motion motion;
@@ -33,8 +33,8 @@ motion::Motion sampled(const runtime::Response& response, float rate_hz, double 
   return motion;
 }
 
-/// Work from the first movement to the end of the way back. Idling costs nothing: it is what the
-/// character would do anyway.
+/// Returns the work from the first movement to the end of the return. Idling costs nothing, because
+/// the character would do it anyway.
 double response_work_j(const SimulationSetup& setup, const runtime::Response& response,
                        const motion::Motion& motion) {
   if (response.clip == setup.library.idle) return 0;
@@ -51,11 +51,11 @@ double response_work_j(const SimulationSetup& setup, const runtime::Response& re
   return sum(sim::mechanical_work(setup.library.character, moving));
 }
 
-/// A response as it is simulated.
+/// The simulated part of a response.
 struct SimulatedMotion {
-  motion::Motion motion;  ///< as far as it is simulated
+  motion::Motion motion;  ///< up to the end of the simulation
   double simulated_s = 0;
-  double work_j = 0;  ///< of all of it
+  double work_j = 0;  ///< of the whole response
 };
 
 SimulatedMotion make_simulated_motion(const SimulationSetup& setup,
@@ -66,7 +66,7 @@ SimulatedMotion make_simulated_motion(const SimulationSetup& setup,
   const float rate_hz = setup.library.rate_hz;
   SimulatedMotion simulated_motion;
   simulated_motion.simulated_s = double{time_to_impact_s} + setup.plan.tail_s;
-  // Velocities on the way to the end take two more poses.
+  // Velocities up to the end need two more poses.
   const double needed_s = simulated_motion.simulated_s + 2 / double{rate_hz};
   simulated_motion.motion =
       sampled(response, rate_hz, std::max(needed_s, double{runtime::duration_s(response)}));
@@ -77,7 +77,7 @@ SimulatedMotion make_simulated_motion(const SimulationSetup& setup,
   return simulated_motion;
 }
 
-/// The ball `later_s` after perception.
+/// Returns the ball `later_s` after perception.
 sim::Ball ball_of(const features::Threat& threat, double later_s, double gravity_mps2) {
   const double radius = double{threat.radius};
   const features::FreeFlight flight{threat.position.cast<double>(), threat.velocity.cast<double>(),
@@ -167,7 +167,7 @@ TrialResult try_rehearsed(const SimulationSetup& setup, const features::Scenario
 double reference_work_j(const SimulationSetup& setup, int clip) {
   const auto& annotation = setup.library.clips[static_cast<std::size_t>(clip)].annotation;
   if (clip == setup.library.idle || !annotation) return 0;
-  // With time enough to shift the weight, the clip plays unhurried.
+  // With enough time to shift the weight, the clip plays at its own speed.
   constexpr float kShiftTime_s = 0.5F;  // s
   const runtime::Response response =
       runtime::make_response(setup.prepared, {}, clip, annotation->peak_s + kShiftTime_s);

@@ -13,19 +13,19 @@
 
 namespace flinch::train {
 
-/// What is simulated: all that the observations depend on.
+/// Everything that the observations depend on.
 struct SimulationPlan {
   ScenarioDistribution distribution;
   sim::SimulationOptions options;
-  double tail_s = 0.3;  ///< simulated after the predicted impact, for late and second hits
+  double tail_s = 0.3;  ///< simulated time after the predicted impact, for late and second hits
   std::uint64_t seed = 1;
-  /// Whether each trial is simulated by itself, from perception on: the slow way that the fast one
-  /// is measured by.
+  /// Whether to simulate each trial separately, from perception on. This is the slow reference that
+  /// the fast method is compared with.
   bool unabridged = false;
 };
 
-/// A library made ready for a plan: what is the same in every scenario. Refers to the library,
-/// which must outlive it and stay where it is.
+/// A library prepared for a plan: everything that is the same in all scenarios. Refers to the
+/// library, which must outlive it and stay in place.
 struct SimulationSetup {
   SimulationSetup(const database::ClipLibrary& simulated, const SimulationPlan& planned);
   SimulationSetup(const SimulationSetup&) = delete;
@@ -41,27 +41,27 @@ struct SimulationSetup {
   SharedResponses responses;
 };
 
-/// Scenario `number` with its features, before any trial.
+/// Returns scenario `number` with its features, without trials.
 Observation make_observation(const SimulationSetup& setup, std::uint64_t number);
 
-/// The clips that are tried on a threat at this target: the allowed and the idle one, by rising
-/// index.
+/// Returns the clips to try on a threat at this target: the allowed clips and the idle clip, in
+/// ascending order.
 std::vector<int> clips_to_try(const database::ClipLibrary& library, motion::Target threatened);
 
-/// A trial with what its simulation found.
+/// A trial and the result of its simulation.
 struct TrialResult {
   Trial trial;
   sim::SimulationResult simulated;
 };
 
 /// Simulates the response with one clip, from perception to the plan's tail after the predicted
-/// impact, and takes the work of the whole response.
+/// impact, and computes the work of the whole response.
 TrialResult try_unabridged(const SimulationSetup& setup, const features::Scenario& scenario,
                            int clip);
-/// The trial alone.
+/// Returns only the trial of try_unabridged().
 Trial try_clip(const SimulationSetup& setup, const features::Scenario& scenario, int clip);
 
-/// A response that any threat may be tried on.
+/// A rehearsed response, on which any threat can be tried.
 struct RehearsedResponse {
   ResponseKey key;
   sim::Rehearsal rehearsal;
@@ -72,13 +72,13 @@ struct RehearsedResponse {
 
 RehearsedResponse rehearse(const SimulationSetup& setup, const ResponseKey& key);
 
-/// The trial of a scenario whose response with `response.key.clip` is the same as this from the
-/// impact. The threat is met where it is by the time that the rehearsed response begins.
+/// Returns the trial of a scenario whose response with `response.key.clip` is the same as this one
+/// relative to the impact. The threat starts from where it is when the rehearsed response starts.
 TrialResult try_rehearsed(const SimulationSetup& setup, const features::Scenario& scenario,
                           const RehearsedResponse& response);
 
-/// Work of a clip's response as it is when there is all the time in the world, J: begun at once
-/// from the idle clip's start, played at its own rate. 0 for the idle clip.
+/// Returns the work of a clip's response with unlimited time, J: started at once from the idle
+/// clip's start and played at its own rate. 0 for the idle clip.
 double reference_work_j(const SimulationSetup& setup, int clip);
 
 }  // namespace flinch::train

@@ -44,7 +44,7 @@ class Reader {
   }
   [[noreturn]] static void fail() {
     throw Error("",
-                "the processes of this run do not understand each other; run the same build of "
+                "the processes of this run use different message formats; run the same build of "
                 "flinch everywhere");
   }
 

@@ -11,24 +11,24 @@
 
 namespace flinch::train {
 
-/// What the processes of a run tell each other.
+/// Messages between the processes of a run.
 
-/// A worker is there, and wants a range.
+/// A worker has started and asks for a range.
 struct WorkRequest {
-  std::uint64_t run_hash = 0;  ///< of what it simulates: must be the writer's
+  std::uint64_t run_hash = 0;  ///< of what it simulates; must equal the writer's
   std::uint32_t threads = 1;
 };
 
-/// A worker has done a range, and wants another. Of each scenario only the trials travel: the rest
-/// follows from its number.
+/// A worker has finished a range and asks for another. Only the trials of each scenario are sent:
+/// the rest follows from its number.
 struct RangeResult {
   ScenarioRange range;
   SimulationCounts counts;
   PhaseTimes cpu;
-  std::vector<std::vector<std::byte>> trials;  ///< encoded, one a scenario
+  std::vector<std::vector<std::byte>> trials;  ///< encoded, one per scenario
 };
 
-/// A worker cannot go on.
+/// A worker cannot continue.
 struct WorkerFailure {
   std::string why;
 };
@@ -36,7 +36,7 @@ struct WorkerFailure {
 /// A worker was interrupted.
 struct WorkerStopped {};
 
-/// What the writer wants of a worker; an empty range: nothing any more.
+/// A range that the writer assigns to a worker; empty if there is no more work.
 struct Assignment {
   ScenarioRange range;
 };
@@ -45,7 +45,7 @@ using WorkerMessage =
     std::variant<WorkRequest, RangeResult, WorkerFailure, WorkerStopped, Assignment>;
 
 std::vector<std::byte> encode(const WorkerMessage& message);
-/// Throws Error for bytes that are no message of this version.
+/// Throws Error for bytes that are not a message of this version.
 WorkerMessage decode(std::span<const std::byte> bytes);
 
 }  // namespace flinch::train

@@ -12,8 +12,8 @@ namespace flinch::train {
 namespace {
 
 constexpr int kWriter = 0;
-/// How long one who has nothing to do sleeps between looks: nothing beside a range's second, and
-/// it leaves the processor to who can use it.
+/// Sleep of an idle process between polls. Negligible beside the second that a range takes, and it
+/// leaves the processor to others.
 constexpr std::chrono::milliseconds kPollInterval(1);
 
 ScenarioRange wait_for_assignment(Messenger& messenger) {

@@ -11,25 +11,26 @@
 
 namespace flinch::train {
 
-/// The workers of a run as its writer, process 0, sees them. It answers them now and then while it
-/// simulates itself; none waits for another, so a slow one holds nobody up.
+/// The workers of a run as its writer, process 0, sees them. The writer answers them between its
+/// own trials. No worker waits for another, so a slow one delays nobody.
 class WorkerPool {
  public:
-  /// Where the work comes from and goes to.
+  /// Callbacks that supply and receive work.
   struct Callbacks {
     std::function<std::optional<ScenarioRange>(int threads)> next;
     std::function<void(const RangeResult&)> take;
-    std::function<void(ScenarioRange)> take_back;  ///< of a worker that was interrupted
+    /// Takes back the range of a worker that was interrupted.
+    std::function<void(ScenarioRange)> take_back;
   };
 
-  /// All must outlive this. Helpers that simulate anything but the run of this hash are refused.
+  /// All arguments must outlive this. Refuses workers whose run has another hash.
   WorkerPool(Messenger& messenger, Callbacks work, std::uint64_t run_hash);
 
-  /// Answers all that has arrived. Throws Error when a worker failed.
+  /// Answers all messages that have arrived. Throws Error if a worker failed.
   void poll();
-  /// Sleeps a moment: for when there is nothing but answers to wait for.
+  /// Sleeps briefly. For when nothing is left to do but wait for messages.
   void wait() const;
-  /// Whether workers are at work or have not yet asked for any.
+  /// Whether a worker is busy or has not yet asked for work.
   bool has_active_workers() const { return active_workers_ > 0; }
 
  private:
@@ -41,19 +42,19 @@ class WorkerPool {
   std::uint64_t run_hash_;
   struct Worker {
     int threads = 1;
-    ScenarioRange range;  ///< that it is at
+    ScenarioRange range;  ///< that the worker simulates
   };
-  std::vector<Worker> workers_;  ///< by process
+  std::vector<Worker> workers_;  ///< by process number
   int active_workers_;
 };
 
-/// What a worker, a process other than 0, does: ranges as they are assigned until there are none.
-/// `simulate` gives nothing when it was interrupted. What it throws is told to the writer, not
-/// thrown.
+/// Runs a worker, a process other than 0: simulates ranges as they are assigned until there are
+/// none. `simulate` returns nothing if it was interrupted. Reports its exceptions to the writer
+/// instead of throwing them.
 void run_worker(Messenger& messenger, std::uint64_t run_hash, int threads,
                 const std::function<std::optional<RangeResult>(ScenarioRange)>& simulate);
 
-/// A worker could not even begin.
+/// Reports that a worker could not start.
 void report_failure(Messenger& messenger, const std::string& why);
 
 }  // namespace flinch::train

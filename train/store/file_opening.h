@@ -7,8 +7,8 @@
 
 namespace flinch::train {
 
-/// What the file at a path is, by its first bytes: however large it is, little of it is read.
-/// Throws Error when it is missing, a folder or cannot be read.
+/// Returns the kind of the file at a path, from its first bytes, whatever its size. Throws Error if
+/// it is missing, is a folder or cannot be read.
 database::FileKind file_kind_at(const std::string& path);
 
 }  // namespace flinch::train

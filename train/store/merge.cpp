@@ -13,7 +13,7 @@ namespace flinch::train {
 
 namespace {
 
-/// Observations that are committed together: a few megabytes.
+/// Number of observations per commit: a few megabytes.
 constexpr std::size_t kCommitSize = 1024;
 
 struct StorePart {
@@ -21,7 +21,7 @@ struct StorePart {
   ScenarioRange range;
 };
 
-/// A store that is merged, open while its scenarios are at hand.
+/// An input store, kept open while its scenarios are read.
 struct OpenStore {
   explicit OpenStore(const StorePart& merged) : part(merged), reader(merged.path) { advance(); }
 
@@ -37,8 +37,8 @@ struct OpenStore {
   bool more = false;
 };
 
-/// The stores by their first scenario, once they are known to fit together. `header` becomes that
-/// of the first path.
+/// Returns the stores sorted by their first scenario, after checking that they fit together.
+/// `header` becomes that of the first path.
 std::vector<StorePart> parts_of(std::span<const std::string> paths, StoreHeader& header) {
   std::vector<StorePart> parts;
   for (const std::string& path : paths) {
@@ -46,15 +46,16 @@ std::vector<StorePart> parts_of(std::span<const std::string> paths, StoreHeader&
     if (store.observation_count == 0 || store.observation_count != store.range.count)
       throw Error(path, "is not finished; run the `flinch simulate` that made it again");
     if (parts.empty()) header = store.header;
-    require_same_run(store.header, header, path,
-                     "merge stores of one run, as " + paths.front() + " is of another");
+    require_same_run(
+        store.header, header, path,
+        "only stores of one run can be merged, and " + paths.front() + " is of another run");
     parts.push_back({path, store.range});
   }
   std::ranges::stable_sort(parts, {}, [](const StorePart& part) { return part.range.first; });
   return parts;
 }
 
-/// All scenarios of the parts. Throws Error for a gap between them.
+/// Returns the range of all parts. Throws Error if there is a gap between them.
 ScenarioRange merged_range(std::span<const StorePart> parts) {
   ScenarioRange range = parts.front().range;
   for (const StorePart& part : parts) {
@@ -70,7 +71,7 @@ ScenarioRange merged_range(std::span<const StorePart> parts) {
   return range;
 }
 
-/// Appends what is missing in batches, and checks what is not.
+/// Appends missing observations in batches, and compares those that are there already.
 class StoreMerger {
  public:
   StoreMerger(const std::string& out, const StoreHeader& header, ScenarioRange range)
@@ -106,7 +107,7 @@ class StoreMerger {
   }
 
   StoreWriter writer_;
-  std::vector<ScenarioRange> missing_;  ///< from the scenario that is at hand
+  std::vector<ScenarioRange> missing_;  ///< from the current scenario on
   std::vector<Observation> batch_;
 };
 

@@ -21,7 +21,7 @@ namespace {
     case SQLITE_NOTADB:
       throw Error(path, "not a store (not a SQLite file); `flinch simulate` makes one");
     case SQLITE_CORRUPT:
-    case SQLITE_ERROR:  // the statements are sound, so the tables are not
+    case SQLITE_ERROR:  // the statements are correct, so the tables are damaged
       throw Error(path, "the store is damaged; delete it and run `flinch simulate` again");
     case SQLITE_CANTOPEN:
       throw Error(path, "cannot open; check the path and its permissions");
@@ -158,7 +158,7 @@ Transaction::~Transaction() {
   try {
     database_.execute("ROLLBACK");
   } catch (const Error&) {
-    // SQLite has already rolled back by itself, as it does on a full disk.
+    // SQLite has already rolled back on its own, as it does on a full disk.
   }
 }
 

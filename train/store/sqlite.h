@@ -14,22 +14,22 @@ namespace flinch::train {
 /// A prepared SQL statement. Columns and parameters count from 0. Throws Error as Database does.
 class Statement {
  public:
-  /// Each binds the next parameter.
+  /// Each call binds the next parameter.
   Statement& bind(std::int64_t value);
   Statement& bind(double value);
   Statement& bind(const std::string& value);
   Statement& bind(std::span<const std::byte> value);
 
-  /// Moves to the next row; false when there is none, after which the statement can be bound and
-  /// run again.
+  /// Moves to the next row. Returns false if there is none; the statement can then be bound and run
+  /// again.
   bool step();
-  /// Runs to the end.
+  /// Runs the statement to its end.
   void run();
 
   std::int64_t integer(int column) const;
   double real(int column) const;
   std::string text(int column) const;
-  /// Stands until the statement moves on.
+  /// Valid until the statement moves on.
   std::span<const std::byte> blob(int column) const;
   bool is_null(int column) const;
   bool is_text(int column) const;
@@ -48,8 +48,9 @@ class Statement {
   int bound_ = 0;
 };
 
-/// A SQLite file. Everything that fails throws Error with the file's name and what to do; a full
-/// disk, a lock held by another process and a file that is no database have messages of their own.
+/// A SQLite database file. Every failure throws Error with the file's name and what to do; a full
+/// disk, a lock held by another process and a file that is not a database have messages of their
+/// own.
 class Database {
  public:
   enum class Mode : std::uint8_t { read, write, create };
@@ -67,7 +68,7 @@ class Database {
   std::unique_ptr<sqlite3, Closer> database_;
 };
 
-/// All that is done between its making and commit() happens, or nothing does.
+/// Either all changes between its construction and commit() take effect, or none.
 class Transaction {
  public:
   explicit Transaction(Database& database);

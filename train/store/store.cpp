@@ -30,7 +30,7 @@ Database open_for_reading(const std::string& path) {
     throw Error(path,
                 "is " + std::string(name_of(kind)) + ", not a store; `flinch simulate` makes one");
   Database database(path, Database::Mode::read);
-  // SQLite reads a page that ends early as if zeros followed.
+  // SQLite reads an incomplete page as if zeros followed.
   const auto size = static_cast<std::int64_t>(fs::file_size(path));
   if (integer(database, "PRAGMA page_size") * integer(database, "PRAGMA page_count") != size)
     throw Error(path,
@@ -38,7 +38,7 @@ Database open_for_reading(const std::string& path) {
   return database;
 }
 
-/// What idling looks like, which the features need.
+/// Returns the idle motion, which the features need.
 motion::Motion idle_of(const StoreHeader& header, const std::string& path) {
   database::ClipLibrary library;
   if (read_library(header.library_file, library) != database::LoadStatus::ok ||
@@ -74,7 +74,7 @@ struct StoreReader::File {
         idle(idle_of(header, path)),
         row(prepare_select(database)) {}
 
-  /// That the observation is the one that must follow.
+  /// Throws unless this is the number of the next observation.
   void require_next(std::uint64_t number);
   void require_whole() const;
 

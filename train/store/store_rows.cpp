@@ -15,7 +15,7 @@ namespace flinch::train {
 
 namespace {
 
-/// A scenario's numbers, each a column after `number` and `target`.
+/// The numbers of a scenario, one per column after `number` and `target`.
 constexpr std::array<const char*, 13> kScenarioColumns{
     "time_to_impact_s",  "threat_x",          "threat_y",        "threat_z", "threat_velocity_x",
     "threat_velocity_y", "threat_velocity_z", "radius_m",        "mass_kg",  "idle_time_s",
@@ -55,8 +55,8 @@ features::Scenario scenario_of(const ScenarioNumbers& numbers, motion::Target ta
   return scenario;
 }
 
-/// Of all that stands in the row: the number, the target's place, the scenario's numbers and the
-/// trials. The half of a 64-bit hash is enough to notice an accident.
+/// Checksum of the whole row: the number, the target's index, the scenario's numbers and the
+/// trials. Half of a 64-bit hash is enough to detect accidental damage.
 std::int64_t checksum_of(std::uint64_t number, motion::Target target,
                          const ScenarioNumbers& numbers, std::span<const std::byte> trials) {
   const auto place = static_cast<std::uint64_t>(target);

@@ -105,7 +105,7 @@ void write_meta(Database& database, const char* key, const Value& value) {
       .run();
 }
 
-/// A statement that stands on the value of a key of the meta table.
+/// Returns a statement whose current row is the value of a key of the meta table.
 Statement meta(Database& database, const char* key) {
   Statement statement = database.prepare("SELECT value FROM meta WHERE key = ?");
   if (!statement.bind(std::string(key)).step()) throw Error(database.path(), kDamagedStore);
@@ -133,8 +133,8 @@ void add_bytes(const void* from, std::size_t size, std::vector<std::byte>& to) {
   to.insert(to.end(), first, first + size);
 }
 
-/// Of the range and every value of the small tables, row by row: numbers as doubles, texts with
-/// their lengths. The library has a seal of its own, and so has each observation.
+/// Checksum of the range and of every value of the small tables, row by row: numbers as doubles,
+/// texts with their lengths. The library has its own seal, and each observation its own checksum.
 std::int64_t checksum_of(Database& database, const ScenarioRange& range) {
   std::vector<std::byte> bytes;
   add_bytes(&range.first, sizeof range.first, bytes);

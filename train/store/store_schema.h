@@ -8,28 +8,27 @@
 
 namespace flinch::train {
 
-/// How the tables of a store look, but for the observations; docs/store.md describes them for
-/// people.
+/// The tables of a store, except the observations; docs/store.md describes them for users.
 
-/// Says in the file's header that it is a Flinch store: "FLCH".
+/// SQLite application id that marks a Flinch store: "FLCH".
 inline constexpr int kStoreApplicationId = 0x464C4348;
 
 inline constexpr const char* kDamagedStore =
     "the store is damaged; delete it and run `flinch simulate` again";
 
-/// Makes the tables and fills in all but the observations.
+/// Creates the tables and fills all but the observations.
 void write_header(Database& database, const StoreHeader& header);
 
-/// Throws Error when the file is no store or of another version.
+/// Throws Error if the file is not a store or is of another version.
 StoreHeader read_header(Database& database);
 
-/// A finished store is sealed: the range that it holds, and a checksum of that and of all but the
+/// Seals a finished store: writes its range, and a checksum of the range and of everything but the
 /// library and the observations.
 void write_seal(Database& database, const ScenarioRange& range);
-/// Takes the seal away, if there is one.
+/// Removes the seal, if there is one.
 void break_seal(Database& database);
-/// The range that was sealed; nothing while the store is being made. Throws Error when the checksum
-/// says otherwise.
+/// Returns the sealed range, or nothing while the store is unfinished. Throws Error if the checksum
+/// does not match.
 std::optional<ScenarioRange> read_seal(Database& database);
 
 }  // namespace flinch::train

@@ -13,16 +13,17 @@ namespace flinch::train {
 
 namespace {
 
-static_assert(std::endian::native == std::endian::little, "the trials are kept little-endian");
+static_assert(std::endian::native == std::endian::little,
+              "trials are stored in little-endian order");
 
-constexpr int kImpulseCountBits = 5;  // 17 bodies need them
+constexpr int kImpulseCountBits = 5;  // enough for 17 bodies
 constexpr int kImpulseCountMask = (1 << kImpulseCountBits) - 1;
 constexpr int kMaxClipStep = (1 << (16 - kImpulseCountBits)) - 1;
 constexpr std::size_t kTrialBytes = sizeof(std::uint16_t) + sizeof(float);
 constexpr std::size_t kImpulseBytes = sizeof(std::uint8_t) + sizeof(float);
 static_assert(motion::kBodyCount <= kImpulseCountMask);
 
-/// Only a positive zero takes no place.
+/// Only positive zero is left out.
 bool is_hit(float impulse) {
   return std::bit_cast<std::uint32_t>(impulse) != 0;
 }
@@ -44,7 +45,7 @@ T value_at(std::span<const std::byte> bytes, std::size_t place) {
   throw Error("", "the trials of a scenario are damaged; simulate it again");
 }
 
-/// How many trials these bytes hold, by their heads alone.
+/// Returns how many trials these bytes hold, reading only the trials' headers.
 std::size_t trial_count(std::span<const std::byte> bytes) {
   std::size_t count = 0;
   std::size_t place = 0;
@@ -69,8 +70,8 @@ std::vector<std::byte> encode_trials(std::span<const Trial> trials) {
     const int step = trial.clip - before;
     if (step < 1 || step > kMaxClipStep)
       throw Error("", "clip " + std::to_string(trial.clip) + " cannot be stored after clip " +
-                          std::to_string(before) + "; clips rise, by " +
-                          std::to_string(kMaxClipStep) + " at the most");
+                          std::to_string(before) + "; clips must ascend, by " +
+                          std::to_string(kMaxClipStep) + " at most");
     const auto hits = std::ranges::count_if(trial.impulse, is_hit);
     put(bytes, static_cast<std::uint16_t>(step << kImpulseCountBits | static_cast<int>(hits)));
     put(bytes, trial.work_j);

@@ -9,14 +9,15 @@
 
 namespace flinch::train {
 
-/// Trials as bytes, little-endian, one after the other by rising clip: 32 times the step from the
-/// clip before (from -1 at first) plus the number of bodies that took an impulse (u16), work in J
-/// (f32), and of each of these bodies its place (u8) and impulse in N s (f32).
+/// Encoding of trials as bytes, little-endian, one after the other in ascending order of clips.
+/// Each is 32 times the difference to the clip before (-1 before the first) plus the number of
+/// bodies with an impulse (u16), the work in J (f32), and for each of these bodies its index (u8)
+/// and impulse in N s (f32).
 
-/// Exact to the bit. Throws Error for trials whose clips do not rise or lie more than 2047 apart.
+/// Encodes trials exactly. Throws Error unless their clips ascend by at most 2047.
 std::vector<std::byte> encode_trials(std::span<const Trial> trials);
 
-/// Throws Error for bytes that encode_trials does not make.
+/// Decodes trials. Throws Error for bytes that encode_trials does not produce.
 std::vector<Trial> decode_trials(std::span<const std::byte> bytes);
 
 }  // namespace flinch::train

@@ -23,8 +23,8 @@ void require_sound(const ScenarioRange& wanted, const std::string& path) {
   if (wanted.count == 0) throw Error(path, "no scenario is wanted; ask for at least one");
   if (wanted.first >= kScenarioNumberEnd || wanted.count > kScenarioNumberEnd - wanted.first)
     throw Error(path, std::to_string(wanted.count) + " scenarios from number " +
-                          std::to_string(wanted.first) + " go past the last, " +
-                          std::to_string(kScenarioNumberEnd - 1) + "; ask for lower ones");
+                          std::to_string(wanted.first) + " go past the last number, " +
+                          std::to_string(kScenarioNumberEnd - 1) + "; ask for lower numbers");
 }
 
 void require_wanted(const ScenarioRange& there, const ScenarioRange& wanted,
@@ -42,18 +42,18 @@ void sync(const std::string& path) {
   if (!synced) throw Error(path, std::string("cannot be written: ") + std::strerror(error));
 }
 
-/// Writes the whole database anew: the bytes then depend on its content alone and not on the
+/// Rewrites the whole database, so that the bytes depend on its contents only and not on the
 /// transactions that made it.
 void write_compacted(Database& database, const std::string& path) {
   fs::remove(path);
-  // VACUUM keeps, and raises, the one number in the header that counts what went before.
+  // VACUUM keeps and increments the one number in the header that counts earlier changes.
   database.execute("PRAGMA schema_version = 1");
   try {
     database.prepare("VACUUM INTO ?").bind(path).run();
     sync(path);
   } catch (const Error&) {
     std::error_code ignored;
-    fs::remove(path, ignored);  // half of a copy takes the room that is missing
+    fs::remove(path, ignored);  // a partial copy takes up the space that is missing
     throw;
   }
 }
@@ -85,7 +85,7 @@ struct StoreWriter::File {
   void start_partial();
 };
 
-/// Before anything is written: that what is finished, if anything is, can be gone on with.
+/// Before anything is written, checks that a finished store, if there is one, can be continued.
 void StoreWriter::File::check_finished() const {
   if (!fs::exists(path)) return;
   const StoreSummary finished = summarise_store(path);
@@ -95,11 +95,12 @@ void StoreWriter::File::check_finished() const {
 
 void StoreWriter::File::open_partial() {
   database.emplace(partial(), Database::Mode::create);
-  // All of one run must have the same pages; the lock keeps other writers out until the end.
+  // All stores of one run must have the same page size. The lock keeps other writers out until the
+  // end.
   database->execute("PRAGMA page_size = 16384");
   database->execute("PRAGMA locking_mode = EXCLUSIVE");
   Transaction transaction(*database);
-  // Whoever held the lock until now may have finished the file and taken it away.
+  // The previous holder of the lock may have finished the file and renamed it.
   if (!fs::exists(partial()))
     throw Error(path, "another process has just finished it; run the same command again");
   if (is_empty(*database)) start_partial();
@@ -110,7 +111,7 @@ void StoreWriter::File::open_partial() {
   transaction.commit();
 }
 
-/// The tables, and what a finished store holds already.
+/// Creates the tables and copies what a finished store holds already.
 void StoreWriter::File::start_partial() {
   write_header(*database, header);
   if (!fs::exists(path)) return;
@@ -173,7 +174,7 @@ void StoreWriter::finish() {
   transaction.commit();
   write_compacted(*file_->database, file_->copy());
   rename_or_throw(file_->copy(), file_->path);
-  fs::remove(file_->partial());  // before the lock is given up
+  fs::remove(file_->partial());  // before the lock is released
   file_->database.reset();
 }
 

@@ -315,7 +315,7 @@ TEST(Store, RejectsInvalidRanges) {
        {ScenarioRange{last, 2}, ScenarioRange{~std::uint64_t{0}, 1},
         ScenarioRange{kScenarioNumberEnd, 1}, ScenarioRange{1, ~std::uint64_t{0}}})
     EXPECT_THAT(error_of([&] { StoreWriter(folder / "a", header, range); }),
-                HasSubstr("go past the last, 9223372036854775807"));
+                HasSubstr("go past the last number, 9223372036854775807"));
   EXPECT_THAT(error_of([&] {
                 StoreWriter(folder / "a", header, {3, 0});
               }),
