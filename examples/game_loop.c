@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* A game loop in C: two people stand side by side, a ball flies at one of them, and the loop prints what
- * both do. Usage: game_loop SELECTOR, which `flinch train` makes.
+/* A game loop in C: two people stand side by side, a ball flies at one of them, and the loop prints
+ * what both do. Usage: game_loop SELECTOR, which `flinch train` makes.
  *
  * Left out: drawing, and what happens when the ball hits. */
 #include <flinch.h>
@@ -19,7 +19,7 @@ static flinch_status checked(const char* what, flinch_status status) {
   return status;
 }
 
-/* Thrown from (9, 1) at the head of the person at (0, 0), which it reaches in 0.45 s under gravity. */
+/* A ball from (9, 1) that reaches the head of the person at (0, 0) in 0.45 s under gravity. */
 static flinch_threat thrown_ball(void) {
   const float flight_s = 0.45f;
   flinch_threat ball = {.size = sizeof ball, .radius = 0.105f, .mass_kg = 0.27f};

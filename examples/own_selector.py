@@ -9,13 +9,15 @@ standard library alone:
 
 1. Load: `flinch export` writes the scenarios as CSV, with their features and what each clip cost.
 2. Fit: the selector remembers the scenarios that it may learn from. For a new one it takes the
-   mean cost of each clip over the nearest of them, weighted by 1 / distance, and chooses the cheapest clip.
+   mean cost of each clip over the nearest of them, weighted by 1 / distance, and chooses the
+   cheapest clip.
 3. Compare: mean cost and protection on the scenarios that `flinch compare` tests on (every fourth),
    beside the rows of `flinch compare`, as a table and as a chart. Protection is 0 for a character
    that stands still and 1 for the oracle, which simulates every clip.
 
 To try another idea, replace the class Selector. What this example leaves out: choosing the number of
-neighbours by cross-validation, and a confidence interval for its own row (`flinch compare` bootstraps those of its rows).
+neighbours by cross-validation, and a confidence interval for its own row (`flinch compare` bootstraps
+those of its rows).
 """
 
 import csv
