@@ -8,6 +8,7 @@ set(FLINCH_REACTION_HEADERS  # of the package's component `reaction`
   reaction/reaction_clips.h
   reaction/reacting_character.h)
 set(FLINCH_PUBLIC_HEADERS
+  motion/enum_array.h
   motion/role.h
   motion/skeleton.h
   motion/clip.h

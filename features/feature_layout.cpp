@@ -132,7 +132,7 @@ FeatureVector feature_vector(const Layout& layout, const Scenario& scenario,
 }
 
 FeatureVector feature_vector(const Layout& layout, const Scenario& scenario,
-                             const TargetCentres& centres) {
+                             const motion::PerTarget<Eigen::Vector3f>& centres) {
   motion::Motion still;
   still.poses.emplace_back();
   const PredictedCharacter ahead{Eigen::Vector3f::Zero(), centres};

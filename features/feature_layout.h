@@ -72,6 +72,6 @@ FeatureVector feature_vector(const Layout& layout, const Scenario& scenario,
 /// The same for a character that stands still at the origin, facing X, with these target centres.
 /// For tools: allocates.
 FeatureVector feature_vector(const Layout& layout, const Scenario& scenario,
-                             const TargetCentres& centres);
+                             const motion::PerTarget<Eigen::Vector3f>& centres);
 
 }  // namespace flinch::features

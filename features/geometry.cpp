@@ -39,11 +39,10 @@ Geometry geometry_of(const Scenario& scenario, const PredictedCharacter& charact
   const Path path =
       make_path(to_character * (then.position - origin), to_character * then.velocity);
   const auto closest_approach_to = [&](motion::Target target) -> Eigen::Vector3f {
-    const Eigen::Vector3f& centre = character.target_centres[static_cast<std::size_t>(target)];
+    const Eigen::Vector3f& centre = character.target_centres[target];
     return closest_approach(path, to_character * (centre - origin));
   };
-  const Eigen::Vector3f aimed =
-      to_character * (character.target_centres[static_cast<std::size_t>(scenario.target)] - origin);
+  const Eigen::Vector3f aimed = to_character * (character.target_centres[scenario.target] - origin);
   const Eigen::Vector3f offset = closest_approach_to(scenario.target);
   const Eigen::Vector3f contact = aimed + offset;
   const Eigen::Vector3f head = closest_approach_to(motion::Target::head);
@@ -75,9 +74,8 @@ PredictedCharacter predict_character(const IdlingFigure& figure, const Character
   const motion::JointFrames frames = motion::forward_kinematics(*figure.skeleton, pose);
   PredictedCharacter ahead;
   ahead.pelvis = pose.root_position;
-  for (int target = 0; target < motion::kTargetCount; ++target) {
-    ahead.target_centres[static_cast<std::size_t>(target)] =
-        motion::target_centre(*figure.model, frames, static_cast<motion::Target>(target));
+  for (const motion::Target target : motion::kTargets) {
+    ahead.target_centres[target] = motion::target_centre(*figure.model, frames, target);
   }
   return ahead;
 }

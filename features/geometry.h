@@ -5,14 +5,13 @@
 #include <string_view>
 
 #include "features/scenario.h"
-#include "features/target_centres.h"
 
 namespace flinch::features {
 
 /// The character at the predicted contact, if it stays idle until then. World, m.
 struct PredictedCharacter {
   Eigen::Vector3f pelvis = Eigen::Vector3f::Zero();
-  TargetCentres target_centres{};
+  motion::PerTarget<Eigen::Vector3f> target_centres{};
 };
 
 /// Where a threat meets the character, from which direction, and how far it passes each body part,

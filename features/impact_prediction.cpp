@@ -7,7 +7,7 @@
 
 #include "features/free_flight.h"
 #include "motion/collision_shape.h"
-#include "motion/enum_names.h"
+#include "motion/enum_array.h"
 
 namespace flinch::features {
 namespace {
@@ -22,7 +22,8 @@ constexpr double kNearDistance_m = 0.05;  // m
 constexpr double kStruckTargetMargin_m = 0.05;  // m
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-constexpr std::array<std::string_view, 4> kOutcomeNames{"unusable", "miss", "impact", "touching"};
+constexpr motion::EnumArray<Outcome, std::string_view, 4> kOutcomeNames{"unusable", "miss",
+                                                                        "impact", "touching"};
 
 bool is_within(const Eigen::Vector3f& vector, float max) {
   return vector.allFinite() && vector.cwiseAbs().maxCoeff() <= max;
@@ -163,8 +164,7 @@ class ImpactSearch {
     const double touch_s = static_cast<double>(impact.touch_s);
     double min_distance = kInfinity;
     double time_s = touch_s;
-    for (int i = 0; i < motion::kTargetCount; ++i) {
-      const auto target = static_cast<Target>(i);
+    for (const Target target : motion::kTargets) {
       const Eigen::Vector3d centre = target_centre(*figure_.model, frames_, target).cast<double>();
       const double nearest_s = time_nearest(ball_, centre, touch_s);
       double distance = (ball_.position_at(nearest_s) - centre).norm();
@@ -214,7 +214,7 @@ float reach_of(const motion::Skeleton& skeleton, const motion::BodyModel& model)
 }  // namespace
 
 std::string_view name_of(Outcome outcome) {
-  return motion::name_of(kOutcomeNames, outcome);
+  return kOutcomeNames[outcome];
 }
 
 CollisionFigure make_collision_figure(const motion::Skeleton& skeleton,

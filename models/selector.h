@@ -39,7 +39,7 @@ struct Selector {
   double brawn = 0.1;  ///< used for the labels that it was fitted to
   /// Centres of the idling character's targets, by Target, in the frame of the features, m. A
   /// threat described without a character is aimed at them.
-  std::array<Eigen::Vector3f, motion::kTargetCount> target_centres{
+  motion::PerTarget<Eigen::Vector3f> target_centres{
       Eigen::Vector3f::Zero(), Eigen::Vector3f::Zero(), Eigen::Vector3f::Zero(),
       Eigen::Vector3f::Zero()};
 };

@@ -16,7 +16,7 @@ struct BodyInfo {
   Target target;
 };
 
-constexpr std::array<BodyInfo, kBodyCount> kBodyInfo{{
+constexpr PerBody<BodyInfo> kBodyInfo{{{
     {"pelvis", Role::pelvis, Body::pelvis, Target::pelvis},
     {"abdomen", Role::abdomen, Body::pelvis, Target::trunk},
     {"chest", Role::chest, Body::abdomen, Target::trunk},
@@ -34,13 +34,13 @@ constexpr std::array<BodyInfo, kBodyCount> kBodyInfo{{
     {"right_thigh", Role::right_thigh, Body::pelvis, Target::legs},
     {"right_shin", Role::right_shin, Body::right_thigh, Target::legs},
     {"right_foot", Role::right_foot, Body::right_shin, Target::legs},
-}};
+}}};
 
 constexpr const BodyInfo& info_of(Body body) {
-  return kBodyInfo[static_cast<std::size_t>(body)];
+  return kBodyInfo[body];
 }
 
-constexpr std::array<std::string_view, 2> kSexNames{"female", "male"};
+constexpr EnumArray<Sex, std::string_view, 2> kSexNames{"female", "male"};
 
 constexpr std::array kHeadCore{Body::head};
 constexpr std::array kTrunkCore{Body::chest, Body::abdomen};
@@ -104,11 +104,11 @@ Target target_of(Body body) {
 }
 
 std::string_view name_of(Sex sex) {
-  return name_of(kSexNames, sex);
+  return kSexNames[sex];
 }
 
 std::optional<Sex> sex_named(std::string_view name) {
-  return enum_named<Sex>(kSexNames, name);
+  return enum_named(kSexNames, name);
 }
 
 Eigen::Vector3f centre_of_mass(const BodyModel& model, const JointFrames& frames, Body body) {

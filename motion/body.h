@@ -32,26 +32,11 @@ enum class Body : std::uint8_t {
 inline constexpr int kBodyCount = 17;
 
 /// All bodies, parents first, for range-based loops.
-inline constexpr std::array<Body, kBodyCount> kBodies = [] {
-  std::array<Body, kBodyCount> bodies{};
-  for (int i = 0; i < kBodyCount; ++i) bodies[static_cast<std::size_t>(i)] = static_cast<Body>(i);
-  return bodies;
-}();
+inline constexpr auto kBodies = all_enumerators<Body, kBodyCount>();
 
 /// One value per body.
 template <class T>
-class PerBody {
- public:
-  constexpr T& operator[](Body body) { return values_[static_cast<std::size_t>(body)]; }
-  constexpr const T& operator[](Body body) const { return values_[static_cast<std::size_t>(body)]; }
-  constexpr auto begin() { return values_.begin(); }
-  constexpr auto end() { return values_.end(); }
-  constexpr auto begin() const { return values_.begin(); }
-  constexpr auto end() const { return values_.end(); }
-
- private:
-  std::array<T, kBodyCount> values_{};
-};
+using PerBody = EnumArray<Body, T, kBodyCount>;
 
 /// The role whose joint moves the body, at its near end.
 Role role_of(Body body);

@@ -2,7 +2,6 @@
 #include "motion/clip.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "motion/enum_names.h"
@@ -11,10 +10,9 @@
 namespace flinch::motion {
 namespace {
 
-constexpr std::array<std::string_view, kTargetCount> kTargetNames{"head", "trunk", "pelvis",
-                                                                  "legs"};
-constexpr std::array<std::string_view, 2> kDegreeNames{"mild", "exaggerated"};
-constexpr std::array<std::string_view, 3> kPurposeNames{"anticipation", "idle", "push"};
+constexpr PerTarget<std::string_view> kTargetNames{"head", "trunk", "pelvis", "legs"};
+constexpr EnumArray<Degree, std::string_view, 2> kDegreeNames{"mild", "exaggerated"};
+constexpr EnumArray<Purpose, std::string_view, 3> kPurposeNames{"anticipation", "idle", "push"};
 
 /// A time in a motion: the index of a pose, and the fraction of the interval to the next pose.
 struct Place {
@@ -39,21 +37,21 @@ float ping_pong_time(const Motion& motion, float time_s) {
 }  // namespace
 
 std::string_view name_of(Target target) {
-  return name_of(kTargetNames, target);
+  return kTargetNames[target];
 }
 std::optional<Target> target_named(std::string_view name) {
-  return enum_named<Target>(kTargetNames, name);
+  return enum_named(kTargetNames, name);
 }
 
 std::string_view name_of(Degree degree) {
-  return name_of(kDegreeNames, degree);
+  return kDegreeNames[degree];
 }
 std::optional<Degree> degree_named(std::string_view name) {
-  return enum_named<Degree>(kDegreeNames, name);
+  return enum_named(kDegreeNames, name);
 }
 
 std::string_view name_of(Purpose purpose) {
-  return name_of(kPurposeNames, purpose);
+  return kPurposeNames[purpose];
 }
 
 Pose sample(const Motion& motion, float time_s, std::span<const Role> roles) {

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "motion/enum_array.h"
 #include "motion/skeleton.h"
 
 namespace flinch::motion {
@@ -17,6 +18,11 @@ namespace flinch::motion {
 enum class Target : std::uint8_t { head, trunk, pelvis, legs };
 /// The number of targets.
 inline constexpr int kTargetCount = 4;
+/// All targets, from the top down, for range-based loops.
+inline constexpr auto kTargets = all_enumerators<Target, kTargetCount>();
+/// One value per target.
+template <class T>
+using PerTarget = EnumArray<Target, T, kTargetCount>;
 /// The name in files and messages: "head", "trunk", "pelvis" or "legs".
 std::string_view name_of(Target target);
 /// The target with this name, if there is one.

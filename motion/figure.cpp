@@ -28,7 +28,7 @@ bool solve_legs(const Skeleton& skeleton, const JointFrames& trunk, const PerSid
                 Pose& pose) {
   bool reached = true;
   for (Side side : kSides) {
-    const FootPose& place = feet[index_of(side)];
+    const FootPose& place = feet[side];
     const LimbRoles roles = roles_of(leg_of(side));
     const Eigen::Vector3f knee_way = place.orientation * Eigen::Vector3f::UnitX();
     const LimbSolution solution =
@@ -46,7 +46,7 @@ float max_pelvis_height(const Skeleton& skeleton, const JointFrames& trunk,
   for (Side side : kSides) {
     const float reach = 0.997F * limb_length(skeleton, leg_of(side));
     const Eigen::Vector3f& hip = trunk.position[roles_of(leg_of(side)).upper];
-    const float hip_z = max_upper_height(hip, feet[index_of(side)].ankle, reach);
+    const float hip_z = max_upper_height(hip, feet[side].ankle, reach);
     highest = std::min(highest, hip_z - hip.z());
   }
   return trunk.position[Role::pelvis].z() + highest;

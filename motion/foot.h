@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <array>
 #include <span>
 
+#include "motion/enum_array.h"
 #include "motion/skeleton.h"
 
 namespace flinch::motion {
@@ -11,16 +11,15 @@ namespace flinch::motion {
 /// The side of a foot, leg or arm.
 enum class Side : std::uint8_t { left, right };
 
+/// The number of sides.
+inline constexpr int kSideCount = 2;
+/// Both sides, for range-based loops.
+inline constexpr auto kSides = all_enumerators<Side, kSideCount>();
+
 /// One value per side, left first.
 template <class T>
-using PerSide = std::array<T, 2>;
+using PerSide = EnumArray<Side, T, kSideCount>;
 
-/// Both sides, for range-based loops.
-inline constexpr std::array<Side, 2> kSides{Side::left, Side::right};
-/// The index of a side in PerSide.
-constexpr std::size_t index_of(Side side) {
-  return side == Side::left ? 0 : 1;
-}
 /// The opposite side.
 constexpr Side other(Side side) {
   return side == Side::left ? Side::right : Side::left;

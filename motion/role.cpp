@@ -9,7 +9,7 @@ struct RoleInfo {
   Role mirrored;
 };
 
-constexpr std::array<RoleInfo, kRoleCount> kRoleInfo{{
+constexpr PerRole<RoleInfo> kRoleInfo{{{
     {"pelvis", Role::pelvis},
     {"abdomen", Role::abdomen},
     {"chest", Role::chest},
@@ -31,10 +31,10 @@ constexpr std::array<RoleInfo, kRoleCount> kRoleInfo{{
     {"right_shin", Role::left_shin},
     {"right_foot", Role::left_foot},
     {"right_toes", Role::left_toes},
-}};
+}}};
 
 constexpr const RoleInfo& info_of(Role role) {
-  return kRoleInfo[static_cast<std::size_t>(role)];
+  return kRoleInfo[role];
 }
 
 }  // namespace

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <string_view>
+
+#include "motion/enum_array.h"
 
 namespace flinch::motion {
 
@@ -38,29 +39,14 @@ enum class Role : std::uint8_t {
 inline constexpr int kRoleCount = 21;
 
 /// All roles, parents first, for range-based loops.
-inline constexpr std::array<Role, kRoleCount> kRoles = [] {
-  std::array<Role, kRoleCount> roles{};
-  for (int i = 0; i < kRoleCount; ++i) roles[static_cast<std::size_t>(i)] = static_cast<Role>(i);
-  return roles;
-}();
+inline constexpr auto kRoles = all_enumerators<Role, kRoleCount>();
 
 /// One value per role.
 template <class T>
-class PerRole {
- public:
-  constexpr T& operator[](Role role) { return values_[static_cast<std::size_t>(role)]; }
-  constexpr const T& operator[](Role role) const { return values_[static_cast<std::size_t>(role)]; }
-  constexpr auto begin() { return values_.begin(); }
-  constexpr auto end() { return values_.end(); }
-  constexpr auto begin() const { return values_.begin(); }
-  constexpr auto end() const { return values_.end(); }
+using PerRole = EnumArray<Role, T, kRoleCount>;
 
- private:
-  std::array<T, kRoleCount> values_{};
-};
-
-/// The parent of each role, by role; that of the pelvis is the pelvis.
-inline constexpr std::array<Role, kRoleCount> kParents{
+/// The parent of each role; that of the pelvis is the pelvis.
+inline constexpr PerRole<Role> kParents{
     Role::pelvis,        Role::pelvis, Role::abdomen,        Role::chest,
     Role::neck,          Role::chest,  Role::left_clavicle,  Role::left_upper_arm,
     Role::left_forearm,  Role::chest,  Role::right_clavicle, Role::right_upper_arm,
@@ -71,7 +57,7 @@ inline constexpr std::array<Role, kRoleCount> kParents{
 /// The parent of `role`; none for the pelvis, which is the root.
 constexpr std::optional<Role> parent_of(Role role) {
   if (role == Role::pelvis) return std::nullopt;
-  return kParents[static_cast<std::size_t>(role)];
+  return kParents[role];
 }
 
 /// The same role on the other side of the body; roles in the middle return themselves.

@@ -76,13 +76,11 @@ const std::string& clip_name(const runtime::Library& library, int clip) {
 void run(const Options& options) {
   kind_of(options.out);  // before any work
   const runtime::Library library = load_runtime_library(options.selector);
-  const features::TargetCentres& centres = library.selector().target_centres;
+  const motion::PerTarget<Eigen::Vector3f>& centres = library.selector().target_centres;
   const train::DescribedThreat threat = described(options.threat, centres);
-  const ResponseRecording recording =
-      record_response(library,
-                      features::threat_from_description(
-                          threat.approach, centres[static_cast<std::size_t>(threat.target)], 0),
-                      threat.target, threat.approach.time_to_impact_s);
+  const ResponseRecording recording = record_response(
+      library, features::threat_from_description(threat.approach, centres[threat.target], 0),
+      threat.target, threat.approach.time_to_impact_s);
   write(library, recording, options);
 
   const std::string& clip = clip_name(library, recording.clip);

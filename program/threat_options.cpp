@@ -13,8 +13,7 @@ namespace {
 
 std::vector<std::string> target_names() {
   std::vector<std::string> names;
-  for (int target = 0; target < motion::kTargetCount; ++target)
-    names.emplace_back(motion::name_of(static_cast<motion::Target>(target)));
+  for (const motion::Target target : motion::kTargets) names.emplace_back(motion::name_of(target));
   return names;
 }
 
@@ -36,12 +35,12 @@ std::vector<Option> threat_options(ThreatOptions& threat) {
 }
 
 train::DescribedThreat described(const ThreatOptions& options,
-                                 const features::TargetCentres& centres) {
+                                 const motion::PerTarget<Eigen::Vector3f>& centres) {
   train::DescribedThreat threat;
   threat.target = *motion::target_named(options.target);
-  const double min_elevation = degrees(
-      train::min_feasible_elevation(options.speed_mps, options.time_to_impact_s, options.radius_m,
-                                    double{centres[static_cast<std::size_t>(threat.target)].z()}));
+  const double min_elevation =
+      degrees(train::min_feasible_elevation(options.speed_mps, options.time_to_impact_s,
+                                            options.radius_m, double{centres[threat.target].z()}));
   const double elevation = options.elevation.value_or(std::max(0.0, min_elevation));
   if (min_elevation >= 90)
     throw Error("", "a ball this slow would come from below the ground " +

@@ -26,6 +26,6 @@ std::vector<Option> threat_options(ThreatOptions& threat);
 /// The threat that the options describe, of a character whose targets are at `centres`. Throws
 /// Error when it would have come out of the ground.
 train::DescribedThreat described(const ThreatOptions& options,
-                                 const features::TargetCentres& centres);
+                                 const motion::PerTarget<Eigen::Vector3f>& centres);
 
 }  // namespace flinch::program

@@ -34,9 +34,9 @@ class AllocationMeter : public std::pmr::memory_resource {
 
 std::size_t selection_bytes(const models::Selector& selector) {
   std::size_t max_bytes = 0;
-  for (int target = 0; target < motion::kTargetCount; ++target) {
+  for (const motion::Target target : motion::kTargets) {
     AllocationMeter meter;
-    models::candidates(selector, {}, static_cast<motion::Target>(target), &meter);
+    models::candidates(selector, {}, target, &meter);
     max_bytes = std::max(max_bytes, meter.byte_count());
   }
   return max_bytes;

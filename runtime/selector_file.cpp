@@ -118,7 +118,7 @@ bool read_stored(const schema::Selector& stored, models::Selector& selector) {
   const auto& centres = *stored.target_centres();
   if (centres.size() != 3 * selector.target_centres.size()) return false;
   for (flatbuffers::uoffset_t i = 0; i < centres.size(); ++i) {
-    selector.target_centres[i / 3][i % 3] = centres.Get(i);
+    selector.target_centres.values[i / 3][i % 3] = centres.Get(i);
   }
   if (const schema::Svm* svm = stored.model_as_Svm()) {
     selector.model = read_model(*svm, selector.layout.size());

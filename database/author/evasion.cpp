@@ -92,11 +92,10 @@ Pose evasive_pose(const motion::Figure& figure, const Pose& start, const Evasion
   const Eigen::Quaternionf facing = rotation_about(Eigen::Vector3f::UnitZ(), motion::facing(start));
   motion::PerSide<motion::FootPose> feet;
   for (Side side : motion::kSides) {
-    const std::size_t i = index_of(side);
-    feet[i] = foot_pose(frames, side);
-    feet[i].ankle += facing * (leg * evasion.foot_shift[i]);
-    feet[i].orientation =
-        feet[i].orientation * rotation_about(Eigen::Vector3f::UnitY(), evasion.foot_pitch[i]);
+    feet[side] = foot_pose(frames, side);
+    feet[side].ankle += facing * (leg * evasion.foot_shift[side]);
+    feet[side].orientation =
+        feet[side].orientation * rotation_about(Eigen::Vector3f::UnitY(), evasion.foot_pitch[side]);
   }
   Pose pose = recoil(start, evasion.shrug);
   pose.root_position += facing * (leg * evasion.pelvis_shift);
@@ -141,14 +140,14 @@ Evasion sidestep(float azimuth, float sense, float amount) {
   // A body is broader than it is deep, and knees bend less forward than legs spread sideways.
   const Eigen::Vector3f shift = amount * toward(way).cwiseProduct(Eigen::Vector3f(0.37F, 0.48F, 0));
   // The foot on that side steps first; for straight forward or back, the right one.
-  const std::size_t lead = std::sin(way) > 0.1F ? 0 : 1;
+  const Side lead = std::sin(way) > 0.1F ? Side::left : Side::right;
   Evasion evasion;
   evasion.pelvis_shift = shift + Eigen::Vector3f(0, 0, -0.04F);
   evasion.waist_turn = tilt(way, radians(7) * amount);
   evasion.back_turn = tilt(way, radians(7) * amount);
   evasion.foot_shift[lead] = shift + 0.08F * toward(way);
   if (amount >= 0.5F) {
-    evasion.foot_shift[1 - lead] = shift - 0.08F * toward(way);
+    evasion.foot_shift[other(lead)] = shift - 0.08F * toward(way);
   } else {
     evasion.foot_shift[lead] *= 1.5F;
   }
@@ -158,8 +157,8 @@ Evasion sidestep(float azimuth, float sense, float amount) {
 
 Evasion lift_leg(float azimuth, float amount) {
   // The near leg: the left for a threat from the left; the right for one straight ahead or behind.
-  const std::size_t near = std::sin(azimuth) > 0.1F ? 0 : 1;
-  const float near_sign = near == 0 ? 1.0F : -1.0F;
+  const Side near = std::sin(azimuth) > 0.1F ? Side::left : Side::right;
+  const float near_sign = sign_of(near);
   const bool from_front = std::cos(azimuth) > -0.1F;
   Evasion evasion;
   evasion.pelvis_shift = {0, -0.17F * near_sign, -0.05F};

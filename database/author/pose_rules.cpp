@@ -116,8 +116,7 @@ Guard guard_in_front(const motion::Figure& figure, const JointFrames& frames,
   Guard guard;
   guard.fingers = chest_up;
   for (Side side : motion::kSides) {
-    const std::size_t i = index_of(side);
-    const float control = std::clamp(controls.reach[i], 0.0F, 1.0F);
+    const float control = std::clamp(controls.reach[side], 0.0F, 1.0F);
     const float reach =
         farthest_reach(figure, geometry.weights) - control * reach_range(figure, geometry.weights);
     const Eigen::Vector3f& shoulder =
@@ -126,11 +125,11 @@ Guard guard_in_front(const motion::Figure& figure, const JointFrames& frames,
         geometry.target_point + sign_of(side) * 0.25F * hand_length(figure) * aside;
     const float clear =
         clearance_along(figure, frames, beside, to_threat) + 0.68F * hand_length(figure);
-    guard.palm[i] = point_at_reach(beside, to_threat, shoulder, reach, clear);
-    guard.pole[i] = -chest_up;
-    guard.swivel[i] = radians(kMaxSwivel + std::clamp(controls.swivel[i], 0.0F, 1.0F) *
-                                               (kMinSwivel - kMaxSwivel));
-    guard.facing[i] = to_threat;
+    guard.palm[side] = point_at_reach(beside, to_threat, shoulder, reach, clear);
+    guard.pole[side] = -chest_up;
+    guard.swivel[side] = radians(kMaxSwivel + std::clamp(controls.swivel[side], 0.0F, 1.0F) *
+                                                  (kMinSwivel - kMaxSwivel));
+    guard.facing[side] = to_threat;
   }
   return guard;
 }
@@ -144,13 +143,12 @@ Guard guard_behind_head(const motion::Figure& figure, const JointFrames& frames)
   Guard guard;
   guard.fingers = head * Eigen::Vector3f::UnitZ();
   for (Side side : motion::kSides) {
-    const std::size_t i = index_of(side);
     const Eigen::Vector3f outward = sign_of(side) * Eigen::Vector3f::UnitY();
-    guard.palm[i] = frames.position[Role::head] +
-                    head * (skull.centre - (skull.radius + 0.06F) * Eigen::Vector3f::UnitX() +
-                            palm_width * outward);
-    guard.pole[i] = chest * (Eigen::Vector3f::UnitX() + 1.2F * outward);
-    guard.facing[i] = head * Eigen::Vector3f::UnitX();
+    guard.palm[side] = frames.position[Role::head] +
+                       head * (skull.centre - (skull.radius + 0.06F) * Eigen::Vector3f::UnitX() +
+                               palm_width * outward);
+    guard.pole[side] = chest * (Eigen::Vector3f::UnitX() + 1.2F * outward);
+    guard.facing[side] = head * Eigen::Vector3f::UnitX();
   }
   return guard;
 }
@@ -172,7 +170,6 @@ void place_palms(const motion::Figure& figure, const JointFrames& trunk, const G
                  Pose& pose) {
   constexpr int kRounds = 3;
   for (Side side : motion::kSides) {
-    const std::size_t i = index_of(side);
     const motion::LimbRoles roles = motion::roles_of(arm_of(side));
     const JointLimits& wrist =
         joint_limits_named(side == Side::left ? "left_wrist" : "right_wrist");
@@ -180,10 +177,10 @@ void place_palms(const motion::Figure& figure, const JointFrames& trunk, const G
     for (int round = 0; round < kRounds; ++round) {
       const Eigen::Quaternionf forearm =
           solve_arm(figure.skeleton(), trunk, side,
-                    {guard.palm[i] - to_palm, guard.pole[i], guard.swivel[i]}, pose);
+                    {guard.palm[side] - to_palm, guard.pole[side], guard.swivel[side]}, pose);
       const Eigen::Vector3f along = (forearm * figure.skeleton().offset[roles.end]).normalized();
       const Eigen::Quaternionf wanted =
-          hand_facing(side, guard.facing[i], along + 0.6F * guard.fingers);
+          hand_facing(side, guard.facing[side], along + 0.6F * guard.fingers);
       pose.rotation[roles.end] = clamp_to_limits(wrist, forearm.conjugate() * wanted);
       to_palm = forearm * (pose.rotation[roles.end] * (0.5F * figure.skeleton().tip[roles.end]));
     }

@@ -23,8 +23,8 @@ motion::PerSide<motion::FootPose> feet_at(const motion::Figure& figure, float fo
   const float ankle_height = motion::measure_foot(figure.skeleton(), Side::left).ankle_height;
   motion::PerSide<motion::FootPose> feet;
   for (Side side : motion::kSides) {
-    feet[index_of(side)] = {{forward_m, sign_of(side) * half_between_m, ankle_height},
-                            rotation_about(Eigen::Vector3f::UnitZ(), sign_of(side) * kTurnOut)};
+    feet[side] = {{forward_m, sign_of(side) * half_between_m, ankle_height},
+                  rotation_about(Eigen::Vector3f::UnitZ(), sign_of(side) * kTurnOut)};
   }
   return feet;
 }

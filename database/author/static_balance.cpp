@@ -35,7 +35,7 @@ motion::PerSide<motion::FootPose> planted_feet(const motion::Figure& figure,
                                                const JointFrames& frames) {
   motion::PerSide<motion::FootPose> feet;
   for (Side side : motion::kSides) {
-    motion::FootPose& place = feet[index_of(side)];
+    motion::FootPose& place = feet[side];
     place = foot_pose(frames, side);
     place.ankle.z() = motion::measure_foot(figure.skeleton(), side).ankle_height;
     place.orientation = rotation_about(Eigen::Vector3f::UnitZ(), motion::yaw_of(place.orientation));
@@ -50,10 +50,10 @@ Pose planted(const motion::Figure& figure, const Pose& pose) {
   motion::PerSide<motion::FootPose> feet = planted_feet(figure, frames);
   for (Side side : motion::kSides) {
     const motion::LimbRoles roles = motion::roles_of(leg_of(side));
-    const motion::FootPose& place = feet[index_of(side)];
+    const motion::FootPose& place = feet[side];
     const float needed = (place.ankle - frames.position[roles.upper]).norm();
     const float length = motion::limb_length(figure.skeleton(), leg_of(side));
-    if (needed > length) feet[index_of(side)] = foot_pose(frames, side);
+    if (needed > length) feet[side] = foot_pose(frames, side);
   }
   return with_feet(figure.skeleton(), pose, feet);
 }
@@ -86,8 +86,16 @@ int count_iterations(void* instance, const lbfgsfloatval_t*, const lbfgsfloatval
 std::array<float, 10> to_array(const BalanceVariables& variables) {
   const RuleControls& c = variables.controls;
   const Eigen::Vector3f& shift = variables.pelvis_shift;
-  return {shift.x(), shift.y(),  shift.z(),  c.lean,      c.turn,
-          c.recoil,  c.reach[0], c.reach[1], c.swivel[0], c.swivel[1]};
+  return {shift.x(),
+          shift.y(),
+          shift.z(),
+          c.lean,
+          c.turn,
+          c.recoil,
+          c.reach[motion::Side::left],
+          c.reach[motion::Side::right],
+          c.swivel[motion::Side::left],
+          c.swivel[motion::Side::right]};
 }
 
 BalanceVariables from_array(const std::array<float, 10>& values) {

@@ -56,7 +56,7 @@ motion::PerSide<FootStep> steps_of(const JointFrames& from, const JointFrames& t
                                    const Eigen::Vector3f& travel) {
   motion::PerSide<FootStep> steps;
   for (Side side : motion::kSides) {
-    FootStep& step = steps[index_of(side)];
+    FootStep& step = steps[side];
     step.from = foot_pose(from, side);
     step.to = foot_pose(to, side);
     step.moves = differ(step.from, step.to);
@@ -65,10 +65,13 @@ motion::PerSide<FootStep> steps_of(const JointFrames& from, const JointFrames& t
     step.begin = 0.04F;
     step.end = 0.86F;
   }
-  if (steps[0].moves && steps[1].moves) {
-    const bool left_leads = (steps[0].from.ankle - steps[1].from.ankle).dot(travel) > 0;
-    FootStep& first = steps[left_leads ? 0 : 1];
-    FootStep& second = steps[left_leads ? 1 : 0];
+  const FootStep& left = steps[Side::left];
+  const FootStep& right = steps[Side::right];
+  if (left.moves && right.moves) {
+    const Side leading =
+        (left.from.ankle - right.from.ankle).dot(travel) > 0 ? Side::left : Side::right;
+    FootStep& first = steps[leading];
+    FootStep& second = steps[other(leading)];
     first.begin = 0.02F;
     first.end = 0.5F;
     second.begin = 0.5F;
@@ -80,8 +83,8 @@ motion::PerSide<FootStep> steps_of(const JointFrames& from, const JointFrames& t
 std::optional<Side> support_of(const motion::PerSide<FootStep>& steps,
                                const Eigen::Vector3f& centre) {
   return motion::support_foot(
-      centre, [&](Side side) { return !steps[index_of(side)].moves; },
-      [&](Side side) { return steps[index_of(side)].from.ankle; });
+      centre, [&](Side side) { return !steps[side].moves; },
+      [&](Side side) { return steps[side].from.ankle; });
 }
 
 motion::FootPose foot_pose_in_step(const FootStep& step, float s) {
@@ -129,7 +132,7 @@ Pose first_pass(const motion::Figure& figure, const Transition& transition, floa
     }
   }
   if (transition.support) {
-    const FootStep& step = transition.steps[index_of(*transition.support)];
+    const FootStep& step = transition.steps[*transition.support];
     hang_from_foot(figure.skeleton(), *transition.support, step.from, pose);
   }
   return pose;
@@ -140,12 +143,12 @@ motion::PerSide<motion::HandGoal> hands_at(const Transition& transition, const J
   const float weight = eased_between(s, kHandLag, 1);
   motion::PerSide<motion::HandGoal> hands;
   for (Side side : motion::kSides) {
-    const std::size_t i = index_of(side);
     const Role hand = motion::roles_of(arm_of(side)).end;
-    const float turn = motion::wrapped_to_pi(transition.to_swivel[i] - transition.from_swivel[i]);
-    hands[i] = {
+    const float turn =
+        motion::wrapped_to_pi(transition.to_swivel[side] - transition.from_swivel[side]);
+    hands[side] = {
         lerp(transition.from_frames.position[hand], transition.to_frames.position[hand], weight),
-        arm_pole(frames), transition.from_swivel[i] + weight * turn};
+        arm_pole(frames), transition.from_swivel[side] + weight * turn};
   }
   return hands;
 }
@@ -162,7 +165,7 @@ motion::PerSide<bool> blocked_hands(const motion::Figure& figure, const Transiti
         figure.skeleton(),
         pose_at(figure, transition, static_cast<float>(k) / static_cast<float>(kSamples)));
     for (Side side : motion::kSides) {
-      bool& is_blocked = blocked[index_of(side)];
+      bool& is_blocked = blocked[side];
       const LimbRoles arm = motion::roles_of(arm_of(side));
       const float reach = (frames.position[arm.end] - frames.position[arm.upper]).norm();
       is_blocked = is_blocked ||
@@ -191,10 +194,10 @@ Transition make_transition(const motion::Figure& figure, const Pose& from, const
                               transition.to_centre - transition.from_centre);
   transition.support = support_of(transition.steps, transition.from_centre);
   for (Side side : motion::kSides) {
-    const std::size_t i = index_of(side);
-    transition.from_swivel[i] =
+    transition.from_swivel[side] =
         swivel_of(transition.from_frames, side, arm_pole(transition.from_frames));
-    transition.to_swivel[i] = swivel_of(transition.to_frames, side, arm_pole(transition.to_frames));
+    transition.to_swivel[side] =
+        swivel_of(transition.to_frames, side, arm_pole(transition.to_frames));
   }
   transition.hand_swings = blocked_hands(figure, transition);
   return transition;
@@ -208,8 +211,9 @@ Pose pose_at(const motion::Figure& figure, const Transition& transition, float s
   const Skeleton& skeleton = figure.skeleton();
   const float part = std::clamp(s, 0.0F, 1.0F);
   const float weight = motion::ease_in_ease_out(part);
-  const motion::PerSide<motion::FootPose> feet{foot_pose_in_step(transition.steps[0], part),
-                                               foot_pose_in_step(transition.steps[1], part)};
+  const motion::PerSide<motion::FootPose> feet{
+      foot_pose_in_step(transition.steps[Side::left], part),
+      foot_pose_in_step(transition.steps[Side::right], part)};
   const Eigen::Vector3f centre = lerp(transition.from_centre, transition.to_centre, weight);
   const Eigen::Vector3f neck = lerp(transition.from_frames.position[Role::neck],
                                     transition.to_frames.position[Role::neck], weight);
@@ -223,8 +227,7 @@ Pose pose_at(const motion::Figure& figure, const Transition& transition, float s
     solve_legs(skeleton, trunk, feet, pose);
     const motion::PerSide<motion::HandGoal> hands = hands_at(transition, trunk, part);
     for (Side side : motion::kSides) {
-      const std::size_t i = index_of(side);
-      if (!transition.hand_swings[i]) solve_arm(skeleton, trunk, side, hands[i], pose);
+      if (!transition.hand_swings[side]) solve_arm(skeleton, trunk, side, hands[side], pose);
       clamp_arm_to_limits(pose, side);
     }
     if (round + 1 == kRounds) break;

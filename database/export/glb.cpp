@@ -7,7 +7,7 @@
 #include <limits>
 #include <string>
 
-#include "motion/enum_names.h"
+#include "motion/enum_array.h"
 #include "motion/error.h"
 
 namespace flinch::database {
@@ -15,8 +15,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::array<std::string_view, 4> kElementNames{"SCALAR", "VEC3", "VEC4", "MAT4"};
-constexpr std::array<std::size_t, 4> kComponents{1, 3, 4, 16};
+constexpr motion::EnumArray<GltfElement, std::string_view, 4> kElementNames{"SCALAR", "VEC3",
+                                                                            "VEC4", "MAT4"};
+constexpr motion::EnumArray<GltfElement, std::size_t, 4> kComponents{1, 3, 4, 16};
 
 // glTF 2.0, 3.6.2.2, table of component types.
 constexpr int component_type(std::uint8_t) {
@@ -76,8 +77,8 @@ Json& GltfBuffer::add_accessor(std::span<const Number> numbers, GltfElement elem
   for (const Number number : numbers) append(number, bytes_);
   accessors_.push_back({{"bufferView", views_.size()},
                         {"componentType", component_type(Number{})},
-                        {"count", numbers.size() / kComponents[static_cast<std::size_t>(element)]},
-                        {"type", motion::name_of(kElementNames, element)}});
+                        {"count", numbers.size() / kComponents[element]},
+                        {"type", kElementNames[element]}});
   views_.push_back(std::move(view));
   return accessors_.back();
 }
@@ -86,7 +87,7 @@ int GltfBuffer::add(std::span<const float> numbers, GltfElement element, GltfTar
                     bool with_bounds) {
   Json& accessor = add_accessor(numbers, element, target);
   if (with_bounds) {
-    const auto [min, max] = bounds(numbers, kComponents[static_cast<std::size_t>(element)]);
+    const auto [min, max] = bounds(numbers, kComponents[element]);
     accessor["min"] = min;
     accessor["max"] = max;
   }

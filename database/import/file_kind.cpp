@@ -2,11 +2,10 @@
 #include "database/import/file_kind.h"
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
 #include "database/library/file_header.h"
-#include "motion/enum_names.h"
+#include "motion/enum_array.h"
 
 namespace flinch::database {
 namespace {
@@ -47,16 +46,17 @@ FileKind file_kind_of(std::string_view bytes) {
 }
 
 std::string_view name_of(FileKind kind) {
-  constexpr std::array<std::string_view, 9> kNames{"an empty file",
-                                                   "a library",
-                                                   "a selector",
-                                                   "a store or other SQLite database",
-                                                   "a BVH file",
-                                                   "a binary glTF file",
-                                                   "an archive",
-                                                   "a text file",
-                                                   "no file that Flinch knows"};
-  return motion::name_of(kNames, kind);
+  constexpr motion::EnumArray<FileKind, std::string_view, 9> kNames{
+      "an empty file",
+      "a library",
+      "a selector",
+      "a store or other SQLite database",
+      "a BVH file",
+      "a binary glTF file",
+      "an archive",
+      "a text file",
+      "no file that Flinch knows"};
+  return kNames[kind];
 }
 
 }  // namespace flinch::database

@@ -103,7 +103,7 @@ void keep_toes_up(const RetargetContext& context, std::size_t side, Pose& pose) 
   const JointFrames frames = forward_kinematics(context.skeleton, pose);
   const float ball = frames.position[leg.toes].z();
   const float depth =
-      -motion::min_height(context.sole[side].toes, frames.orientation[leg.toes]) - ball;
+      -motion::min_height(context.sole[leg.side].toes, frames.orientation[leg.toes]) - ball;
   if (depth <= 0) return;
   const float length = context.skeleton.tip[leg.toes].norm();
   const Vector3f tip = frames.orientation[leg.toes] * context.skeleton.tip[leg.toes];

@@ -16,22 +16,23 @@ using motion::Role;
 constexpr double kStandingHeadHeight = 1.5;  // m, of the head joint of a mean adult
 constexpr int kFramesLookedAt = 400;
 
-constexpr std::array<std::string_view, 5> kUnitNames{"m", "cm", "mm", "inch", "cmu"};
-constexpr std::array<double, 5> kMetres{1, 0.01, 0.001, 0.0254, 0.0254 / 0.45};
-constexpr std::array<std::string_view, 6> kUpNames{"x", "y", "z", "-x", "-y", "-z"};
+constexpr motion::EnumArray<LengthUnit, std::string_view, 5> kUnitNames{"m", "cm", "mm", "inch",
+                                                                        "cmu"};
+constexpr motion::EnumArray<LengthUnit, double, 5> kMetres{1, 0.01, 0.001, 0.0254, 0.0254 / 0.45};
+constexpr motion::EnumArray<UpAxis, std::string_view, 6> kUpNames{"x", "y", "z", "-x", "-y", "-z"};
 
 }  // namespace
 
 double metres_in(LengthUnit unit) {
-  return kMetres[static_cast<std::size_t>(unit)];
+  return kMetres[unit];
 }
 
 std::string_view name_of(LengthUnit unit) {
-  return motion::name_of(kUnitNames, unit);
+  return kUnitNames[unit];
 }
 
 std::optional<LengthUnit> length_unit_named(std::string_view name) {
-  return enum_named<LengthUnit>(kUnitNames, name);
+  return enum_named(kUnitNames, name);
 }
 
 LengthUnit likeliest_unit(double head_height_in_units) {
@@ -50,12 +51,12 @@ Eigen::Vector3d direction_of(UpAxis up) {
 }
 
 std::string_view name_of(UpAxis up) {
-  return motion::name_of(kUpNames, up);
+  return kUpNames[up];
 }
 
 std::optional<UpAxis> up_axis_named(std::string_view name) {
   if (name.starts_with('+')) name.remove_prefix(1);
-  return enum_named<UpAxis>(kUpNames, name);
+  return enum_named(kUpNames, name);
 }
 
 Eigen::Vector3d feet_to_head(const FigureFrame& frame) {

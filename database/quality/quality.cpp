@@ -89,27 +89,25 @@ void measure_feet(const motion::Figure& figure, const FramesOfClip& frames, Clip
   for (const JointFrames& pose : frames) {
     motion::PerSide<std::vector<Eigen::Vector3f>> soles;
     for (Side side : motion::kSides) {
-      const std::size_t i = index_of(side);
-      soles[i] = sole_points(outlines[i], pose, side);
+      soles[side] = sole_points(outlines[side], pose, side);
       quality.foot_below_ground_m =
-          std::max(quality.foot_below_ground_m, -motion::lowest_z(soles[i]));
+          std::max(quality.foot_below_ground_m, -motion::lowest_z(soles[side]));
     }
     // None in a jump.
     const std::optional<Side> support = motion::support_foot(
         motion::centre_of_mass(figure.bodies, pose),
-        [&](Side side) { return motion::lowest_z(soles[index_of(side)]) <= kContactHeight; },
+        [&](Side side) { return motion::lowest_z(soles[side]) <= kContactHeight; },
         [&](Side side) { return motion::foot_pose(pose, side).ankle; });
     for (Side side : motion::kSides) {
-      const std::size_t i = index_of(side);
-      landed[i].resize(soles[i].size());
-      for (std::size_t k = 0; k < soles[i].size(); ++k) {
-        std::optional<Eigen::Vector3f>& first = landed[i][k];
-        if (side != support || soles[i][k].z() > kContactHeight) {
+      landed[side].resize(soles[side].size());
+      for (std::size_t k = 0; k < soles[side].size(); ++k) {
+        std::optional<Eigen::Vector3f>& first = landed[side][k];
+        if (side != support || soles[side][k].z() > kContactHeight) {
           first.reset();
         } else if (!first) {
-          first = soles[i][k];
+          first = soles[side][k];
         } else {
-          const float slip = (soles[i][k] - *first).head<2>().norm();
+          const float slip = (soles[side][k] - *first).head<2>().norm();
           quality.support_drift_m = std::max(quality.support_drift_m, slip);
         }
       }

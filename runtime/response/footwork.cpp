@@ -142,14 +142,14 @@ Footwork footwork_of(const motion::Skeleton& skeleton, const motion::BodyModel& 
   Footwork footwork;
   motion::PerSide<float> first_swing_s{};
   for (Side side : motion::kSides) {
-    const std::size_t i = motion::index_of(side);
-    footwork.swings[i] = swings_of(skeleton, soles[i], clip.motion, onset_s, side);
-    first_swing_s[i] = footwork.swings[i].empty() ? std::numeric_limits<float>::infinity()
-                                                  : footwork.swings[i].front().begin_s;
+    footwork.swings[side] = swings_of(skeleton, soles[side], clip.motion, onset_s, side);
+    first_swing_s[side] = footwork.swings[side].empty() ? std::numeric_limits<float>::infinity()
+                                                        : footwork.swings[side].front().begin_s;
   }
-  if (std::min(first_swing_s[0], first_swing_s[1]) < peak_s &&
-      first_swing_s[0] != first_swing_s[1]) {
-    footwork.support = first_swing_s[0] > first_swing_s[1] ? Side::left : Side::right;
+  const float left_s = first_swing_s[Side::left];
+  const float right_s = first_swing_s[Side::right];
+  if (std::min(left_s, right_s) < peak_s && left_s != right_s) {
+    footwork.support = left_s > right_s ? Side::left : Side::right;
   } else {
     footwork.support = nearer_foot(skeleton, bodies, clip.motion, onset_s);
   }

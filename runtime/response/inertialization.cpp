@@ -39,22 +39,21 @@ features::CharacterState idle_state_at(const PreparedLibrary& library, const Pos
   motion::PerSide<float> height{};
   motion::PerSide<float> distance{};
   for (motion::Side side : motion::kSides) {
-    const std::size_t i = motion::index_of(side);
-    height[i] = min_height(library.soles[i], frames, side);
-    distance[i] = (motion::foot_pose(frames, side).ankle - centre).head<2>().norm();
+    height[side] = min_height(library.soles[side], frames, side);
+    distance[side] = (motion::foot_pose(frames, side).ankle - centre).head<2>().norm();
   }
-  const float standing = std::max(kMaxGameStandingHeight_m, std::min(height[0], height[1]));
+  const float standing = std::max(
+      kMaxGameStandingHeight_m, std::min(height[motion::Side::left], height[motion::Side::right]));
   Eigen::Vector2f heading = Eigen::Vector2f::Zero();
   motion::Side support = motion::Side::left;
   float nearest = std::numeric_limits<float>::infinity();
   for (motion::Side side : motion::kSides) {
-    const std::size_t i = motion::index_of(side);
-    if (height[i] > standing) continue;
+    if (height[side] > standing) continue;
     const Eigen::Quaternionf turn = motion::foot_pose(frames, side).orientation *
                                     motion::foot_pose(idle, side).orientation.conjugate();
     heading += (turn * Eigen::Vector3f::UnitX()).head<2>();
-    if (distance[i] < nearest) {
-      nearest = distance[i];
+    if (distance[side] < nearest) {
+      nearest = distance[side];
       support = side;
     }
   }
@@ -91,10 +90,9 @@ Inertialization make_inertialization(const PreparedLibrary& library,
   }
   const motion::JointFrames frames = motion::forward_kinematics(library.skeleton(), now);
   for (motion::Side side : motion::kSides) {
-    const std::size_t i = motion::index_of(side);
-    inertialization.stands[i] =
-        min_height(library.soles[i], frames, side) < kMaxGameStandingHeight_m;
-    inertialization.foot[i] = motion::foot_pose(frames, side);
+    inertialization.stands[side] =
+        min_height(library.soles[side], frames, side) < kMaxGameStandingHeight_m;
+    inertialization.foot[side] = motion::foot_pose(frames, side);
   }
   return inertialization;
 }

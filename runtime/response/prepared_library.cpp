@@ -9,7 +9,7 @@ PreparedLibrary prepare(const database::ClipLibrary& library) {
   prepared.body_model = motion::make_body_model(library.character);
   const motion::Skeleton& skeleton = library.character.skeleton;
   for (motion::Side side : motion::kSides) {
-    prepared.soles[motion::index_of(side)] = make_sole(skeleton, side);
+    prepared.soles[side] = make_sole(skeleton, side);
   }
   prepared.reach_m = features::make_collision_figure(skeleton, prepared.body_model).reach_m;
   const auto idle = static_cast<std::size_t>(library.idle);

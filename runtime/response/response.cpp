@@ -103,7 +103,7 @@ Samples::Of motions_at(const Response& r, float t) {
 FootPose above_ground(const Response& r, Side side, FootPose place,
                       const Eigen::Quaternionf& toes) {
   constexpr float kMaxDepth_m = -0.001F;  // m
-  const float lowest = min_height(r.library->soles[motion::index_of(side)], place, toes,
+  const float lowest = min_height(r.library->soles[side], place, toes,
                                   r.library->skeleton().offset[motion::roles_of(side).toes]);
   place.ankle.z() += std::max(kMaxDepth_m - lowest, 0.0F);
   return place;
@@ -111,7 +111,7 @@ FootPose above_ground(const Response& r, Side side, FootPose place,
 
 // Where a foot goes, whatever the pelvis does.
 FootPose foot_at(const Response& r, Side side, const Samples& samples) {
-  const FootPlan& plan = r.feet[motion::index_of(side)];
+  const FootPlan& plan = r.feet[side];
   const float t = samples.time_s;
   if (samples.of == Samples::Of::source) return source_foot_in(r, side, samples.from);
   if (samples.of == Samples::Of::source_and_clip)
@@ -146,7 +146,7 @@ float pelvis_drop(const motion::Skeleton& skeleton, const JointFrames& frames,
     const float now = (frames.position[leg.end] - frames.position[leg.upper]).norm();
     const float reach = std::max(kMaxExtension * length, now);
     const Eigen::Vector3f hip = frames.position[leg.upper] + shift;
-    const float highest = motion::max_upper_height(hip, feet[motion::index_of(side)].ankle, reach);
+    const float highest = motion::max_upper_height(hip, feet[side].ankle, reach);
     drop = std::min(drop, highest - hip.z());
   }
   return std::max(drop, kMinPelvisDrop_m);
@@ -175,13 +175,13 @@ Pose clip_pose_at(const Response& r, float time_s, std::span<const Role> roles) 
 }
 
 FootPose source_foot_in(const Response& r, Side side, const Pose& source) {
-  const std::size_t i = motion::index_of(side);
-  if (!r.inertialization.is_zero && r.inertialization.stands[i]) return r.inertialization.foot[i];
+  if (!r.inertialization.is_zero && r.inertialization.stands[side])
+    return r.inertialization.foot[side];
   return foot_of(r.library->skeleton(), source, side);
 }
 
 FootPose clip_foot_in(const Response& r, Side side, const Pose& clip, float time_s) {
-  const FootPlan& plan = r.feet[motion::index_of(side)];
+  const FootPlan& plan = r.feet[side];
   const FootPose own = foot_of(r.library->skeleton(), clip, side);
   const float u = fraction_of(plan.correction, time_s);
   if (u >= 1) return own;
@@ -260,8 +260,8 @@ Legs legs_of(const Response& r, const Samples& samples, const Pose& blended) {
   Legs legs;
   legs.frames = motion::forward_kinematics(r.library->skeleton(), blended, kLegRoles);
   for (Side side : motion::kSides) {
-    legs.feet[motion::index_of(side)] = above_ground(r, side, foot_at(r, side, samples),
-                                                     blended.rotation[motion::roles_of(side).toes]);
+    legs.feet[side] = above_ground(r, side, foot_at(r, side, samples),
+                                   blended.rotation[motion::roles_of(side).toes]);
   }
   return legs;
 }
@@ -274,7 +274,7 @@ void place_feet(const Response& r, const Legs& legs, const Eigen::Vector3f& shif
   JointFrames frames = legs.frames;
   for (Role role : kLegRoles) frames.position[role] += move;
   for (Side side : motion::kSides) {
-    const FootPose& foot = legs.feet[motion::index_of(side)];
+    const FootPose& foot = legs.feet[side];
     motion::move_limb_end(frames, motion::leg_of(side), foot.ankle, foot.orientation, pose);
   }
 }

@@ -126,7 +126,7 @@ const Footwork& footwork_of(const Response& r) {
 
 // The first swing of a foot by which it can go to where the clip has it.
 std::optional<Interval> first_swing(const Response& r, Side side) {
-  const std::vector<Swing>& swings = footwork_of(r).swings[motion::index_of(side)];
+  const std::vector<Swing>& swings = footwork_of(r).swings[side];
   if (swings.empty()) return std::nullopt;
   const Interval interval = response_interval(r, swings.front());
   if (interval.begin_s >= r.end_s) return std::nullopt;
@@ -135,7 +135,7 @@ std::optional<Interval> first_swing(const Response& r, Side side) {
 
 // Where the foot of a clip that has it elsewhere goes there.
 void plan_change(Response& r, Side side, const FootPose& from, const FootPose& to) {
-  FootPlan& plan = r.feet[motion::index_of(side)];
+  FootPlan& plan = r.feet[side];
   const std::optional<Interval> swing = first_swing(r, side);
   if (swing) plan.correction = *swing;
   const bool must_step = side != r.support && differ(from, to, kToleratedOffset_m, kToleratedYaw);
@@ -149,7 +149,7 @@ void plan_change(Response& r, Side side, const FootPose& from, const FootPose& t
 }
 
 void plan_foot(Response& r, Side side, const Start& start) {
-  FootPlan& plan = r.feet[motion::index_of(side)];
+  FootPlan& plan = r.feet[side];
   plan = {};
   const FootPose from = source_foot_in(r, side, start.source);
   const FootPose to = foot_of(r.library->skeleton(), start.clip, side);
@@ -207,8 +207,7 @@ void solve_pelvis_shift(const Response& r, Side side, float lift_s, WeightShift&
     const Eigen::Vector3f centre = motion::centre_of_mass(library.body_model, frames);
     const Eigen::Vector2f in_sole =
         (heading.conjugate() * horizontal(centre - foot.ankle)).head<2>();
-    const Eigen::Vector2f missing =
-        offset_to_sole(library.soles[motion::index_of(side)].hull, in_sole);
+    const Eigen::Vector2f missing = offset_to_sole(library.soles[side].hull, in_sole);
     if (missing.norm() <= 0) break;
     shift.pelvis += kOvershoot * (heading * Eigen::Vector3f(missing.x(), missing.y(), 0));
     const float distance = horizontal(shift.pelvis).norm();
@@ -230,7 +229,7 @@ void shift_weight(Response& r, std::size_t number, Side over, float lift_s, floa
 // When the other foot first leaves the ground, if it does before the clip's peak.
 std::optional<float> first_lift_s(const Response& r) {
   const Side other = motion::other(r.support);
-  const FootPlan& plan = r.feet[motion::index_of(other)];
+  const FootPlan& plan = r.feet[other];
   std::optional<float> lift_s;
   if (plan.correction_lift_m > 0) lift_s = plan.correction.begin_s;
   const std::optional<Interval> swing = first_swing(r, other);
@@ -369,7 +368,7 @@ void plan_return(Response& r) {
   }
   float time_s = r.end_s;
   for (Side side : {motion::other(last), last}) {
-    FootPlan& plan = r.feet[motion::index_of(side)];
+    FootPlan& plan = r.feet[side];
     const FootPose from = away_foot(side, time_s);
     const FootPose to = return_foot_at(r, side, time_s);
     if (!differ(from, to, kSamePosition_m, kSameYaw)) continue;
@@ -385,7 +384,7 @@ void plan_return(Response& r) {
   }
   std::size_t shift = 1;
   for (Side side : {motion::other(last), last}) {
-    const FootPlan& plan = r.feet[motion::index_of(side)];
+    const FootPlan& plan = r.feet[side];
     if (plan.return_lift_m <= 0) continue;
     const float lift_s = plan.return_step.begin_s;
     shift_weight(r, shift++, motion::other(side), lift_s, lift_s - kReturnShiftDuration_s,

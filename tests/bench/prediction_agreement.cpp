@@ -19,20 +19,15 @@ namespace {
 
 using features::Outcome;
 using features::PredictedImpact;
-using motion::kTargetCount;
-
-std::size_t index_of(motion::Target target) {
-  return static_cast<std::size_t>(target);
-}
 
 struct Row {
   int misses = 0;
-  std::array<int, kTargetCount> aimed_at{};
-  std::array<int, kTargetCount> struck{};
+  motion::PerTarget<int> aimed_at{};
+  motion::PerTarget<int> struck{};
 };
 
 struct Agreement {
-  std::array<Row, kTargetCount> row;
+  motion::PerTarget<Row> row;
   std::vector<double> error_ms;  ///< of the time to impact
   std::vector<double> lead_ms;   ///< of the touch before the trainer's time
 };
@@ -56,13 +51,13 @@ Agreement agreement_of(const database::ClipLibrary& library,
         runtime::perceive(scenario.threat, eye, limits, seed, number);
     const PredictedImpact impact =
         features::predict_impact(perceived.threat, figure, idle, motion_bounds, scenario.state);
-    Row& row = agreement.row[index_of(scenario.target)];
+    Row& row = agreement.row[scenario.target];
     if (impact.outcome != Outcome::impact) {
       ++row.misses;
       continue;
     }
-    ++row.aimed_at[index_of(impact.aimed_at)];
-    ++row.struck[index_of(impact.struck)];
+    ++row.aimed_at[impact.aimed_at];
+    ++row.struck[impact.struck];
     const double time_ms = 1000 * static_cast<double>(scenario.time_to_impact_s);
     agreement.error_ms.push_back(
         std::abs(1000 * static_cast<double>(impact.time_to_impact_s) - time_ms));
@@ -83,17 +78,17 @@ void print(const Agreement& agreement, std::uint64_t count) {
       "legs | missed |\n| --- | ---: | ---: | --- | ---: |\n");
   int aimed = 0;
   int struck = 0;
-  for (std::size_t i = 0; i < kTargetCount; ++i) {
-    const Row& row = agreement.row[i];
-    int hits = 0;
-    for (int of_target : row.struck) hits += of_target;
+  for (const motion::Target target : motion::kTargets) {
+    const Row& row = agreement.row[target];
+    const int hits = sum(row.struck);
     const double percent = 100.0 / std::max(hits, 1);
     std::printf("| %s | %.2f %% | %.1f %% | %d, %d, %d, %d | %d |\n",
-                std::string(name_of(static_cast<motion::Target>(i))).c_str(),
-                row.aimed_at[i] * percent, row.struck[i] * percent, row.struck[0], row.struck[1],
-                row.struck[2], row.struck[3], row.misses);
-    aimed += row.aimed_at[i];
-    struck += row.struck[i];
+                std::string(name_of(target)).c_str(), row.aimed_at[target] * percent,
+                row.struck[target] * percent, row.struck[motion::Target::head],
+                row.struck[motion::Target::trunk], row.struck[motion::Target::pelvis],
+                row.struck[motion::Target::legs], row.misses);
+    aimed += row.aimed_at[target];
+    struck += row.struck[target];
   }
   std::printf("\nOf %llu scenarios, `aimed_at` agrees in %d and `struck` in %d.\n\n",
               static_cast<unsigned long long>(count), aimed, struck);

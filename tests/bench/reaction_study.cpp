@@ -72,7 +72,7 @@ Played play(const Study& study, const ReactionCase& reaction_case, double frame_
 }
 
 void print_effect(const Study& study, const std::vector<ReactionCase>& cases) {
-  std::vector<double> off_mm[motion::kTargetCount];
+  motion::PerTarget<std::vector<double>> off_mm;
   std::vector<double> frames_us;
   for (const ReactionCase& reaction_case : cases) {
     const Played played = play(study, reaction_case, kFrame_s);
@@ -82,16 +82,15 @@ void print_effect(const Study& study, const std::vector<ReactionCase>& cases) {
       most = std::max(most, distance_mm(study, played.poses[k],
                                         scenes::pose_at(*reaction_case.motion, time_s)));
     }
-    off_mm[static_cast<int>(target_of(played.most_hit))].push_back(most);
+    off_mm[target_of(played.most_hit)].push_back(most);
     frames_us.insert(frames_us.end(), played.frames_us.begin(), played.frames_us.end());
   }
   std::printf("\n### Effect: how far the joint that is farthest is moved, mm\n\n");
   std::printf("| hit most | blows | median | p90 | worst |\n| --- | --- | --- | --- | --- |\n");
-  for (int target = 0; target < motion::kTargetCount; ++target) {
+  for (const motion::Target target : motion::kTargets) {
     const auto& off = off_mm[target];
-    std::printf("| %s | %zu | %.0f | %.0f | %.0f |\n",
-                std::string(name_of(static_cast<motion::Target>(target))).c_str(), off.size(),
-                quantile(off, 0.5), quantile(off, 0.9), quantile(off, 1));
+    std::printf("| %s | %zu | %.0f | %.0f | %.0f |\n", std::string(name_of(target)).c_str(),
+                off.size(), quantile(off, 0.5), quantile(off, 0.9), quantile(off, 1));
   }
   double sum = 0;
   for (double frame_us : frames_us) sum += frame_us;

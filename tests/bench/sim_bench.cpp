@@ -23,7 +23,7 @@ void simulate_a_second(benchmark::State& state) {
     const scenes::Hit& hit = hits[next++ % hits.size()];
     const auto result = simulator.simulate(motions[hit.motion].motion, &hit.ball, 1);
     steps += result.steps;
-    for (double of_body : result.impulse) impulse += of_body;
+    impulse += sum(result.impulse);
   }
   const auto runs = static_cast<double>(state.iterations());
   state.counters["simulations_per_second"] = benchmark::Counter(runs, benchmark::Counter::kIsRate);
@@ -74,7 +74,7 @@ void simulate_rehearsed(benchmark::State& state) {
     const scenes::Hit& hit = hits[next++ % hits.size()];
     const auto result = simulator.simulate(rehearsals[hit.motion], hit.ball);
     steps += result.steps;
-    for (double of_body : result.impulse) impulse += of_body;
+    impulse += sum(result.impulse);
   }
   const auto runs = static_cast<double>(state.iterations());
   state.counters["simulations_per_second"] = benchmark::Counter(runs, benchmark::Counter::kIsRate);

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <numeric>
 
 #include "database/import/library_writer.h"
 #include "tests/bench/measures.h"
@@ -25,10 +24,6 @@ struct Study {
   motion::Physique character;
   std::vector<scenes::NamedMotion> motions;
 };
-
-double sum_of(const motion::PerBody<double>& impulse) {
-  return std::accumulate(impulse.begin(), impulse.end(), 0.0);
-}
 
 sim::SimulationOptions with_steps(double free_hz, double contact_hz) {
   sim::SimulationOptions options;
@@ -95,7 +90,7 @@ Outcome outcome_of(const Study& study, const std::vector<scenes::Hit>& hits,
 std::vector<double> changes_percent(const Outcome& from, const Outcome& to) {
   std::vector<double> changes;
   for (std::size_t i = 0; i < to.results.size(); ++i) {
-    const double whole = std::max(sum_of(from.results[i].impulse), sum_of(to.results[i].impulse));
+    const double whole = std::max(sum(from.results[i].impulse), sum(to.results[i].impulse));
     if (whole == 0) continue;
     double change = 0;
     for (motion::Body body : motion::kBodies) {
@@ -143,9 +138,9 @@ void print_restitution(const Study& study, const std::vector<scenes::Hit>& hits)
     double largest = 0;
     double hit = 0;
     for (const auto& result : outcome.results) {
-      whole += sum_of(result.impulse);
+      whole += sum(result.impulse);
       largest += *std::max_element(result.impulse.begin(), result.impulse.end());
-      if (sum_of(result.impulse) > 0) ++hit;
+      if (sum(result.impulse) > 0) ++hit;
     }
     std::printf("| %.1f | %.2f | %.1f %% |\n", restitution, whole / hit,
                 100 * (whole - largest) / whole);

@@ -130,7 +130,8 @@ TEST(FeatureVectors, ForADescribedThreatMatchAStandingCharacter) {
   for (int i = 0; i < 50; ++i) {
     Scenario scenario = random_scenario(random);
     scenario.state = {};
-    const TargetCentres centres = predict_character(idling(figure), {}, 0).target_centres;
+    const motion::PerTarget<Eigen::Vector3f> centres =
+        predict_character(idling(figure), {}, 0).target_centres;
     for (const FeatureSet& set : feature_sets()) {
       const FeatureVector played = feature_vector(set.layout, scenario, idling(figure));
       const FeatureVector described = feature_vector(set.layout, scenario, centres);

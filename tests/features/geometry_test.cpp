@@ -23,8 +23,8 @@ PredictedCharacter upright() {
   PredictedCharacter character;
   character.pelvis = {0, 0, 1};
   for (int i = 0; i < motion::kTargetCount; ++i) {
-    character.target_centres[static_cast<std::size_t>(i)] = {0, 0,
-                                                             1.6F - 0.4F * static_cast<float>(i)};
+    character.target_centres[static_cast<motion::Target>(i)] = {
+        0, 0, 1.6F - 0.4F * static_cast<float>(i)};
   }
   return character;
 }
@@ -69,7 +69,7 @@ TEST(Geometry, MissesArePerpendicularToThePathWithTheRightLength) {
     const PredictedCharacter character = upright();
     const Geometry g = geometry_of(passing(point, velocity), character);
     // Brute force: the minimum distance over points of the line.
-    const Eigen::Vector3f head = character.target_centres[0];
+    const Eigen::Vector3f head = character.target_centres[motion::Target::head];
     float min_distance = 1e9F;
     for (int k = -4000; k <= 4000; ++k) {
       const float along = static_cast<float>(k) * 1e-3F;

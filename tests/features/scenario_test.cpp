@@ -15,7 +15,7 @@ TEST(IsAllowed, AllowsAnnotatedClipsOfTheTargetAndItsNeighbours) {
   const auto allowed = [](Target threatened, Target protects) {
     return is_allowed(threatened, motion::Annotation{.target = protects});
   };
-  constexpr std::array kTargets{Target::head, Target::trunk, Target::pelvis, Target::legs};
+  constexpr auto& kTargets = motion::kTargets;
   constexpr std::array<std::array<bool, 4>, 4> kExpected{{{true, true, false, false},
                                                           {true, true, true, false},
                                                           {false, true, true, true},

@@ -56,7 +56,7 @@ TEST(SelectorFault, OfAnyModelIsNotWritten) {
        [](Selector& s) { s.clips[2].annotation->target = static_cast<Target>(4); },
        [](Selector& s) { s.clips[2].annotation->degree = static_cast<motion::Degree>(2); },
        [](Selector& s) { s.clips[2].annotation->direction = kNan; },
-       [](Selector& s) { s.target_centres[3].z() = kNan; }});
+       [](Selector& s) { s.target_centres[motion::Target::legs].z() = kNan; }});
 }
 
 TEST(SelectorFault, OfAnSvmIsNotWritten) {

@@ -17,7 +17,6 @@ using motion::Target;
 using tests::ModelKind;
 
 constexpr int kClips = 24;
-constexpr std::array kTargets{Target::head, Target::trunk, Target::pelvis, Target::legs};
 
 models::Selector selector_with(ModelKind model) {
   return tests::made_up_selector(tests::made_up_library(kClips, 61), 300, model).selector;
@@ -52,7 +51,7 @@ TEST_P(WorkspaceOfModel, SelectsAsTheModelDoesWithoutAllocating) {
   ASSERT_EQ(workspace.reserve_memory(selection_bytes(selector)), database::LoadStatus::ok);
   std::array<Candidate, kClips> best;
   for (const features::FeatureVector& query : queries()) {
-    for (const Target target : kTargets) {
+    for (const Target target : motion::kTargets) {
       const std::size_t before = tests::allocation_count();
       const Selection selection = select(workspace, selector, query, target, best);
       ASSERT_EQ(tests::allocation_count(), before);

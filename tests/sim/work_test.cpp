@@ -27,12 +27,6 @@ motion::Motion moved_rest_pose(const motion::Physique& character, float rate_hz,
   return motion;
 }
 
-double total(const motion::PerBody<double>& work) {
-  double sum = 0;
-  for (double body : work) sum += body;
-  return sum;
-}
-
 // x = A sin(2 pi f t) along a line: W = m int |a v| dt = m A^2 w^2 per half period, 2 m A^2 w^2 per
 // period. At 1 Hz the low-pass takes nothing that shows.
 TEST(MechanicalWork, OfASinusoidMatchesTheClosedForm) {
@@ -52,19 +46,19 @@ TEST(MechanicalWork, OfASinusoidMatchesTheClosedForm) {
 TEST(MechanicalWork, OfConstantVelocityIsZero) {
   const motion::Physique character = motion::default_character();
   const auto moving = moved_rest_pose(character, 60, 120, [](double t) { return 2 * t; });
-  EXPECT_LT(total(mechanical_work(character, moving)), 0.05);  // J; float positions' noise
+  EXPECT_LT(sum(mechanical_work(character, moving)), 0.05);  // J; float positions' noise
 }
 
 TEST(MechanicalWork, OfStandingStillIsZero) {
   const motion::Physique character = motion::default_character();
   const auto still = moved_rest_pose(character, 60, 120, [](double) { return 0.0; });
-  EXPECT_LT(total(mechanical_work(character, still)), 1e-12);
+  EXPECT_LT(sum(mechanical_work(character, still)), 1e-12);
 }
 
 TEST(MechanicalWork, OfTooFewPosesIsZero) {
   const motion::Physique character = motion::default_character();
   const auto motion = moved_rest_pose(character, 60, 3, [](double t) { return t * t; });
-  EXPECT_EQ(total(mechanical_work(character, motion)), 0);
+  EXPECT_EQ(sum(mechanical_work(character, motion)), 0);
 }
 
 // Both the speeding up and the slowing down cost: from rest to rest the signed sum is nothing.
@@ -75,7 +69,7 @@ TEST(MechanicalWork, FromRestToRestIsTwiceTheKineticEnergy) {
   });
   const double peak_speed = 0.5 * kPi;
   const double expected = static_cast<double>(character.mass_kg) * peak_speed * peak_speed;
-  EXPECT_NEAR(total(mechanical_work(character, motion)), expected, 0.03 * expected);
+  EXPECT_NEAR(sum(mechanical_work(character, motion)), expected, 0.03 * expected);
 }
 
 double amplitude_after(double frequency_hz, double rate_hz) {

@@ -25,8 +25,7 @@ float speed_at_impact(const features::Scenario& scenario) {
 
 std::vector<ScenarioGroup> all_groups() {
   std::vector<ScenarioGroup> groups;
-  for (int i = 0; i < motion::kTargetCount; ++i) {
-    const auto target = static_cast<motion::Target>(i);
+  for (const motion::Target target : motion::kTargets) {
     groups.push_back({"target", std::string(motion::name_of(target)),
                       [target](const auto& scenario) { return scenario.target == target; }});
   }

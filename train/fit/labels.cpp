@@ -40,9 +40,8 @@ models::TrainingSet make_training_set(const StoreHeader& header,
   models::TrainingSet set;
   set.feature_count = header.layout.size();
   set.idle = header.idle;
-  for (int target = 0; target < motion::kTargetCount; ++target) {
-    set.masks.push_back(
-        models::allowed_clips(header.clips, header.idle, static_cast<motion::Target>(target)));
+  for (const motion::Target target : motion::kTargets) {
+    set.masks.push_back(models::allowed_clips(header.clips, header.idle, target));
   }
   std::vector<double> scaled(static_cast<std::size_t>(set.feature_count));
   for (const Observation& observation : observations) {

@@ -117,27 +117,22 @@ Fitted fit_pairwise_cost(const models::TrainingSet& set, std::span<const int> fo
 }
 
 struct MethodEntry {
-  Method method;
   std::string_view name;
   Fit fit;
 };
 // In the order of the enumeration.
-constexpr std::array kMethodEntries{
-    MethodEntry{Method::knn, "knn", fit_knn},
-    MethodEntry{Method::svm, "svm", fit_svm},
-    MethodEntry{Method::svm_rbf, "svm_rbf", fit_svm_rbf},
-    MethodEntry{Method::knn_cost, "knn_cost", fit_knn_cost},
-    MethodEntry{Method::network, "network", fit_network},
-    MethodEntry{Method::pairwise_cost, "pairwise_cost", fit_pairwise_cost},
-};
-constexpr auto kMethods = [] {
-  std::array<Method, kMethodEntries.size()> methods{};
-  std::ranges::transform(kMethodEntries, methods.begin(), &MethodEntry::method);
-  return methods;
-}();
+constexpr motion::EnumArray<Method, MethodEntry, 6> kMethodEntries{{{
+    {"knn", fit_knn},
+    {"svm", fit_svm},
+    {"svm_rbf", fit_svm_rbf},
+    {"knn_cost", fit_knn_cost},
+    {"network", fit_network},
+    {"pairwise_cost", fit_pairwise_cost},
+}}};
+constexpr auto kMethods = motion::all_enumerators<Method, 6>();
 
 const MethodEntry& entry_of(Method method) {
-  return kMethodEntries[static_cast<std::size_t>(method)];
+  return kMethodEntries[method];
 }
 
 std::string text_of(const NamedValue& parameter) {
@@ -165,7 +160,7 @@ std::string_view name_of(Method method) {
 std::optional<Method> method_named(std::string_view name) {
   const auto found = std::ranges::find(kMethodEntries, name, &MethodEntry::name);
   if (found == kMethodEntries.end()) return std::nullopt;
-  return found->method;
+  return static_cast<Method>(found - kMethodEntries.begin());
 }
 
 std::span<const Method> methods() {

@@ -81,27 +81,27 @@ double min_feasible_elevation(double speed_mps, double time_to_impact_s, double 
 
 features::FeatureVector described_features(const features::Layout& layout,
                                            const DescribedThreat& threat,
-                                           const TargetCentres& centres) {
+                                           const motion::PerTarget<Eigen::Vector3f>& centres) {
   features::Scenario scenario;
   scenario.target = threat.target;
   scenario.time_to_impact_s = threat.approach.time_to_impact_s;
-  scenario.threat = features::threat_from_description(
-      threat.approach, centres[static_cast<std::size_t>(threat.target)], 0);
+  scenario.threat = features::threat_from_description(threat.approach, centres[threat.target], 0);
   return features::feature_vector(layout, scenario, centres);
 }
 
-TargetCentres target_centres(const motion::Skeleton& skeleton, const motion::BodyModel& body_model,
-                             const motion::Pose& pose) {
+motion::PerTarget<Eigen::Vector3f> target_centres(const motion::Skeleton& skeleton,
+                                                  const motion::BodyModel& body_model,
+                                                  const motion::Pose& pose) {
   const motion::JointFrames frames = motion::forward_kinematics(skeleton, pose);
-  TargetCentres centres;
-  for (std::size_t i = 0; i < centres.size(); ++i)
-    centres[i] = motion::target_centre(body_model, frames, static_cast<motion::Target>(i));
+  motion::PerTarget<Eigen::Vector3f> centres;
+  for (const motion::Target target : motion::kTargets)
+    centres[target] = motion::target_centre(body_model, frames, target);
   return centres;
 }
 
-TargetCentres target_centres_in_character_frame(const motion::Skeleton& skeleton,
-                                                const motion::BodyModel& body_model,
-                                                const motion::Pose& pose) {
+motion::PerTarget<Eigen::Vector3f> target_centres_in_character_frame(
+    const motion::Skeleton& skeleton, const motion::BodyModel& body_model,
+    const motion::Pose& pose) {
   const Eigen::Vector3f ground(pose.root_position.x(), pose.root_position.y(), 0);
   const motion::Pose centred = motion::placed(pose, 0, -ground);
   return target_centres(skeleton, body_model,
@@ -135,9 +135,8 @@ features::Scenario sample_scenario(const database::ClipLibrary& library,
     scenario.state = character_state_at(distribution, idle, cell);
     const double time = double{scenario.time_to_impact_s};
     const motion::Pose ahead = features::idle_pose(idle, scenario.state, scenario.time_to_impact_s);
-    const Eigen::Vector3f aim = target_centres(library.character.skeleton, body_model,
-                                               ahead)[static_cast<std::size_t>(scenario.target)] +
-                                offset;
+    const Eigen::Vector3f aim =
+        target_centres(library.character.skeleton, body_model, ahead)[scenario.target] + offset;
     const double least =
         std::max(distribution.min_elevation,
                  min_feasible_elevation(speed, time, distribution.radius_m, aim.z()));

@@ -74,8 +74,6 @@ features::Scenario sample_scenario(const database::ClipLibrary& library,
 double min_feasible_elevation(double speed_mps, double time_to_impact_s, double radius_m,
                               double impact_height_m);
 
-using features::TargetCentres;
-
 /// A threat to one target of a character that stands still, as a person would describe it.
 struct DescribedThreat {
   motion::Target target = motion::Target::head;
@@ -87,16 +85,17 @@ struct DescribedThreat {
 /// are computed as for a sampled scenario.
 features::FeatureVector described_features(const features::Layout& layout,
                                            const DescribedThreat& threat,
-                                           const TargetCentres& centres);
+                                           const motion::PerTarget<Eigen::Vector3f>& centres);
 
 /// Returns the centres of the targets of an idling character, world, m.
-TargetCentres target_centres(const motion::Skeleton& skeleton, const motion::BodyModel& body_model,
-                             const motion::Pose& pose);
+motion::PerTarget<Eigen::Vector3f> target_centres(const motion::Skeleton& skeleton,
+                                                  const motion::BodyModel& body_model,
+                                                  const motion::Pose& pose);
 
 /// Returns the same in the frame of the features: origin on the ground below the pelvis, X along
 /// the facing.
-TargetCentres target_centres_in_character_frame(const motion::Skeleton& skeleton,
-                                                const motion::BodyModel& body_model,
-                                                const motion::Pose& pose);
+motion::PerTarget<Eigen::Vector3f> target_centres_in_character_frame(
+    const motion::Skeleton& skeleton, const motion::BodyModel& body_model,
+    const motion::Pose& pose);
 
 }  // namespace flinch::train

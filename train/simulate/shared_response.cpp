@@ -65,8 +65,8 @@ bool is_same_from_impact(const runtime::Response& early, float early_time_s,
               is_near(early.yaw, late.yaw, kSamePlace) &&
               is_near(early.translation, late.translation) &&
               is_near(early.idle_displacement, late.idle_displacement);
-  for (std::size_t i = 0; i < early.feet.size(); ++i)
-    same = same && is_near(early.feet[i], early_time_s, late.feet[i], late_time_s);
+  for (const motion::Side side : motion::kSides)
+    same = same && is_near(early.feet[side], early_time_s, late.feet[side], late_time_s);
   for (std::size_t i = 0; i < early.shifts.size(); ++i)
     same = same && is_near(early.shifts[i], early_time_s, late.shifts[i], late_time_s);
   return same;

@@ -12,12 +12,6 @@ namespace flinch::train {
 
 namespace {
 
-double sum(const motion::PerBody<double>& values) {
-  double total = 0;
-  for (const double value : values) total += value;
-  return total;
-}
-
 std::size_t interval_count(double duration_s, float rate_hz) {
   return static_cast<std::size_t>(std::ceil(duration_s * double{rate_hz}));
 }

@@ -35,7 +35,8 @@ struct StoreHeader {
   /// Layout of the observations' features: the paper's, unless derive_features() has replaced them.
   /// Not in the file.
   features::Layout layout = features::feature_set_named("paper")->layout;
-  TargetCentres idle_target_centres{};  ///< of the idle clip's first pose, in the character's frame
+  motion::PerTarget<Eigen::Vector3f>
+      idle_target_centres{};  ///< of the idle clip's first pose, in the character's frame
 };
 
 /// Throws Error, naming the difference, unless the two are of the same run: same library, seed,

@@ -83,13 +83,13 @@ void read_clips(Database& database, StoreHeader& header) {
 
 void write_bodies_and_targets(Database& database, const StoreHeader& header) {
   Statement body = database.prepare("INSERT INTO body(body, name) VALUES(?, ?)");
-  for (int i = 0; i < motion::kBodyCount; ++i) {
-    body.bind(std::int64_t{i}).bind(std::string(name_of(static_cast<motion::Body>(i)))).run();
+  for (const motion::Body each : motion::kBodies) {
+    body.bind(static_cast<std::int64_t>(each)).bind(std::string(name_of(each))).run();
   }
   Statement target = database.prepare("INSERT INTO target(name, x, y, z) VALUES(?, ?, ?, ?)");
-  for (std::size_t i = 0; i < header.idle_target_centres.size(); ++i) {
-    const Eigen::Vector3d centre = header.idle_target_centres[i].cast<double>();
-    target.bind(std::string(motion::name_of(static_cast<motion::Target>(i))))
+  for (const motion::Target each : motion::kTargets) {
+    const Eigen::Vector3d centre = header.idle_target_centres[each].cast<double>();
+    target.bind(std::string(motion::name_of(each)))
         .bind(centre.x())
         .bind(centre.y())
         .bind(centre.z())
@@ -203,7 +203,7 @@ StoreHeader read_header(Database& database) {
   while (row.step()) {
     const auto target = motion::target_named(row.text(0));
     if (!target) throw Error(database.path(), kDamagedStore);
-    header.idle_target_centres[static_cast<std::size_t>(*target)] =
+    header.idle_target_centres[*target] =
         Eigen::Vector3d(row.real(1), row.real(2), row.real(3)).cast<float>();
   }
   if (header.idle < 0 || header.idle >= static_cast<int>(header.clips.size()) ||

@@ -59,9 +59,11 @@ TEST(RuleControls, FollowTable31) {
   threat.radius_m = 0.033F + 0.75F * (0.2F - 0.033F);
   const RuleControls controls = rule_controls(threat);
   EXPECT_NEAR(controls.lean, 0.25F, 1e-5);
-  for (float control : {controls.turn, controls.recoil, controls.reach[0], controls.reach[1],
-                        controls.swivel[0], controls.swivel[1]}) {
-    EXPECT_NEAR(control, 0.75F, 1e-5);
+  EXPECT_NEAR(controls.turn, 0.75F, 1e-5);
+  EXPECT_NEAR(controls.recoil, 0.75F, 1e-5);
+  for (Side side : motion::kSides) {
+    EXPECT_NEAR(controls.reach[side], 0.75F, 1e-5);
+    EXPECT_NEAR(controls.swivel[side], 0.75F, 1e-5);
   }
 }
 
@@ -207,7 +209,7 @@ TEST(ApplyRules, KeepsFeetInPlaceAndNeckAndArmsWithinHumanLimits) {
       ASSERT_TRUE(test::is_finite(pose));
       const JointFrames frames = motion::forward_kinematics(scene.figure.skeleton(), pose);
       for (Side side : motion::kSides) {
-        EXPECT_LT((foot_pose(frames, side).ankle - feet[index_of(side)].ankle).norm(), 1e-3F);
+        EXPECT_LT((foot_pose(frames, side).ankle - feet[side].ankle).norm(), 1e-3F);
       }
       for (std::string_view name : {"neck", "trunk", "left_shoulder", "right_shoulder",
                                     "left_wrist", "right_wrist", "left_clavicle"}) {

@@ -42,7 +42,7 @@ TEST(Transition, FeetHandsNeckAndCentreOfMassFollowTheirPaths) {
   const AuthorScene scene;
   const Transition transition = make_transition(scene.figure, scene.start, blocking_pose(scene));
   ASSERT_TRUE(transition.support);
-  ASSERT_FALSE(transition.hand_swings[0] || transition.hand_swings[1]);
+  ASSERT_FALSE(transition.hand_swings[Side::left] || transition.hand_swings[Side::right]);
   for (float s = 0; s <= 1; s += 0.05F) {
     const JointFrames frames =
         motion::forward_kinematics(scene.figure.skeleton(), pose_at(scene.figure, transition, s));
@@ -87,7 +87,7 @@ TEST(Transition, StepsWithOneFootAlwaysDown) {
   const AuthorScene scene;
   const Transition transition = make_transition(
       scene.figure, scene.start, evasive_pose(scene.figure, scene.start, sidestep(0, -1, 1)));
-  EXPECT_TRUE(transition.steps[0].moves && transition.steps[1].moves);
+  EXPECT_TRUE(transition.steps[Side::left].moves && transition.steps[Side::right].moves);
   const float ground = foot_pose(scene.frames, Side::left).ankle.z();
   for (float s = 0; s <= 1; s += 0.02F) {
     const JointFrames frames =

@@ -114,7 +114,7 @@ TEST(StaticBalance, PutsARaisedFootDownAndLeavesOneThatCannotReach) {
   const AimedThreat threat = scene.threat(Target::head, 0);
   motion::PerSide<motion::FootPose> feet{foot_pose(scene.frames, Side::left),
                                          foot_pose(scene.frames, Side::right)};
-  feet[0].ankle.z() += 0.2F;
+  feet[motion::Side::left].ankle.z() += 0.2F;
   const Pose raised = with_feet(scene.figure.skeleton(), scene.start, feet);
   const JointFrames down = motion::forward_kinematics(
       scene.figure.skeleton(), balanced_pose(scene.figure, raised, threat, kControls).pose);

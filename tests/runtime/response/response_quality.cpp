@@ -30,8 +30,7 @@ float margin_in_sole(const PreparedLibrary& library, const JointFrames& frames, 
   const Eigen::Quaternionf heading =
       motion::rotation_about(Eigen::Vector3f::UnitZ(), motion::yaw_of(foot.orientation));
   const Eigen::Vector3f local = heading.conjugate() * (point - foot.ankle);
-  return motion::signed_distance_inside(library.soles[motion::index_of(side)].hull,
-                                        local.head<2>());
+  return motion::signed_distance_inside(library.soles[side].hull, local.head<2>());
 }
 
 // Where the centre of mass is, and where it would come to rest if the body fell as a pendulum over
@@ -83,13 +82,12 @@ struct Standing {
 Standing standing_of(const PreparedLibrary& library, const JointFrames& frames) {
   Standing standing;
   for (Side side : motion::kSides) {
-    const std::size_t i = motion::index_of(side);
-    standing.points[i] = motion::sole_points(library.soles[i], frames, side);
-    standing.stands[i] = motion::lowest_z(standing.points[i]) <= kOnGround;
+    standing.points[side] = motion::sole_points(library.soles[side], frames, side);
+    standing.stands[side] = motion::lowest_z(standing.points[side]) <= kOnGround;
   }
   standing.support = motion::support_foot(
       motion::centre_of_mass(library.body_model, frames),
-      [&](Side side) { return standing.stands[motion::index_of(side)]; },
+      [&](Side side) { return standing.stands[side]; },
       [&](Side side) { return motion::foot_pose(frames, side).ankle; });
   return standing;
 }
@@ -100,11 +98,10 @@ float slip_of(const PreparedLibrary& library, const motion::Clip& clip) {
     const Standing standing = standing_of(
         library, motion::forward_kinematics(library.skeleton(), motion::sample(clip.motion, t)));
     for (Side side : motion::kSides) {
-      const std::size_t i = motion::index_of(side);
-      tracks[i].follow(standing.points[i], standing.support == side);
+      tracks[side].follow(standing.points[side], standing.support == side);
     }
   }
-  return std::max(tracks[0].slip_m, tracks[1].slip_m);
+  return std::max(tracks[Side::left].slip_m, tracks[Side::right].slip_m);
 }
 
 void measure_feet(const Response& r, ResponseQuality& quality) {
@@ -117,13 +114,13 @@ void measure_feet(const Response& r, ResponseQuality& quality) {
         motion::forward_kinematics(library.skeleton(), runtime::pose_at(r, time_s));
     const Standing standing = standing_of(library, frames);
     for (Side side : motion::kSides) {
-      const std::size_t i = motion::index_of(side);
-      tracks[i].follow(standing.points[i], standing.support == side);
+      tracks[side].follow(standing.points[side], standing.support == side);
       quality.below_ground_m =
-          std::max(quality.below_ground_m, -motion::lowest_z(standing.points[i]));
-      const bool leaves = stood[i] && !standing.stands[i] && standing.stands[1 - i];
+          std::max(quality.below_ground_m, -motion::lowest_z(standing.points[side]));
+      const bool leaves =
+          stood[side] && !standing.stands[side] && standing.stands[motion::other(side)];
       const bool first = side != r.support && time_s < r.peak_s && quality.lift_margin_m == 1;
-      const bool home = r.feet[i].return_lift_m > 0 && time_s > r.feet[i].return_step.begin_s;
+      const bool home = r.feet[side].return_lift_m > 0 && time_s > r.feet[side].return_step.begin_s;
       if (leaves && (first || home)) {
         const Centre centre = centre_at(r, time_s);
         const Side standing_foot = motion::other(side);
@@ -136,10 +133,10 @@ void measure_feet(const Response& r, ResponseQuality& quality) {
             std::min(quality.extrapolated_margin_m,
                      margin_in_sole(library, frames, standing_foot, centre.extrapolated));
       }
-      stood[i] = standing.stands[i];
+      stood[side] = standing.stands[side];
     }
   }
-  quality.support_slip_m = std::max(tracks[0].slip_m, tracks[1].slip_m);
+  quality.support_slip_m = std::max(tracks[Side::left].slip_m, tracks[Side::right].slip_m);
 }
 
 // The step of a joint's velocity at a time: (q_+ q^-1 - q q_-^-1) / dt, as rotation vectors.

@@ -175,7 +175,7 @@ TEST(Response, StepsWithTheOtherFootToTheClipsPlace) {
   const PreparedLibrary other = prepare(library);
   const Response response = make_response(other, kState, 1, 1.0F);
   const Side side = motion::other(response.support);
-  const FootPlan& plan = response.feet[motion::index_of(side)];
+  const FootPlan& plan = response.feet[side];
   ASSERT_GT(plan.correction_lift_m, 0);
   const float t = plan.correction.end_s + 0.02F;
   const motion::FootPose clip_foot = foot_of(other.skeleton(), clip_pose_at(response, t), side);

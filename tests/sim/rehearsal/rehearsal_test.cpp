@@ -5,7 +5,6 @@
 
 #include <cmath>
 #include <memory>
-#include <numeric>
 
 #include "motion/error.h"
 #include "sim/figure/figure_rows.h"
@@ -19,7 +18,7 @@ namespace {
 using motion::Body;
 
 double total(const SimulationResult& result) {
-  return std::accumulate(result.impulse.begin(), result.impulse.end(), 0.0);
+  return sum(result.impulse);
 }
 
 /// sum over the bodies |J - J'|, over the greater whole.

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <thread>
 
 #include "motion/error.h"
@@ -40,7 +39,7 @@ Eigen::Vector3d middle_of(Body body, const motion::Pose& pose) {
 }
 
 double total(const SimulationResult& result) {
-  return std::accumulate(result.impulse.begin(), result.impulse.end(), 0.0);
+  return sum(result.impulse);
 }
 
 SimulationResult simulate(const motion::Motion& motion, const Ball* ball, double duration_s = 1) {

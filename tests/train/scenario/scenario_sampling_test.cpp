@@ -50,7 +50,7 @@ TEST_F(ScenarioSampling, ThreatsPassNearTheTargetsCentreAtTheTimeOfImpact) {
 }
 
 TEST_F(ScenarioSampling, ThreatsAreWithinTheDistributionAndAboveTheGround) {
-  std::array<int, motion::kTargetCount> per_target{};
+  motion::PerTarget<int> per_target{};
   std::array<int, 8> per_sector{};
   for (int number = 0; number < kScenarios; ++number) {
     const features::Scenario scenario = sample(static_cast<std::uint64_t>(number));
@@ -67,7 +67,7 @@ TEST_F(ScenarioSampling, ThreatsAreWithinTheDistributionAndAboveTheGround) {
       EXPECT_GE(features::position_at(scenario.threat, share * t).z(),
                 scenario.threat.radius - 1e-3F);
     }
-    ++per_target[static_cast<std::size_t>(scenario.target)];
+    ++per_target[scenario.target];
     const double azimuth =
         std::atan2(-double{impact_velocity.y()}, -double{impact_velocity.x()}) + M_PI;
     ++per_sector[std::min<std::size_t>(7, static_cast<std::size_t>(azimuth / (M_PI / 4)))];
@@ -127,8 +127,8 @@ TEST(MinFeasibleElevation, PutsTheStartOnTheGround) {
 }
 
 TEST_F(ScenarioSampling, ADescribedThreatHasTheFeaturesOfACharacterStandingStill) {
-  TargetCentres centres{};
-  centres[0] = {0.1F, 0, 1.6F};
+  motion::PerTarget<Eigen::Vector3f> centres{};
+  centres[motion::Target::head] = {0.1F, 0, 1.6F};
   DescribedThreat threat;
   threat.approach.azimuth = static_cast<float>(M_PI) / 2;
   threat.approach.speed_mps = 20;
@@ -146,13 +146,14 @@ TEST_F(ScenarioSampling, ADescribedThreatHasTheFeaturesOfACharacterStandingStill
 TEST_F(ScenarioSampling, TargetCentresInTheCharactersFrameDoNotDependOnItsPlace) {
   const motion::Skeleton& skeleton = library_.character.skeleton;
   const motion::Pose pose = idle().poses.front();
-  const TargetCentres here = target_centres_in_character_frame(skeleton, model_, pose);
-  const TargetCentres there =
+  const motion::PerTarget<Eigen::Vector3f> here =
+      target_centres_in_character_frame(skeleton, model_, pose);
+  const motion::PerTarget<Eigen::Vector3f> there =
       target_centres_in_character_frame(skeleton, model_, motion::placed(pose, 1.2F, {3, -2, 0}));
-  for (std::size_t i = 0; i < here.size(); ++i)
-    EXPECT_LT((here[i] - there[i]).norm(), 1e-5F) << "target " << i;
-  EXPECT_GT(here[0].z(), here[1].z());
-  EXPECT_GT(here[2].z(), here[3].z());
+  for (const motion::Target target : motion::kTargets)
+    EXPECT_LT((here[target] - there[target]).norm(), 1e-5F) << name_of(target);
+  EXPECT_GT(here[motion::Target::head].z(), here[motion::Target::trunk].z());
+  EXPECT_GT(here[motion::Target::pelvis].z(), here[motion::Target::legs].z());
 }
 
 }  // namespace

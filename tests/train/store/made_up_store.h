@@ -37,8 +37,8 @@ inline StoreHeader made_up_header() {
     header.clips.push_back({clip.name, clip.annotation});
     header.clip_work_j.push_back(clip.annotation ? 250 : 0);
   }
-  for (std::size_t i = 0; i < header.idle_target_centres.size(); ++i)
-    header.idle_target_centres[i] = {0.01F, 0, 1.6F - 0.35F * static_cast<float>(i)};
+  for (const motion::Target target : motion::kTargets)
+    header.idle_target_centres[target] = {0.01F, 0, 1.6F - 0.35F * static_cast<float>(target)};
   return header;
 }
 

@@ -56,7 +56,7 @@ TEST(Store, RoundTripsBitForBit) {
                 1e-6F);
     EXPECT_EQ(store.header.clips[i].annotation->peak_s, header.clips[i].annotation->peak_s);
   }
-  EXPECT_EQ(store.header.idle_target_centres[3], header.idle_target_centres[3]);
+  EXPECT_EQ(store.header.idle_target_centres, header.idle_target_centres);
   ASSERT_EQ(store.observations.size(), 40U);
   for (std::uint64_t number = 0; number < 40; ++number) {
     const Observation expected = made_up_observation(header, number);
