@@ -2,7 +2,6 @@
 # The headers that games may include: all that is installed, and at most 25. docs/embedding.md says
 # what each is for; the test architecture.public_headers checks the list.
 set(FLINCH_REACTION_HEADERS  # of the package's component `reaction`
-  sim/simulation_options.h
   reaction/recovery.h
   reaction/reaction.h
   reaction/reaction_clips.h
@@ -16,6 +15,7 @@ set(FLINCH_PUBLIC_HEADERS
   motion/foot.h
   motion/interpolation.h
   features/threat.h
+  features/ball.h
   features/scenario.h
   database/library/load_status.h
   database/library/library.h

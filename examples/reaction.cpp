@@ -50,7 +50,7 @@ bool play(const runtime::Library& library, runtime::Workspace& workspace) {
       if (status != runtime::Status::ok) return false;
     }
     if (!is_met && flown_s >= kFlight_s - kAhead_s) {
-      is_met = hero.react_to(reaction::ball_of(features::advanced(threat, flown_s))) ==
+      is_met = hero.react_to(features::ball_of(features::advanced(threat, flown_s))) ==
                reaction::ReactionStatus::ok;
     }
     if (hero.update(kFrame_s) != reaction::ReactionStatus::ok) return false;

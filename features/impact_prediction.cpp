@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "features/free_flight.h"
+#include "features/ball.h"
 #include "motion/collision_shape.h"
 #include "motion/enum_array.h"
 
@@ -59,7 +59,7 @@ double safe_step(double gap, double closing_mps, double gravity_mps2) {
 
 // Solves (x - c) . v = 0 by Newton's method, whose derivative is v^2 + (x - c) . a. The derivative
 // is bounded from below where the fall bends the path towards c.
-double time_nearest(const FreeFlight& ball, const Eigen::Vector3d& centre, double time_s) {
+double time_nearest(const Ball& ball, const Eigen::Vector3d& centre, double time_s) {
   constexpr int kIterations = 4;
   const Eigen::Vector3d fall(0, 0, -ball.gravity_mps2);
   for (int i = 0; i < kIterations; ++i) {
@@ -75,7 +75,7 @@ double time_nearest(const FreeFlight& ball, const Eigen::Vector3d& centre, doubl
 /// Searches for the impact of a ball on a figure.
 class ImpactSearch {
  public:
-  ImpactSearch(const FreeFlight& ball, const CollisionFigure& figure, const PredictedMotion& ahead)
+  ImpactSearch(const Ball& ball, const CollisionFigure& figure, const PredictedMotion& ahead)
       : ball_(ball),
         figure_(figure),
         ahead_(ahead),
@@ -183,7 +183,7 @@ class ImpactSearch {
     impact.time_to_impact_s = static_cast<float>(std::max(time_s, touch_s));
   }
 
-  FreeFlight ball_;
+  Ball ball_;
   const CollisionFigure& figure_;
   const PredictedMotion& ahead_;
   Eigen::Vector3d pelvis_centre_;
@@ -225,9 +225,7 @@ CollisionFigure make_collision_figure(const motion::Skeleton& skeleton,
 PredictedImpact predict_impact(const Threat& threat, const CollisionFigure& figure,
                                const PredictedMotion& ahead, const PredictionOptions& options) {
   if (!is_valid_input(threat, figure, ahead.bounds(), options)) return {};
-  const FreeFlight ball{threat.position.cast<double>(), threat.velocity.cast<double>(),
-                        static_cast<double>(threat.radius),
-                        static_cast<double>(options.gravity_mps2)};
+  const Ball ball = ball_of(threat, static_cast<double>(options.gravity_mps2));
   const double horizon_s = static_cast<double>(options.horizon_s);
   return ImpactSearch(ball, figure, ahead)
       .until(time_of_bounce(ball, horizon_s, 0).value_or(horizon_s));

@@ -28,18 +28,18 @@ Threat advanced(const Threat& threat, float time_s) {
 // At the impact the threat is at p_T with v_T = -speed u, where u is the unit vector to where it
 // comes from. Going back by T under the acceleration a = (0, 0, -g):
 //   v_0 = v_T - a T,   p_0 = p_T - v_0 T - a T^2 / 2
-Threat threat_from_description(const ThreatDescription& approach,
+Threat threat_from_description(const ThreatDescription& description,
                                const Eigen::Vector3f& impact_point, float facing) {
-  const float yaw = facing + approach.azimuth;
-  const Eigen::Vector3f origin_direction(std::cos(approach.elevation) * std::cos(yaw),
-                                         std::cos(approach.elevation) * std::sin(yaw),
-                                         std::sin(approach.elevation));
-  const float time_s = approach.time_to_impact_s;
+  const float yaw = facing + description.azimuth;
+  const Eigen::Vector3f origin_direction(std::cos(description.elevation) * std::cos(yaw),
+                                         std::cos(description.elevation) * std::sin(yaw),
+                                         std::sin(description.elevation));
+  const float time_s = description.time_to_impact_s;
   Threat threat;
-  threat.velocity = -approach.speed_mps * origin_direction - time_s * kFall;
+  threat.velocity = -description.speed_mps * origin_direction - time_s * kFall;
   threat.position = impact_point - time_s * threat.velocity - 0.5F * time_s * time_s * kFall;
-  threat.radius = approach.radius;
-  threat.mass_kg = approach.mass_kg;
+  threat.radius = description.radius;
+  threat.mass_kg = description.mass_kg;
   return threat;
 }
 

@@ -8,14 +8,21 @@
 namespace flinch::features {
 
 /// Acceleration of gravity, m/s^2, downwards.
-inline constexpr float kGravity = 9.81F;
+inline constexpr double kGravity_mps2 = 9.81;
+/// The same as a float.
+inline constexpr float kGravity = static_cast<float>(kGravity_mps2);
 
-/// Something that approaches in free fall, at the moment of perception. World frame, Z up.
+/// A volleyball, which threats are by default: its radius, m, and its mass.
+inline constexpr double kVolleyballRadius_m = 0.105;
+inline constexpr double kVolleyballMass_kg = 0.27;
+
+/// Something that approaches in free fall, at the moment of perception: a ball as a character
+/// perceives it. features::Ball is a ball as physics moves it. World frame, Z up.
 struct Threat {
-  Eigen::Vector3f position = Eigen::Vector3f::Zero();  ///< of its centre, m
-  Eigen::Vector3f velocity = Eigen::Vector3f::Zero();  ///< m/s
-  float radius = 0.105F;                               ///< m; a volleyball's by default
-  float mass_kg = 0.27F;                               ///< a volleyball's by default
+  Eigen::Vector3f position = Eigen::Vector3f::Zero();      ///< of its centre, m
+  Eigen::Vector3f velocity = Eigen::Vector3f::Zero();      ///< m/s
+  float radius = static_cast<float>(kVolleyballRadius_m);  ///< m
+  float mass_kg = static_cast<float>(kVolleyballMass_kg);
 };
 
 /// The position of a falling threat `time_s` after perception: p + v t - g t^2 / 2.
@@ -27,7 +34,7 @@ Eigen::Vector3f velocity_at(const Threat& threat, float time_s);
 /// The threat `time_s` later: its position and velocity then.
 Threat advanced(const Threat& threat, float time_s);
 
-/// An impact as people describe it.
+/// A threat as people describe it, by its impact.
 struct ThreatDescription {
   /// Where the threat comes from, radians counter-clockwise from the character's facing: 0 is the
   /// front, pi/2 the character's left.
@@ -35,15 +42,16 @@ struct ThreatDescription {
   float elevation = 0;            ///< how far above the horizontal it comes from at impact, radians
   float speed_mps = 20;           ///< at impact
   float time_to_impact_s = 0.5F;  ///< from perception
-  float radius = 0.105F;          ///< m
-  float mass_kg = 0.27F;
+  float radius = static_cast<float>(kVolleyballRadius_m);  ///< m
+  float mass_kg = static_cast<float>(kVolleyballMass_kg);
+  motion::Target target = motion::Target::head;
 };
 
-/// The threat whose centre reaches `impact_point` (world, m) after `approach.time_to_impact_s` with
-/// the speed and direction described, run backwards to perception under gravity (Hermens 2006,
+/// The threat whose centre reaches `impact_point` (world, m) after `description.time_to_impact_s`
+/// with the speed and direction described, run backwards to perception under gravity (Hermens 2006,
 /// section 3.1, keeps the values at the collision the same way). `facing` is that of the character
 /// at perception (CharacterState::facing), radians.
-Threat threat_from_description(const ThreatDescription& approach,
+Threat threat_from_description(const ThreatDescription& description,
                                const Eigen::Vector3f& impact_point, float facing);
 
 }  // namespace flinch::features

@@ -77,10 +77,10 @@ void run(const Options& options) {
   kind_of(options.out);  // before any work
   const runtime::Library library = load_runtime_library(options.selector);
   const motion::PerTarget<Eigen::Vector3f>& centres = library.selector().target_centres;
-  const train::DescribedThreat threat = described(options.threat, centres);
-  const ResponseRecording recording = record_response(
-      library, features::threat_from_description(threat.approach, centres[threat.target], 0),
-      threat.target, threat.approach.time_to_impact_s);
+  const features::ThreatDescription threat = described(options.threat, centres);
+  const ResponseRecording recording =
+      record_response(library, features::threat_from_description(threat, centres[threat.target], 0),
+                      threat.target, threat.time_to_impact_s);
   write(library, recording, options);
 
   const std::string& clip = clip_name(library, recording.clip);

@@ -69,7 +69,7 @@ ResponseRecording record_response(const runtime::Library& library, const feature
     check(character.update(dt_s));
     if (std::isinf(reaction_begin_s) && time_s + dt_s >= time_to_impact_s - kReactionLead_s) {
       reaction_begin_s = time_s + dt_s;
-      check(character.react_to(reaction::ball_of(features::advanced(threat, reaction_begin_s))));
+      check(character.react_to(features::ball_of(features::advanced(threat, reaction_begin_s))));
     }
     if (character.reaction_clip()) recording.reaction_clip = character.reaction_clip();
     if (character.reaction().phase() == reaction::ReactionPhase::knocked_over &&

@@ -77,9 +77,9 @@ void print_text(const models::Selector& selector, const ThreatOptions& threat,
 
 void run(const Options& options) {
   const models::Selector selector = load_selector_file(options.selector).selector;
-  const train::DescribedThreat threat = described(options.threat, selector.target_centres);
+  const features::ThreatDescription threat = described(options.threat, selector.target_centres);
   const std::pmr::vector<models::Candidate> candidates = models::candidates(
-      selector, described_features(selector.layout, threat, selector.target_centres),
+      selector, train::described_features(selector.layout, threat, selector.target_centres),
       threat.target);
   if (options.json) {
     print(document_of(selector, options.threat, candidates));

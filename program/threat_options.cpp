@@ -34,9 +34,9 @@ std::vector<Option> threat_options(ThreatOptions& threat) {
           {"--mass", "of the ball, kg", &threat.mass_kg, Range{0.0001, 1000}}};
 }
 
-train::DescribedThreat described(const ThreatOptions& options,
-                                 const motion::PerTarget<Eigen::Vector3f>& centres) {
-  train::DescribedThreat threat;
+features::ThreatDescription described(const ThreatOptions& options,
+                                      const motion::PerTarget<Eigen::Vector3f>& centres) {
+  features::ThreatDescription threat;
   threat.target = *motion::target_named(options.target);
   const double min_elevation =
       degrees(train::min_feasible_elevation(options.speed_mps, options.time_to_impact_s,
@@ -49,12 +49,12 @@ train::DescribedThreat described(const ThreatOptions& options,
   if (elevation < min_elevation)
     throw Error("", "the ball would come from below the ground; raise --elevation to at least " +
                         fixed(min_elevation, 1) + ", raise --speed or shorten --time-to-impact");
-  threat.approach.azimuth = static_cast<float>(options.azimuth * std::numbers::pi / 180);
-  threat.approach.elevation = static_cast<float>(elevation * std::numbers::pi / 180);
-  threat.approach.speed_mps = static_cast<float>(options.speed_mps);
-  threat.approach.time_to_impact_s = static_cast<float>(options.time_to_impact_s);
-  threat.approach.radius = static_cast<float>(options.radius_m);
-  threat.approach.mass_kg = static_cast<float>(options.mass_kg);
+  threat.azimuth = static_cast<float>(options.azimuth * std::numbers::pi / 180);
+  threat.elevation = static_cast<float>(elevation * std::numbers::pi / 180);
+  threat.speed_mps = static_cast<float>(options.speed_mps);
+  threat.time_to_impact_s = static_cast<float>(options.time_to_impact_s);
+  threat.radius = static_cast<float>(options.radius_m);
+  threat.mass_kg = static_cast<float>(options.mass_kg);
   return threat;
 }
 

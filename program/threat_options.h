@@ -17,15 +17,15 @@ struct ThreatOptions {
   double speed_mps = 20;
   std::string target{"head"};
   double time_to_impact_s = 0.5;
-  double radius_m = 0.105;
-  double mass_kg = 0.27;
+  double radius_m = features::kVolleyballRadius_m;
+  double mass_kg = features::kVolleyballMass_kg;
 };
 
 std::vector<Option> threat_options(ThreatOptions& threat);
 
 /// The threat that the options describe, of a character whose targets are at `centres`. Throws
 /// Error when it would have come out of the ground.
-train::DescribedThreat described(const ThreatOptions& options,
-                                 const motion::PerTarget<Eigen::Vector3f>& centres);
+features::ThreatDescription described(const ThreatOptions& options,
+                                      const motion::PerTarget<Eigen::Vector3f>& centres);
 
 }  // namespace flinch::program

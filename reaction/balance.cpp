@@ -13,7 +13,6 @@ namespace {
 
 using motion::Body;
 
-constexpr double kGravity_mps2 = 9.81;
 constexpr double kOnGround_m = 0.05;
 constexpr double kStepTime_s = 0.2;
 
@@ -76,7 +75,8 @@ double out_of_balance_m(const sim::FigureModel& figure_model,
     velocity += share * bodies[body].velocity;
   }
   const double height = std::max(centre.z(), kOnGround_m);
-  const Eigen::Vector3d extrapolated = centre + std::sqrt(height / kGravity_mps2) * velocity;
+  const Eigen::Vector3d extrapolated =
+      centre + std::sqrt(height / features::kGravity_mps2) * velocity;
 
   GroundPoints all;
   GroundPoints on_ground;
@@ -93,7 +93,7 @@ bool is_beyond_a_step(const sim::FigureModel& figure_model, double out_m) {
     return static_cast<double>(figure_model.skeleton.offset[role].norm());
   };
   const double leg = length(motion::Role::left_shin) + length(motion::Role::left_foot);
-  return out_m * std::exp(std::sqrt(kGravity_mps2 / leg) * kStepTime_s) > leg;
+  return out_m * std::exp(std::sqrt(features::kGravity_mps2 / leg) * kStepTime_s) > leg;
 }
 
 }  // namespace flinch::reaction

@@ -13,7 +13,6 @@ using motion::Body;
 // Rad/s, natural frequency of the hold, the same as in training.
 constexpr double kFootFrequency = 60;
 constexpr double kSoleFriction = 0.8;  // friction coefficient of a sole
-constexpr double kGravity_mps2 = 9.81;
 constexpr double kMaxStandingHeight_m = 0.02;
 constexpr double kMaxStandingSpeed_mps = 0.15;
 
@@ -47,7 +46,8 @@ void FootLock::lock(const sim::ReferenceState& target, double step_s, double sha
   }
   const auto count = static_cast<double>(
       std::max<std::ptrdiff_t>(1, std::count(standing.begin(), standing.end(), true)));
-  const double max_force_n = kSoleFriction * kGravity_mps2 * figure_model_.mass_kg / count;
+  const double max_force_n =
+      kSoleFriction * features::kGravity_mps2 * figure_model_.mass_kg / count;
   for (std::size_t i = 0; i < feet_.size(); ++i) {
     const Foot& foot = feet_[i];
     set_locked(foot, standing[i]);

@@ -5,11 +5,6 @@
 
 namespace flinch::reaction {
 
-sim::Ball ball_of(const features::Threat& threat) noexcept {
-  return {threat.position.cast<double>(), threat.velocity.cast<double>(), double{threat.radius},
-          double{threat.mass_kg}};
-}
-
 std::shared_ptr<const ReactionData> make_reaction_data(const runtime::Library& library) noexcept {
   if (!library.is_loaded()) return nullptr;
   try {
@@ -43,7 +38,7 @@ ReactingCharacter::ReactingCharacter(const runtime::Library& library,
       pose_(character_.pose()),
       before_(pose_) {}
 
-ReactionStatus ReactingCharacter::react_to(const sim::Ball& ball) noexcept {
+ReactionStatus ReactingCharacter::react_to(const features::Ball& ball) noexcept {
   const ReactionStatus status = reaction_.begin(before_, pose_, double{step_s_}, &ball);
   if (status != ReactionStatus::ok) return status;
   // The simulation tracks the character's own motion, which the reaction clip does not follow.

@@ -22,10 +22,6 @@ struct ReactionData {
 /// memory ran out. Allocates; throws nothing.
 std::shared_ptr<const ReactionData> make_reaction_data(const runtime::Library& library) noexcept;
 
-/// The ball that a threat is, with its current position and velocity; features::advanced() gives
-/// the threat at a later time.
-sim::Ball ball_of(const features::Threat& threat) noexcept;
-
 /// What moves a character's body.
 enum class PoseSource : std::uint8_t {
   character,      ///< runtime::Character: it idles or answers a threat
@@ -57,7 +53,7 @@ class ReactingCharacter {
   /// about to hit. Call it at the contact or up to 0.3 s before, so that the ball may hit early;
   /// from then on update() moves the ball too. May be called again while physics or a clip moves
   /// the body. Failure changes nothing.
-  ReactionStatus react_to(const sim::Ball& ball) noexcept;
+  ReactionStatus react_to(const features::Ball& ball) noexcept;
 
   /// Advances by `dt_s`: above 0, and at most kMaxReactionFrame_s while physics moves the body.
   /// Failure changes nothing, except for `failed`: the character then goes on without physics.

@@ -24,9 +24,10 @@ bool is_frame_time(double dt_s) {
 }
 
 // The solver fails for mass ratios that are too large; the other bounds exclude meaningless values.
-bool is_in_range(const sim::Ball& ball) {
+bool is_in_range(const features::Ball& ball) {
   return ball.position.allFinite() && ball.velocity.norm() <= 1000 && ball.radius >= 1e-3 &&
-         ball.radius <= 10 && ball.mass_kg >= 1e-3 && ball.mass_kg <= 1000;
+         ball.radius <= 10 && ball.mass_kg >= 1e-3 && ball.mass_kg <= 1000 &&
+         ball.gravity_mps2 >= 0 && ball.gravity_mps2 <= 1000;
 }
 
 }  // namespace
@@ -38,7 +39,7 @@ struct Reaction::State {
   std::optional<ReactionSimulation> run;
   ReactionPhase phase = ReactionPhase::none;
   motion::Pose shown;
-  sim::Ball initial_ball;
+  features::Ball initial_ball;
   double time_s = 0;  ///< since begin()
   bool has_failed = false;
   bool is_returning = false;
@@ -46,7 +47,7 @@ struct Reaction::State {
   motion::Pose returning_at_return;
 
   void begin(const motion::Pose& before, const motion::Pose& now, double dt_s,
-             const sim::Ball* ball);
+             const features::Ball* ball);
   void advance(double dt_s, const motion::Pose& wanted, const motion::Pose& returning);
   void simulate(double dt_s, const motion::Pose& destination, double weight);
   double since_contact_s() const;
@@ -82,11 +83,11 @@ motion::Pose Reaction::State::destination(const motion::Pose& wanted, const moti
 }
 
 void Reaction::State::begin(const motion::Pose& before, const motion::Pose& now, double dt_s,
-                            const sim::Ball* ball) {
+                            const features::Ball* ball) {
   run.emplace(*figure_model, options, before, now, dt_s, ball);
   phase = ReactionPhase::waiting;
   shown = now;
-  initial_ball = ball ? *ball : sim::Ball{};
+  initial_ball = ball ? *ball : features::Ball{};
   time_s = 0;
   has_failed = false;
   is_returning = false;
@@ -162,7 +163,7 @@ Reaction::Reaction(Reaction&&) noexcept = default;
 Reaction& Reaction::operator=(Reaction&&) noexcept = default;
 
 ReactionStatus Reaction::begin(const motion::Pose& before, const motion::Pose& now, double dt_s,
-                               const sim::Ball* ball) noexcept {
+                               const features::Ball* ball) noexcept {
   if (!state_ || !state_->figure_model || !is_in_range(state_->options))
     return ReactionStatus::bad_options;
   if (!is_frame_time(dt_s)) return ReactionStatus::bad_time;
@@ -206,8 +207,8 @@ ReactionPhase Reaction::phase() const noexcept {
   return state_ ? state_->phase : ReactionPhase::none;
 }
 
-sim::Ball Reaction::ball() const noexcept {
-  if (!state_ || !state_->run) return state_ ? state_->initial_ball : sim::Ball{};
+features::Ball Reaction::ball() const noexcept {
+  if (!state_ || !state_->run) return state_ ? state_->initial_ball : features::Ball{};
   return state_->run->ball(state_->initial_ball);
 }
 

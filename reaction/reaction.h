@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <memory>
 
+#include "features/ball.h"
 #include "motion/body.h"
 #include "reaction/recovery.h"
-#include "sim/simulation_options.h"
 
 namespace flinch::sim {
 struct FigureModel;  // opaque
@@ -77,7 +77,7 @@ class Reaction {
   /// recovers. `ball` may be null: then nothing hits. May be called at any time, also during a
   /// reaction. Bad input changes nothing.
   ReactionStatus begin(const motion::Pose& before, const motion::Pose& now, double dt_s,
-                       const sim::Ball* ball) noexcept;
+                       const features::Ball* ball) noexcept;
 
   /// Advances by `dt_s`, in (0, kMaxReactionFrame_s], which may differ from frame to frame.
   /// `wanted` is the pose of the protective motion at the new time, `returning` that of the motion
@@ -90,7 +90,7 @@ class Reaction {
   /// The stage that the reaction is in.
   ReactionPhase phase() const noexcept;
   /// The ball now. It flies and bounces until the phase is over. Without one, the default ball.
-  sim::Ball ball() const noexcept;
+  features::Ball ball() const noexcept;
   /// When the ball first touched the figure, s after begin(); infinite if it has not.
   double contact_s() const noexcept;
   /// Impulse on each body so far, N·s: from the ball, and from other bodies that the ball drove

@@ -42,7 +42,8 @@ sim::BodyState between(const sim::BodyState& from, const sim::BodyState& to, dou
 
 ReactionSimulation::ReactionSimulation(const sim::FigureModel& figure_model,
                                        const ReactionOptions& options, const motion::Pose& before,
-                                       const motion::Pose& now, double dt_s, const sim::Ball* ball)
+                                       const motion::Pose& now, double dt_s,
+                                       const features::Ball* ball)
     : figure_model_(figure_model),
       struck_strength_{
           options.stiffness, options.stiffness,
@@ -146,8 +147,8 @@ motion::Pose ReactionSimulation::pose(const motion::Pose& motion) const {
   return pose_from_frames(frames);
 }
 
-sim::Ball ReactionSimulation::ball(const sim::Ball& initial_ball) const {
-  sim::Ball ball = initial_ball;
+features::Ball ReactionSimulation::ball(const features::Ball& initial_ball) const {
+  features::Ball ball = initial_ball;
   if (!encounter_.ball()) return ball;
   const double share = share_of_last_step();
   const sim::BodyState state = between(before_.ball, after_.ball, share);

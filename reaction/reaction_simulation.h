@@ -18,7 +18,7 @@ class ReactionSimulation {
   /// `figure_model` must outlive this. Throws Error if the physics engine fails.
   ReactionSimulation(const sim::FigureModel& figure_model, const ReactionOptions& options,
                      const motion::Pose& before, const motion::Pose& now, double dt_s,
-                     const sim::Ball* ball);
+                     const features::Ball* ball);
 
   /// Simulates for `dt_s` more, by which time the motion is at `wanted`. Throws Error as above, and
   /// if the figure's state is no longer finite.
@@ -28,7 +28,7 @@ class ReactionSimulation {
 
   /// The simulated figure at the time shown; `motion` gives clavicles and toes.
   motion::Pose pose(const motion::Pose& motion) const;
-  sim::Ball ball(const sim::Ball& initial_ball) const;
+  features::Ball ball(const features::Ball& initial_ball) const;
   const sim::OdeEncounter& encounter() const { return encounter_; }
 
   /// Whether the blow has put the figure out of balance beyond a step, more than the motion itself.

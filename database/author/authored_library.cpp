@@ -45,13 +45,14 @@ struct AuthoringContext {
 // Returns a threat from a direction, slightly from above, aimed at the centre of a target.
 AimedThreat threat_from(const AuthoringContext& context, Target target, float azimuth) {
   constexpr float kElevation = radians(12);
-  AimedThreat threat;
-  threat.target_point = motion::target_centre(context.figure.bodies, context.frames, target);
+  constexpr float kSpeed_mps = 25;
+  AimedThreat aimed;
+  aimed.target_point = motion::target_centre(context.figure.bodies, context.frames, target);
   const Eigen::Vector3f from(std::cos(kElevation) * std::cos(azimuth),
                              std::cos(kElevation) * std::sin(azimuth), std::sin(kElevation));
-  threat.position = threat.target_point + kDistance * from;
-  threat.speed_mps = 25;
-  return threat;
+  aimed.threat.position = aimed.target_point + kDistance * from;
+  aimed.threat.velocity = -kSpeed_mps * from;
+  return aimed;
 }
 
 RuleControls controls_of(Degree degree) {

@@ -194,10 +194,11 @@ float normalised(float value, float min, float max) {
   return std::clamp((value - min) / (max - min), 0.0F, 1.0F);
 }
 
-RuleControls rule_controls(const AimedThreat& threat, const ThreatRange& range) {
-  const float size = normalised(threat.radius_m, range.min_radius_m, range.max_radius_m);
+RuleControls rule_controls(const AimedThreat& aimed, const ThreatRange& range) {
+  const float size = normalised(aimed.threat.radius, range.min_radius_m, range.max_radius_m);
   RuleControls controls;
-  controls.lean = normalised(threat.speed_mps, range.min_speed_mps, range.max_speed_mps);
+  controls.lean =
+      normalised(aimed.threat.velocity.norm(), range.min_speed_mps, range.max_speed_mps);
   controls.turn = size;
   controls.recoil = size;
   controls.reach = {size, size};
@@ -211,19 +212,21 @@ TargetWeights target_weights(float distance_to_head_m, float distance_to_pelvis_
   return {distance_to_pelvis_m / total, distance_to_head_m / total};
 }
 
-void check_threat(const motion::Figure& figure, const Pose& pose, const AimedThreat& threat) {
-  if (!(threat.speed_mps > 0) || !std::isfinite(threat.speed_mps)) {
+void check_threat(const motion::Figure& figure, const Pose& pose, const AimedThreat& aimed) {
+  const features::Threat& threat = aimed.threat;
+  const float speed_mps = threat.velocity.norm();
+  if (!(speed_mps > 0) || !std::isfinite(speed_mps)) {
     throw Error("", "the threat's speed must be a positive number of metres per second");
   }
-  if (!threat.position.allFinite() || !threat.target_point.allFinite() || !(threat.radius_m > 0) ||
-      !std::isfinite(threat.radius_m)) {
+  if (!threat.position.allFinite() || !aimed.target_point.allFinite() || !(threat.radius > 0) ||
+      !std::isfinite(threat.radius)) {
     throw Error("", "the threat's position, target point and radius must be finite numbers");
   }
   const JointFrames frames = motion::forward_kinematics(figure.skeleton(), pose);
-  if (distance_to_figure(figure, frames, threat.position) < threat.radius_m) {
+  if (distance_to_figure(figure, frames, threat.position) < threat.radius) {
     throw Error("", "the threat starts inside the body: start it farther away");
   }
-  if ((threat.position - threat.target_point).norm() < 1e-3F) {
+  if ((threat.position - aimed.target_point).norm() < 1e-3F) {
     throw Error("", "the threat starts at its target point: start it farther away");
   }
 }
@@ -282,14 +285,14 @@ Pose recoil(const Pose& pose, float amount) {
 }
 
 ThreatGeometry threat_geometry(const motion::Figure& figure, const Pose& pose,
-                               const AimedThreat& threat) {
+                               const AimedThreat& aimed) {
   const JointFrames frames = motion::forward_kinematics(figure.skeleton(), pose);
   const auto distance = [&](Role role) {
-    return (threat.target_point - frames.position[role]).norm();
+    return (aimed.target_point - frames.position[role]).norm();
   };
   ThreatGeometry geometry;
-  geometry.target_point = threat.target_point;
-  geometry.to_threat = (threat.position - threat.target_point).normalized();
+  geometry.target_point = aimed.target_point;
+  geometry.to_threat = (aimed.threat.position - aimed.target_point).normalized();
   geometry.travel =
       rotation_about(Eigen::Vector3f::UnitZ(), -motion::facing(pose)) * -geometry.to_threat;
   geometry.azimuth = motion::wrapped_to_pi(motion::yaw_of(geometry.to_threat) -

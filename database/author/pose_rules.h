@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "features/threat.h"
 #include "motion/figure.h"
 
 namespace flinch::database {
 
 /// A threat as the rules see it (Hermens 2006, section 3.1). World frame.
 struct AimedThreat {
-  Eigen::Vector3f position = Eigen::Vector3f::Zero();  ///< of its centre, when perceived, m
-  float speed_mps = 0;
-  float radius_m = 0.105F;                                 ///< its size
+  features::Threat threat;                                 ///< at the moment of perception
   Eigen::Vector3f target_point = Eigen::Vector3f::Zero();  ///< where it will strike, m
 };
 

@@ -119,7 +119,7 @@ BalanceProblem::BalanceProblem(const motion::Figure& figure, const Pose& pose,
   reference_ = motion::forward_kinematics(skeleton, unbalanced);
   hands_on_head_ = guards_head_from_behind(reference_, geometry_);
   const Eigen::Vector2f centre = motion::centre_of_mass(figure.bodies, reference_).head<2>();
-  Eigen::Vector2f toward = (threat.position - threat.target_point).head<2>();
+  Eigen::Vector2f toward = (threat.threat.position - threat.target_point).head<2>();
   // a threat from straight above gives no direction to lean in
   if (toward.norm() > 0) toward.normalize();
   goal_ = centre + brace_m * toward;

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "features/threat.h"
 #include "motion/body.h"
 #include "motion/clip.h"
 
@@ -13,7 +14,7 @@ namespace flinch::database {
 
 /// A ball that is exported with a motion.
 struct BallTrack {
-  float radius = 0.105F;  ///< m
+  float radius = static_cast<float>(features::kVolleyballRadius_m);  ///< m
   /// Position of its centre for each pose of the motion, world, m; nothing where the ball is not
   /// visible. It is then scaled to 0 and stays where it was last visible, or will first be visible.
   std::vector<std::optional<Eigen::Vector3f>> positions;

@@ -19,13 +19,13 @@ Eigen::Vector3d MovingShape::velocity_at(const Eigen::Vector3d& point) const {
   return velocity + angular_velocity.cross(point - centre);
 }
 
-bool may_be_near(const features::FreeFlight& ball, const MovingShape& shape, double distance_m) {
+bool may_be_near(const features::Ball& ball, const MovingShape& shape, double distance_m) {
   const double max_distance = shape.bounding_radius() + ball.radius + distance_m;
   return (ball.position - shape.centre).squaredNorm() <= max_distance * max_distance;
 }
 
 // |d gap / dt| <= |v_ball - v_shape| + g T + |w| reach, and the slack grows by at most a T.
-std::optional<double> time_of_contact(const features::FreeFlight& ball, const MovingShape& shape,
+std::optional<double> time_of_contact(const features::Ball& ball, const MovingShape& shape,
                                       double horizon_s, double contact_distance_m,
                                       double slack_mps2) {
   const double rate = (ball.velocity - shape.velocity).norm() +

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "features/free_flight.h"
+#include "features/ball.h"
 #include "motion/collision_shape.h"
 
 namespace flinch::sim {
@@ -22,7 +22,7 @@ struct MovingShape : motion::CollisionShape {
 
 /// Whether ball and shape may be within `distance_m` of each other, tested with the shape's
 /// bounding sphere in a fraction of the time that the clearance takes. Never misses one that is.
-bool may_be_near(const features::FreeFlight& ball, const MovingShape& shape, double distance_m);
+bool may_be_near(const features::Ball& ball, const MovingShape& shape, double distance_m);
 
 /// Returns the first time in [0, horizon_s] at which the gap between ball and shape is at most
 ///
@@ -32,7 +32,7 @@ bool may_be_near(const features::FreeFlight& ball, const MovingShape& shape, dou
 /// there is none. The result is never late, and early by at most the time in which the gap changes
 /// by touch_m. Uses conservative advancement: skipping the gap divided by an upper bound of its
 /// rate is safe.
-std::optional<double> time_of_contact(const features::FreeFlight& ball, const MovingShape& shape,
+std::optional<double> time_of_contact(const features::Ball& ball, const MovingShape& shape,
                                       double horizon_s, double contact_distance_m,
                                       double slack_mps2);
 

@@ -11,9 +11,9 @@ namespace {
 constexpr double kMinStep_s = 1e-5;
 
 /// Returns the first time within `horizon_s` at which the ball may touch one of the shapes.
-std::optional<double> first_contact(const features::FreeFlight& ball,
-                                    std::span<const MovingShape> shapes, double horizon_s,
-                                    double contact_distance_m, double slack_mps2) {
+std::optional<double> first_contact(const features::Ball& ball, std::span<const MovingShape> shapes,
+                                    double horizon_s, double contact_distance_m,
+                                    double slack_mps2) {
   std::optional<double> first;
   for (const MovingShape& shape : shapes) {
     if (may_be_near(ball, shape, kContactDistance_m)) {
@@ -27,14 +27,14 @@ std::optional<double> first_contact(const features::FreeFlight& ball,
   return first;
 }
 
-bool hits_any(const features::FreeFlight& ball, std::span<const MovingShape> shapes) {
+bool hits_any(const features::Ball& ball, std::span<const MovingShape> shapes) {
   return std::any_of(shapes.begin(), shapes.end(), [&](const MovingShape& shape) {
     return may_be_near(ball, shape, kContactDistance_m) &&
            hits(ball, shape, clearance(ball.position, ball.radius, shape));
   });
 }
 
-double free_step_among(const features::FreeFlight& ball, std::span<const MovingShape> shapes,
+double free_step_among(const features::Ball& ball, std::span<const MovingShape> shapes,
                        const SimulationOptions& options) {
   if (hits_any(ball, shapes)) return options.contact_step_s;
   const auto can_touch = first_contact(ball, shapes, options.free_step_s, kNearContactDistance_m,
@@ -47,7 +47,7 @@ double free_step_among(const features::FreeFlight& ball, std::span<const MovingS
 
 }  // namespace
 
-NextStep next_step(const features::FreeFlight& ball, std::span<const MovingShape> shapes,
+NextStep next_step(const features::Ball& ball, std::span<const MovingShape> shapes,
                    const SimulationOptions& options) {
   NextStep ahead;
   ahead.step_s = free_step_among(ball, shapes, options);
@@ -66,8 +66,7 @@ NextStep next_step(const features::FreeFlight& ball, std::span<const MovingShape
   return ahead;
 }
 
-bool hits(const features::FreeFlight& ball, const MovingShape& shape,
-          const motion::Clearance& near) {
+bool hits(const features::Ball& ball, const MovingShape& shape, const motion::Clearance& near) {
   return near.gap <= kContactDistance_m &&
          near.normal.dot(ball.velocity - shape.velocity_at(near.point)) < 0;
 }

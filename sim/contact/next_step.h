@@ -25,11 +25,10 @@ struct NextStep {
 /// Returns the longest step for a ball among shapes: `free_step_s` while it can touch nothing, or
 /// up to the time at which it can; `contact_step_s` while it can touch something, or up to the
 /// exact time of impact where that comes first. Ignores shapes that already separate from the ball.
-NextStep next_step(const features::FreeFlight& ball, std::span<const MovingShape> shapes,
+NextStep next_step(const features::Ball& ball, std::span<const MovingShape> shapes,
                    const SimulationOptions& options);
 
 /// Whether a ball at `near` of a shape touches it and does not separate from it.
-bool hits(const features::FreeFlight& ball, const MovingShape& shape,
-          const motion::Clearance& near);
+bool hits(const features::Ball& ball, const MovingShape& shape, const motion::Clearance& near);
 
 }  // namespace flinch::sim

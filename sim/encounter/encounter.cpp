@@ -25,7 +25,7 @@ double Encounter<Scene>::begin_step(const ReferenceState& now, double max_step_s
 
 /// Adds the ball's contacts of now and returns how long a step they allow.
 template <class Scene>
-double Encounter<Scene>::find_hits(const features::FreeFlight& flight) {
+double Encounter<Scene>::find_hits(const features::Ball& flight) {
   const NextStep ahead = next_step(flight, {&*shapes_.begin(), motion::kBodyCount}, options_);
   for (Body body : motion::kBodies) {
     if (!may_be_near(flight, shapes_[body], kContactDistance_m)) continue;

@@ -45,7 +45,7 @@ class Encounter {
   const Scene& scene() const { return scene_; }
 
  protected:
-  double find_hits(const features::FreeFlight& flight);
+  double find_hits(const features::Ball& flight);
 
   SimulationOptions options_;
   BodyContacts body_contacts_;
@@ -65,7 +65,7 @@ extern template class Encounter<TreeScene>;
 class OdeEncounter : public Encounter<OdeScene> {
  public:
   OdeEncounter(const FigureModel& figure_model, const SimulationOptions& options,
-               const ReferenceState& start, const Ball* ball)
+               const ReferenceState& start, const features::Ball* ball)
       : Encounter(figure_model, options, 0, figure_model, start, ball, options.gravity_mps2) {}
 
   /// A step in which only the ball moves. Freezes the figure permanently.

@@ -2,10 +2,9 @@
 #include "sim/ode/ball_flight.h"
 
 namespace flinch::sim {
-BallFlight::BallFlight(dWorldID world, const Ball& ball, double gravity_mps2)
-    : body_(dBodyCreate(world)), radius_(ball.radius), gravity_mps2_(gravity_mps2) {
-  // Spherical shell: I = 2/3 m r^2.
-  const double inertia = 2.0 / 3 * ball.mass_kg * ball.radius * ball.radius;
+BallFlight::BallFlight(dWorldID world, const features::Ball& ball)
+    : body_(dBodyCreate(world)), thrown_(ball) {
+  const double inertia = moment_of_inertia(ball);
   dMass mass;
   dMassSetParameters(&mass, ball.mass_kg, 0, 0, 0, inertia, inertia, inertia, 0, 0, 0);
   dBodySetMass(body_, &mass);
@@ -16,8 +15,11 @@ BallFlight::BallFlight(dWorldID world, const Ball& ball, double gravity_mps2)
   set_state(body_, state);
 }
 
-features::FreeFlight BallFlight::flight() const {
-  return {position_of(body_), velocity_of(body_), radius_, gravity_mps2_};
+features::Ball BallFlight::flight() const {
+  features::Ball ball = thrown_;
+  ball.position = position_of(body_);
+  ball.velocity = velocity_of(body_);
+  return ball;
 }
 
 void BallFlight::add_ground_contact(Contacts& contacts, double restitution) const {
@@ -27,7 +29,8 @@ void BallFlight::add_ground_contact(Contacts& contacts, double restitution) cons
 
 void BallFlight::apply_gravity(double time_s) const {
   const Eigen::Vector3d velocity = velocity_of(body_);
-  dBodySetLinearVel(body_, velocity.x(), velocity.y(), velocity.z() - gravity_mps2_ * time_s);
+  dBodySetLinearVel(body_, velocity.x(), velocity.y(),
+                    velocity.z() - thrown_.gravity_mps2 * time_s);
 }
 
 void BallFlight::step(const OdeWorld& world, double step_s) const {

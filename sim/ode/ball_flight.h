@@ -11,10 +11,10 @@ namespace flinch::sim {
 /// free flight is exact, x + v h - g h^2 / 2, for any step lengths.
 class BallFlight {
  public:
-  BallFlight(dWorldID world, const Ball& ball, double gravity_mps2);
+  BallFlight(dWorldID world, const features::Ball& ball);
 
   dBodyID body() const { return body_; }
-  features::FreeFlight flight() const;
+  features::Ball flight() const;
   void add_ground_contact(Contacts& contacts, double restitution) const;
   /// Steps the ball's world.
   void step(const OdeWorld& world, double step_s) const;
@@ -23,8 +23,7 @@ class BallFlight {
   void apply_gravity(double time_s) const;
 
   dBodyID body_;
-  double radius_;
-  double gravity_mps2_;
+  features::Ball thrown_;
 };
 
 }  // namespace flinch::sim

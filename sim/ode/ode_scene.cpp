@@ -3,14 +3,14 @@
 
 namespace flinch::sim {
 
-OdeScene::OdeScene(const FigureModel& figure_model, const ReferenceState& start, const Ball* ball,
-                   double gravity_mps2)
+OdeScene::OdeScene(const FigureModel& figure_model, const ReferenceState& start,
+                   const features::Ball* ball, double gravity_mps2)
     : contacts_(world_.id()), figure_(figure_model, world_.id(), start) {
   dWorldSetGravity(world_.id(), 0, 0, -gravity_mps2);
-  if (ball) ball_.emplace(world_.id(), *ball, gravity_mps2);
+  if (ball) ball_.emplace(world_.id(), *ball);
 }
 
-std::optional<features::FreeFlight> OdeScene::flight() const {
+std::optional<features::Ball> OdeScene::flight() const {
   return ball_ ? std::optional(ball_->flight()) : std::nullopt;
 }
 

@@ -12,12 +12,12 @@ namespace flinch::sim {
 /// A figure and, if there is one, a ball in their own ODE world.
 class OdeScene {
  public:
-  /// `figure_model` must outlive this.
-  OdeScene(const FigureModel& figure_model, const ReferenceState& start, const Ball* ball,
+  /// `figure_model` must outlive this. `gravity_mps2` is the figure's; the ball has its own.
+  OdeScene(const FigureModel& figure_model, const ReferenceState& start, const features::Ball* ball,
            double gravity_mps2);
 
   motion::PerBody<MovingShape> shapes() const { return figure_.shapes(); }
-  std::optional<features::FreeFlight> flight() const;
+  std::optional<features::Ball> flight() const;
 
   // Contacts of the next step; see Contacts.
   void clear_contacts() { contacts_.clear(); }

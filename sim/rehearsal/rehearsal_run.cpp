@@ -18,13 +18,7 @@ using motion::Body;
 // bounced ball from its predicted path.
 constexpr double kClearDistance_m = 0.05;
 
-features::FreeFlight flight_of(const Ball& ball, double time_s, double gravity_mps2) {
-  const features::FreeFlight start{ball.position, ball.velocity, ball.radius, gravity_mps2};
-  return {start.position_at(time_s), start.velocity_at(time_s), ball.radius, gravity_mps2};
-}
-
-bool may_reach(const Rehearsal::Track::Sphere& reach, const features::FreeFlight& ball,
-               double step_s) {
+bool may_reach(const Rehearsal::Track::Sphere& reach, const features::Ball& ball, double step_s) {
   const double travel = ball.velocity.norm() * step_s + ball.gravity_mps2 * step_s * step_s / 2;
   const double max_distance = reach.radius + ball.radius + travel;
   return (ball.position - reach.centre).squaredNorm() <= max_distance * max_distance;
@@ -37,8 +31,8 @@ bool may_reach(const Rehearsal::Track::Sphere& reach, const features::FreeFlight
 
 /// Whether a ball may come within `distance_m` of a part within `time_s` before or after now. Tests
 /// the sphere of `radius` about the part's centre of mass; the part may accelerate by `slack_mps2`.
-bool may_be_reached(double radius, const BodyState& part, const features::FreeFlight& ball,
-                    double time_s, double distance_m, double slack_mps2) {
+bool may_be_reached(double radius, const BodyState& part, const features::Ball& ball, double time_s,
+                    double distance_m, double slack_mps2) {
   const double speed = (ball.velocity - part.velocity).norm() +
                        part.angular_velocity.norm() * radius +
                        (ball.gravity_mps2 + 1.5 * slack_mps2) * time_s;
@@ -49,8 +43,7 @@ bool may_be_reached(double radius, const BodyState& part, const features::FreeFl
 /// Returns what next_step returns for the whole figure, but places only the parts that their
 /// bounding spheres do not rule out.
 NextStep next_step_of_figure(const FigureModel& figure_model, const SimulationOptions& options,
-                             const motion::PerBody<BodyState>& figure,
-                             const features::FreeFlight& ball) {
+                             const motion::PerBody<BodyState>& figure, const features::Ball& ball) {
   std::array<MovingShape, motion::kBodyCount> shapes;
   std::size_t count = 0;
   for (Body body : motion::kBodies) {
@@ -65,10 +58,10 @@ NextStep next_step_of_figure(const FigureModel& figure_model, const SimulationOp
 /// Path of a ball from a given time on, bouncing off the ground without spin.
 class BouncingFlight {
  public:
-  BouncingFlight(const features::FreeFlight& ball, double time_s, double restitution)
+  BouncingFlight(const features::Ball& ball, double time_s, double restitution)
       : ball_(ball), time_s_(time_s), restitution_(restitution) {}
 
-  features::FreeFlight at(double time_s) {
+  features::Ball at(double time_s) {
     while (const auto bounce =
                features::time_of_bounce(ball_, time_s - time_s_, kContactDistance_m)) {
       advance(*bounce);
@@ -85,20 +78,18 @@ class BouncingFlight {
 
  private:
   void advance(double by_s) {
-    const Eigen::Vector3d velocity = ball_.velocity_at(by_s);
-    ball_.position = ball_.position_at(by_s);
-    ball_.velocity = velocity;
+    ball_ = ball_.at(by_s);
     time_s_ += by_s;
   }
 
-  features::FreeFlight ball_;
+  features::Ball ball_;
   double time_s_;
   double restitution_;
 };
 
 /// Whether a ball stays clear of the undisturbed figure from `time_s` on.
 bool stays_clear(const FigureModel& figure_model, const SimulationOptions& options,
-                 const Rehearsal::Track& track, const features::FreeFlight& ball, double now_s,
+                 const Rehearsal::Track& track, const features::Ball& ball, double now_s,
                  double time_s) {
   BouncingFlight bouncing(ball, now_s, options.restitution);
   const auto first =
@@ -107,7 +98,7 @@ bool stays_clear(const FigureModel& figure_model, const SimulationOptions& optio
   for (; step < track.step_begins_s.size(); ++step) {
     const double from_s = std::max(time_s, track.step_begins_s[step]);
     const double horizon_s = track.step_begins_s[step] + options.free_step_s - from_s;
-    const features::FreeFlight then = bouncing.at(from_s);
+    const features::Ball then = bouncing.at(from_s);
     if (!may_reach(track.reach[step], then, horizon_s)) continue;
     for (Body body : motion::kBodies) {
       const BodyState& state = track.figure_at(step)[body];
@@ -126,10 +117,10 @@ bool stays_clear(const FigureModel& figure_model, const SimulationOptions& optio
 
 std::optional<std::size_t> first_possible_contact(const FigureModel& figure_model,
                                                   const SimulationOptions& options,
-                                                  const Rehearsal::Track& track, const Ball& ball) {
+                                                  const Rehearsal::Track& track,
+                                                  const features::Ball& ball) {
   for (std::size_t step = 0; step < track.step_begins_s.size(); ++step) {
-    const features::FreeFlight flight =
-        flight_of(ball, track.step_begins_s[step], options.gravity_mps2);
+    const features::Ball flight = ball.at(track.step_begins_s[step]);
     const bool bounces =
         features::time_of_bounce(flight, options.free_step_s, kContactDistance_m).has_value();
     if (!bounces && !may_reach(track.reach[step], flight, options.free_step_s)) continue;
@@ -145,7 +136,7 @@ std::optional<std::size_t> first_possible_contact(const FigureModel& figure_mode
 }
 
 SimulationResult run_rehearsed(const FigureModel& figure_model, const SimulationOptions& options,
-                               const Rehearsal::Track& track, const Ball& ball) {
+                               const Rehearsal::Track& track, const features::Ball& ball) {
   SimulationResult result;
   const auto contact_step = first_possible_contact(figure_model, options, track, ball);
   if (!contact_step) {
@@ -153,10 +144,7 @@ SimulationResult run_rehearsed(const FigureModel& figure_model, const Simulation
     return result;
   }
   const double begin_s = track.step_begins_s[*contact_step];
-  const features::FreeFlight flight = flight_of(ball, begin_s, options.gravity_mps2);
-  Ball then = ball;
-  then.position = flight.position;
-  then.velocity = flight.velocity;
+  const features::Ball then = ball.at(begin_s);
   Encounter<TreeScene> encounter(figure_model, options, begin_s, figure_model,
                                  track.figure_at(*contact_step), &then, options.gravity_mps2);
   ReferenceState now = track.reference.at(begin_s);

@@ -13,11 +13,12 @@ namespace flinch::sim {
 /// Error if the rehearsal was not kept from early enough.
 std::optional<std::size_t> first_possible_contact(const FigureModel& figure_model,
                                                   const SimulationOptions& options,
-                                                  const Rehearsal::Track& track, const Ball& ball);
+                                                  const Rehearsal::Track& track,
+                                                  const features::Ball& ball);
 
 /// Simulates a ball and the figure of a rehearsal from the time at which they may first meet until
 /// they can no longer meet.
 SimulationResult run_rehearsed(const FigureModel& figure_model, const SimulationOptions& options,
-                               const Rehearsal::Track& track, const Ball& ball);
+                               const Rehearsal::Track& track, const features::Ball& ball);
 
 }  // namespace flinch::sim

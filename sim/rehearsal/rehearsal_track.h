@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "features/free_flight.h"
+#include "features/ball.h"
 #include "sim/figure/figure_model.h"
 #include "sim/figure/reference.h"
 #include "sim/rehearsal/rehearsal.h"

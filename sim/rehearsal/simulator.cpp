@@ -29,7 +29,7 @@ double squared_error(const Figure& figure, const ReferenceState& target) {
 class TrackedSimulation {
  public:
   TrackedSimulation(const FigureModel& figure_model, const SimulationOptions& options,
-                    const motion::Motion& motion, const Ball* ball)
+                    const motion::Motion& motion, const features::Ball* ball)
       : reference_(figure_model.skeleton, figure_model.model, motion),
         encounter_(figure_model, options, reference_.at(0), ball) {}
 
@@ -75,7 +75,7 @@ Simulator::~Simulator() = default;
 Simulator::Simulator(Simulator&&) noexcept = default;
 Simulator& Simulator::operator=(Simulator&&) noexcept = default;
 
-SimulationResult Simulator::simulate(const motion::Motion& reference, const Ball* ball,
+SimulationResult Simulator::simulate(const motion::Motion& reference, const features::Ball* ball,
                                      double duration_s) const {
   return TrackedSimulation(setup_->figure, setup_->options, reference, ball).run_until(duration_s);
 }
@@ -86,7 +86,7 @@ Rehearsal Simulator::rehearse(const motion::Motion& reference, double from_s,
                                                       from_s, duration_s));
 }
 
-SimulationResult Simulator::simulate(const Rehearsal& rehearsal, const Ball& ball) const {
+SimulationResult Simulator::simulate(const Rehearsal& rehearsal, const features::Ball& ball) const {
   return run_rehearsed(setup_->figure, setup_->options, rehearsal.track(), ball);
 }
 

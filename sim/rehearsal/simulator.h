@@ -39,7 +39,7 @@ class Simulator {
   /// Tracks `reference` (poses at its rate, from time 0) for `duration_s`; the figure holds still
   /// beyond its last pose. Without a ball there are no hits. Throws Error if the physics engine
   /// fails.
-  SimulationResult simulate(const motion::Motion& reference, const Ball* ball,
+  SimulationResult simulate(const motion::Motion& reference, const features::Ball* ball,
                             double duration_s) const;
 
   /// Tracks `reference` without a ball for `duration_s` and keeps the states that a ball may meet
@@ -49,7 +49,7 @@ class Simulator {
   /// in a fraction of the time and within the error bounds that docs/simulation.md gives; without
   /// the tracking error. `rehearsal` must come from this simulator. Throws Error if the ball
   /// touches the figure before the rehearsal starts.
-  SimulationResult simulate(const Rehearsal& rehearsal, const Ball& ball) const;
+  SimulationResult simulate(const Rehearsal& rehearsal, const features::Ball& ball) const;
 
  private:
   struct Setup;

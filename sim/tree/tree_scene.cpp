@@ -26,24 +26,17 @@ std::array<Vector3d, 2> across(const Vector3d& normal) {
 
 }  // namespace
 
-// Spherical shell: I = 2/3 m r^2.
-BallState ball_state(const Ball& ball) {
-  BallState state;
-  state.body.position = ball.position;
-  state.body.velocity = ball.velocity;
-  state.radius = ball.radius;
-  state.mass_kg = ball.mass_kg;
-  state.inertia = 2.0 / 3 * ball.mass_kg * ball.radius * ball.radius;
-  return state;
-}
-
 TreeScene::TreeScene(const FigureModel& figure_model, const motion::PerBody<BodyState>& start,
-                     const Ball* ball, double gravity_mps2)
+                     const features::Ball* ball, double gravity_mps2)
     : figure_model_(figure_model),
       gravity_mps2_(gravity_mps2),
       bodies_(start),
       tree_(figure_model) {
-  if (ball) ball_ = ball_state(*ball);
+  if (!ball) return;
+  ball_ = *ball;
+  ball_state_.position = ball->position;
+  ball_state_.velocity = ball->velocity;
+  ball_inertia_ = moment_of_inertia(*ball);
 }
 
 motion::PerBody<MovingShape> TreeScene::shapes() const {
@@ -54,10 +47,12 @@ motion::PerBody<MovingShape> TreeScene::shapes() const {
   return result;
 }
 
-std::optional<features::FreeFlight> TreeScene::flight() const {
+std::optional<features::Ball> TreeScene::flight() const {
   if (!ball_) return std::nullopt;
-  return features::FreeFlight{ball_->body.position, ball_->body.velocity, ball_->radius,
-                              gravity_mps2_};
+  features::Ball ball = *ball_;
+  ball.position = ball_state_.position;
+  ball.velocity = ball_state_.velocity;
+  return ball;
 }
 
 void TreeScene::clear_contacts() {
@@ -72,7 +67,7 @@ void TreeScene::add_hit(Body body, const motion::Clearance& at, double restituti
 }
 
 void TreeScene::add_bounce(double restitution) {
-  const Vector3d& centre = ball_->body.position;
+  const Vector3d& centre = ball_state_.position;
   contacts_.push_back(
       {impact_constraint({centre.x(), centre.y(), 0}, Vector3d::UnitZ(), restitution),
        {ContactBody::Kind::ball, {}},
@@ -103,7 +98,7 @@ void TreeScene::add_supports(const ReferenceState& target, double step_s) {
 }
 
 void TreeScene::apply_gravity(double time_s) {
-  if (ball_) ball_->body.velocity.z() -= gravity_mps2_ * time_s;
+  if (ball_) ball_state_.velocity.z() -= ball_->gravity_mps2 * time_s;
 }
 
 void TreeScene::step(const ReferenceState& target, double step_s) {
@@ -121,10 +116,9 @@ void TreeScene::step(const ReferenceState& target, double step_s) {
   tree_.velocities(kAllBodies, after_);
   for (Body body : motion::kBodies) move(bodies_[body], after_[body], step_s);
   if (ball_) {
-    BodyState& ball = ball_->body;
-    move(ball,
-         {ball.velocity + on_ball.linear / ball_->mass_kg,
-          ball.angular_velocity + on_ball.angular / ball_->inertia},
+    move(ball_state_,
+         {ball_state_.velocity + on_ball.linear / ball_->mass_kg,
+          ball_state_.angular_velocity + on_ball.angular / ball_inertia_},
          step_s);
   }
   apply_gravity(step_s / 2);
@@ -141,7 +135,7 @@ void TreeScene::move(BodyState& state, const Twist& after, double step_s) const 
 }
 
 const BodyState& TreeScene::state_of(const ContactBody& contact_body) const {
-  return contact_body.kind == ContactBody::Kind::ball ? ball_->body : bodies_[contact_body.body];
+  return contact_body.kind == ContactBody::Kind::ball ? ball_state_ : bodies_[contact_body.body];
 }
 
 void TreeScene::make_rows() {
@@ -240,7 +234,7 @@ void TreeScene::make_equations(double step_s) {
       double change = JointTree::inverse_inertia_product(propagated_[at], propagated_[other_at]);
       if (hits(row) && hits(other)) {
         change += row.direction.dot(other.direction) / ball_->mass_kg +
-                  row.first_moment.dot(other.first_moment) / ball_->inertia;
+                  row.first_moment.dot(other.first_moment) / ball_inertia_;
       }
       matrix_(i, j) = change;
       matrix_(j, i) = change;

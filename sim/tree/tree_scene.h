@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "features/free_flight.h"
+#include "features/ball.h"
 #include "sim/contact/contact_constraint.h"
 #include "sim/contact/contact_impulse.h"
 #include "sim/simulation_options.h"
@@ -14,25 +14,16 @@
 
 namespace flinch::sim {
 
-/// State of a ball that flies and spins.
-struct BallState {
-  BodyState body;
-  double radius = 0;
-  double mass_kg = 0;
-  double inertia = 0;  ///< about any axis, kg·m²
-};
-BallState ball_state(const Ball& ball);
-
 /// A figure and a ball that obey the laws of an OdeScene, stepped by JointTree in a tenth of the
 /// time. A plain value except for its pointer to the figure model.
 class TreeScene {
  public:
-  /// `figure_model` must outlive this.
+  /// `figure_model` must outlive this. `gravity_mps2` is the figure's; the ball has its own.
   TreeScene(const FigureModel& figure_model, const motion::PerBody<BodyState>& start,
-            const Ball* ball, double gravity_mps2);
+            const features::Ball* ball, double gravity_mps2);
 
   motion::PerBody<MovingShape> shapes() const;
-  std::optional<features::FreeFlight> flight() const;
+  std::optional<features::Ball> flight() const;
 
   // Contacts of the next step; see Contacts.
   void clear_contacts();
@@ -89,7 +80,9 @@ class TreeScene {
   const FigureModel& figure_model_;
   double gravity_mps2_;
   motion::PerBody<BodyState> bodies_;
-  std::optional<BallState> ball_;
+  std::optional<features::Ball> ball_;  ///< as it was thrown; its flight is in ball_state_
+  BodyState ball_state_;
+  double ball_inertia_ = 0;  ///< about any axis, kg m^2
   JointTree tree_;
   std::vector<Contact> contacts_;
   std::vector<ContactImpulse> impulses_;

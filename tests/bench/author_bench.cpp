@@ -35,9 +35,9 @@ void balance_pose(benchmark::State& state) {
       const float azimuth = motion::radians(45) * static_cast<float>(sector);
       AimedThreat threat;
       threat.target_point = motion::target_centre(figure.bodies, frames, target);
-      threat.position =
-          threat.target_point + Eigen::Vector3f(4 * std::cos(azimuth), 4 * std::sin(azimuth), 1);
-      threat.speed_mps = 25;
+      const Eigen::Vector3f from(4 * std::cos(azimuth), 4 * std::sin(azimuth), 1);
+      threat.threat.position = threat.target_point + from;
+      threat.threat.velocity = -25 * from.normalized();
       dangers.push_back(threat);
     }
   }

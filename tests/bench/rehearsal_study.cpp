@@ -81,9 +81,7 @@ Pair try_both_ways(const train::SimulationSetup& setup, const features::Scenario
                    int clip, Study& study, motion::PerBody<float>& expected,
                    motion::PerBody<float>& found) {
   const double duration_s = double{scenario.time_to_impact_s} + setup.plan.tail_s;
-  const sim::Ball ball{scenario.threat.position.cast<double>(),
-                       scenario.threat.velocity.cast<double>(), double{scenario.threat.radius},
-                       double{scenario.threat.mass_kg}};
+  const features::Ball ball = features::ball_of(scenario.threat);
   double time_s = bench::process_cpu_s();
   const motion::Motion motion = performed(setup, scenario, clip, duration_s);
   add_time(time_s, study.posing_s);

@@ -6,7 +6,7 @@
 #include <bit>
 #include <cmath>
 
-#include "features/free_flight.h"
+#include "features/ball.h"
 #include "motion/collision_shape.h"
 #include "motion/rotation.h"
 #include "tests/features/moving_figure.h"
@@ -36,8 +36,7 @@ PredictedImpact predicted(const Threat& threat, const CharacterState& state = {}
 }
 
 double gap_at(const Threat& threat, const motion::Pose& pose, double time_s, float gravity_mps2) {
-  const FreeFlight ball{threat.position.cast<double>(), threat.velocity.cast<double>(),
-                        static_cast<double>(threat.radius), static_cast<double>(gravity_mps2)};
+  const Ball ball = ball_of(threat, static_cast<double>(gravity_mps2));
   return figure().gap(pose, ball.position_at(time_s), ball.radius);
 }
 

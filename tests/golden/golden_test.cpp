@@ -123,7 +123,7 @@ std::uint64_t hash_of_a_minute(const std::string& selector_file) {
       character.character().place(Eigen::Vector2f::Zero(), 0, 0);
       character.character().perceive(threat, workspace);
     } else if (frame % kFramesPerThrow == 30) {  // 0.1 s before the impact
-      EXPECT_EQ(character.react_to(reaction::ball_of(features::advanced(threat, 30 * kFrame_s))),
+      EXPECT_EQ(character.react_to(features::ball_of(features::advanced(threat, 30 * kFrame_s))),
                 reaction::ReactionStatus::ok);
     }
     EXPECT_EQ(character.update(kFrame_s), reaction::ReactionStatus::ok);

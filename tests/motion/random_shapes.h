@@ -3,7 +3,7 @@
 
 #include <random>
 
-#include "features/free_flight.h"
+#include "features/ball.h"
 #include "motion/collision_shape.h"
 
 namespace flinch::tests {
@@ -35,12 +35,11 @@ class RandomShapes {
     return outline;
   }
 
-  features::FreeFlight ball() {
-    features::FreeFlight ball;
+  features::Ball ball() {
+    features::Ball ball;
     ball.position = vector(1);
     ball.velocity = 25 * (vector(0.3) - ball.position).normalized() + vector(3);
     ball.radius = number(0.03, 0.15);
-    ball.gravity_mps2 = 9.81;
     return ball;
   }
 

@@ -50,10 +50,11 @@ const runtime::Library& with_push() {
 }
 
 /// A volleyball at the middle of the chest as it is shown, there in 0.05 s.
-sim::Ball ball_at_chest(const runtime::Library& library, const motion::Pose& pose, double mass_kg) {
+features::Ball ball_at_chest(const runtime::Library& library, const motion::Pose& pose,
+                             double mass_kg) {
   const motion::Skeleton& skeleton = library.clip_library().character.skeleton;
   const Eigen::Vector3f chest = forward_kinematics(skeleton, pose).position[Role::chest];
-  sim::Ball ball = scenes::aimed_ball(chest.cast<double>(), {-14, 2, 0}, 0.05);
+  features::Ball ball = scenes::aimed_ball(chest.cast<double>(), {-14, 2, 0}, 0.05);
   ball.mass_kg = mass_kg;
   return ball;
 }
@@ -173,7 +174,7 @@ TEST(ReactingCharacter, RejectsBadInputAndStaysUsable) {
   std::size_t k = 0;
   for (float time_s = 0; time_s < 2; time_s += kFrame_s) {
     for (float dt_s : {0.0F, -1.0F, kNan}) EXPECT_EQ(hit.update(dt_s), ReactionStatus::bad_time);
-    sim::Ball bad = ball_at_chest(plain(), hit.pose(), 0.27);
+    features::Ball bad = ball_at_chest(plain(), hit.pose(), 0.27);
     bad.velocity.x() = tests::kNanDouble;
     EXPECT_EQ(hit.react_to(bad), ReactionStatus::bad_ball);
     if (hit.pose_source() == PoseSource::physics) {

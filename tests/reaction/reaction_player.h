@@ -80,7 +80,7 @@ inline const motion::Motion& hovering() {
 inline ReactionCase aimed_at(motion::Body body, const Eigen::Vector3d& velocity,
                              double mass_kg = 0.27, const motion::Motion& still = standing()) {
   const Eigen::Vector3d place = middle_of(body, still.poses.front());
-  sim::Ball ball = aimed_ball(place, velocity, 0.035);
+  features::Ball ball = aimed_ball(place, velocity, 0.035);
   ball.mass_kg = mass_kg;
   return {&still, ball, kFrame_s};
 }

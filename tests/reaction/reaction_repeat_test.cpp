@@ -94,7 +94,7 @@ TEST(Reaction, RejectsBadInputAndStaysUsable) {
   no_turn.rotation[Role::head].w() = tests::kNan;
   motion::Pose not_unit = good;
   not_unit.rotation[Role::head].coeffs() *= 2;
-  std::vector<sim::Ball> bad_balls(6, reaction_case.ball);
+  std::vector<features::Ball> bad_balls(6, reaction_case.ball);
   bad_balls[0].position.x() = tests::kNanDouble;
   bad_balls[1].velocity.z() = tests::kInfinityDouble;
   bad_balls[2].radius = 0;
@@ -112,7 +112,7 @@ TEST(Reaction, RejectsBadInputAndStaysUsable) {
       EXPECT_EQ(reaction.begin(bad, good, kFrame_s, &reaction_case.ball), ReactionStatus::bad_pose);
       EXPECT_EQ(reaction.begin(good, bad, kFrame_s, &reaction_case.ball), ReactionStatus::bad_pose);
     }
-    for (const sim::Ball& bad : bad_balls) {
+    for (const features::Ball& bad : bad_balls) {
       EXPECT_EQ(reaction.begin(good, good, kFrame_s, &bad), ReactionStatus::bad_ball);
     }
   };

@@ -12,7 +12,7 @@ namespace flinch::scenes {
 /// A motion, a ball, and when in the motion the reaction begins, from when on the ball is told.
 struct ReactionCase {
   const motion::Motion* motion;
-  sim::Ball ball;
+  features::Ball ball;
   double begin_s;
 };
 
@@ -35,7 +35,7 @@ inline std::vector<ReactionCase> random_reaction_cases(const motion::Physique& c
     const double contact_s = simulator.simulate(motion, &hit.ball, 1).first_contact_s;
     const double begin_s = contact_s - kLead_s;
     if (!std::isfinite(contact_s) || begin_s < kFrame_s) continue;
-    sim::Ball ball = hit.ball;
+    features::Ball ball = hit.ball;
     const Eigen::Vector3d gravity(0, 0, -sim::SimulationOptions{}.gravity_mps2);
     ball.position += begin_s * ball.velocity + begin_s * begin_s / 2 * gravity;
     ball.velocity += begin_s * gravity;

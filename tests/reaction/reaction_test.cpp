@@ -58,7 +58,7 @@ TEST(Reaction, FirstContactMatchesTheTrainersSimulation) {
     play(reaction, reaction_case, 0.1);
     EXPECT_NEAR(reaction.contact_s(), scenes::kLead_s, 0.001);
     ++hits;
-    sim::Ball ball = reaction_case.ball;
+    features::Ball ball = reaction_case.ball;
     const Eigen::Vector3d gravity(0, 0, -9.81);
     ball.velocity -= reaction_case.begin_s * gravity;
     ball.position -= reaction_case.begin_s * ball.velocity +
@@ -124,7 +124,7 @@ TEST(Reaction, FigureStartsWithTheVelocityOfItsMotion) {
     return pose;
   };
   const motion::Shape& skull = model()[Body::head].shape;
-  sim::Ball ball;
+  features::Ball ball;
   ball.position =
       (frames_of(now).position[Role::head] + skull.centre).cast<double>() +
       (static_cast<double>(skull.radius) + ball.radius + 5e-5) * Eigen::Vector3d::UnitX();
@@ -197,7 +197,7 @@ TEST(Reaction, BallKeepsFlyingAndBouncingUntilTheEnd) {
   double highest_after = 0;
   for (int k = 1; k <= 120; ++k) {
     advance(reaction, reaction_case, k * kFrame_s, kFrame_s);
-    const sim::Ball ball = reaction.ball();
+    const features::Ball ball = reaction.ball();
     EXPECT_LT((ball.position - last).norm(), 14 * kFrame_s);
     last = ball.position;
     lowest = std::min(lowest, ball.position.z());

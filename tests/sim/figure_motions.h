@@ -113,9 +113,9 @@ inline std::vector<NamedMotion> motions_by_rule(const motion::Skeleton& skeleton
 }
 
 /// A volleyball that would be at `place` at `time_s`, flying along `velocity` there.
-inline sim::Ball aimed_ball(const Eigen::Vector3d& place, const Eigen::Vector3d& velocity,
-                            double time_s) {
-  sim::Ball ball;
+inline features::Ball aimed_ball(const Eigen::Vector3d& place, const Eigen::Vector3d& velocity,
+                                 double time_s) {
+  features::Ball ball;
   const double gravity = sim::SimulationOptions{}.gravity_mps2;
   ball.velocity = velocity + Eigen::Vector3d(0, 0, gravity * time_s);
   ball.position = place - velocity * time_s - Eigen::Vector3d(0, 0, gravity * time_s * time_s / 2);

@@ -13,7 +13,7 @@ namespace flinch::scenes {
 /// A ball and the motion that it meets, by its index.
 struct Hit {
   std::size_t motion = 0;
-  sim::Ball ball;
+  features::Ball ball;
 };
 
 /// Volleyballs as threats are: 8 to 30 m/s, from anywhere, elevations of -10 to 45 degrees, at the

@@ -80,12 +80,12 @@ double min_feasible_elevation(double speed_mps, double time_to_impact_s, double 
 }
 
 features::FeatureVector described_features(const features::Layout& layout,
-                                           const DescribedThreat& threat,
+                                           const features::ThreatDescription& description,
                                            const motion::PerTarget<Eigen::Vector3f>& centres) {
   features::Scenario scenario;
-  scenario.target = threat.target;
-  scenario.time_to_impact_s = threat.approach.time_to_impact_s;
-  scenario.threat = features::threat_from_description(threat.approach, centres[threat.target], 0);
+  scenario.target = description.target;
+  scenario.time_to_impact_s = description.time_to_impact_s;
+  scenario.threat = features::threat_from_description(description, centres[description.target], 0);
   return features::feature_vector(layout, scenario, centres);
 }
 
@@ -121,10 +121,10 @@ features::Scenario sample_scenario(const database::ClipLibrary& library,
   GridCell cell;
   cell.idle_phase =
       static_cast<int>(random.index(static_cast<std::uint64_t>(distribution.idle_phase_count)));
-  features::ThreatDescription approach;
-  approach.azimuth = static_cast<float>(random.uniform(-std::numbers::pi, std::numbers::pi));
-  approach.radius = static_cast<float>(distribution.radius_m);
-  approach.mass_kg = static_cast<float>(distribution.mass_kg);
+  features::ThreatDescription description;
+  description.azimuth = static_cast<float>(random.uniform(-std::numbers::pi, std::numbers::pi));
+  description.radius = static_cast<float>(distribution.radius_m);
+  description.mass_kg = static_cast<float>(distribution.mass_kg);
   const Eigen::Vector3f offset = point_in_ball(distribution.aim_radius_m, random);
 
   for (int draw = 0; draw < kMaxDraws; ++draw) {
@@ -141,10 +141,10 @@ features::Scenario sample_scenario(const database::ClipLibrary& library,
         std::max(distribution.min_elevation,
                  min_feasible_elevation(speed, time, distribution.radius_m, aim.z()));
     if (least > distribution.max_elevation) continue;
-    approach.speed_mps = static_cast<float>(speed);
-    approach.time_to_impact_s = scenario.time_to_impact_s;
-    approach.elevation = static_cast<float>(random.uniform(least, distribution.max_elevation));
-    scenario.threat = features::threat_from_description(approach, aim, scenario.state.facing);
+    description.speed_mps = static_cast<float>(speed);
+    description.time_to_impact_s = scenario.time_to_impact_s;
+    description.elevation = static_cast<float>(random.uniform(least, distribution.max_elevation));
+    scenario.threat = features::threat_from_description(description, aim, scenario.state.facing);
     return scenario;
   }
   throw Error("",

@@ -16,8 +16,8 @@ namespace flinch::train {
 /// Distribution of the threats that are trained for. The defaults are a volleyball thrown or spiked
 /// from any direction. Angles in radians.
 struct ScenarioDistribution {
-  double radius_m = 0.105;
-  double mass_kg = 0.27;
+  double radius_m = features::kVolleyballRadius_m;
+  double mass_kg = features::kVolleyballMass_kg;
   double min_speed_mps = 8;  ///< at the impact
   double max_speed_mps = 30;
   double min_elevation = -10 * std::numbers::pi / 180;  ///< at the impact
@@ -74,17 +74,11 @@ features::Scenario sample_scenario(const database::ClipLibrary& library,
 double min_feasible_elevation(double speed_mps, double time_to_impact_s, double radius_m,
                               double impact_height_m);
 
-/// A threat to one target of a character that stands still, as a person would describe it.
-struct DescribedThreat {
-  motion::Target target = motion::Target::head;
-  features::ThreatDescription approach;
-};
-
-/// Returns the features of a described threat, which hits the target's centre (`centres`, in the
-/// frame of the features) while the character neither moves nor turns. Frames, flight and features
-/// are computed as for a sampled scenario.
+/// Returns the features of a threat to a character that stands still: it hits the target's centre
+/// (`centres`, in the frame of the features) while the character neither moves nor turns. Frames,
+/// flight and features are computed as for a sampled scenario.
 features::FeatureVector described_features(const features::Layout& layout,
-                                           const DescribedThreat& threat,
+                                           const features::ThreatDescription& description,
                                            const motion::PerTarget<Eigen::Vector3f>& centres);
 
 /// Returns the centres of the targets of an idling character, world, m.

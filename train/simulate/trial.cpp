@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "features/free_flight.h"
+#include "features/ball.h"
 #include "runtime/response/response.h"
 #include "sim/work.h"
 
@@ -71,14 +71,6 @@ SimulatedMotion make_simulated_motion(const SimulationSetup& setup,
   return simulated_motion;
 }
 
-/// Returns the ball `later_s` after perception.
-sim::Ball ball_of(const features::Threat& threat, double later_s, double gravity_mps2) {
-  const double radius = double{threat.radius};
-  const features::FreeFlight flight{threat.position.cast<double>(), threat.velocity.cast<double>(),
-                                    radius, gravity_mps2};
-  return {flight.position_at(later_s), flight.velocity_at(later_s), radius, double{threat.mass_kg}};
-}
-
 TrialResult trial_result(int clip, double work_j, const sim::SimulationResult& simulated) {
   TrialResult result{{}, simulated};
   result.trial.clip = clip;
@@ -130,7 +122,7 @@ TrialResult try_unabridged(const SimulationSetup& setup, const features::Scenari
                            int clip) {
   const SimulatedMotion simulated_motion =
       make_simulated_motion(setup, scenario.state, clip, scenario.time_to_impact_s);
-  const sim::Ball ball = ball_of(scenario.threat, 0, setup.plan.options.gravity_mps2);
+  const features::Ball ball = ball_of(scenario.threat, setup.plan.options.gravity_mps2);
   return trial_result(
       clip, simulated_motion.work_j,
       setup.simulator.simulate(simulated_motion.motion, &ball, simulated_motion.simulated_s));
@@ -153,7 +145,7 @@ TrialResult try_rehearsed(const SimulationSetup& setup, const features::Scenario
                           const RehearsedResponse& response) {
   const float rehearsed_s = time_to_impact_s(setup.plan.distribution, response.key.cell.time);
   const double later_s = double{scenario.time_to_impact_s} - double{rehearsed_s};
-  const sim::Ball ball = ball_of(scenario.threat, later_s, setup.plan.options.gravity_mps2);
+  const features::Ball ball = ball_of(scenario.threat, setup.plan.options.gravity_mps2).at(later_s);
   return trial_result(response.key.clip, double{response.work_j},
                       setup.simulator.simulate(response.rehearsal, ball));
 }

@@ -24,9 +24,9 @@ struct AuthorScene {
     AimedThreat made;
     made.target_point = motion::target_centre(figure.bodies, frames, target);
     const float azimuth = radians(azimuth_deg);
-    made.position =
-        made.target_point + Eigen::Vector3f(5 * std::cos(azimuth), 5 * std::sin(azimuth), height_m);
-    made.speed_mps = 25;
+    const Eigen::Vector3f from(5 * std::cos(azimuth), 5 * std::sin(azimuth), height_m);
+    made.threat.position = made.target_point + from;
+    made.threat.velocity = -25 * from.normalized();
     return made;
   }
 };

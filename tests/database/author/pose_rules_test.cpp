@@ -55,8 +55,8 @@ void expect_angles(const SpineAngles& found, const SpineAngles& expected) {
 
 TEST(RuleControls, FollowTable31) {
   AimedThreat threat;
-  threat.speed_mps = 22.8F + 0.25F * (29.7F - 22.8F);
-  threat.radius_m = 0.033F + 0.75F * (0.2F - 0.033F);
+  threat.threat.velocity = {22.8F + 0.25F * (29.7F - 22.8F), 0, 0};
+  threat.threat.radius = 0.033F + 0.75F * (0.2F - 0.033F);
   const RuleControls controls = rule_controls(threat);
   EXPECT_NEAR(controls.lean, 0.25F, 1e-5);
   EXPECT_NEAR(controls.turn, 0.75F, 1e-5);
@@ -69,8 +69,8 @@ TEST(RuleControls, FollowTable31) {
 
 TEST(RuleControls, AreClampedBeyondTheirRanges) {
   AimedThreat threat;
-  threat.speed_mps = 100;
-  threat.radius_m = 0.001F;
+  threat.threat.velocity = {100, 0, 0};
+  threat.threat.radius = 0.001F;
   EXPECT_EQ(rule_controls(threat).lean, 1);
   EXPECT_EQ(rule_controls(threat).turn, 0);
 }
@@ -237,13 +237,13 @@ TEST(CheckThreat, RefusesInvalidThreats) {
   const AimedThreat good = scene.threat(Target::head, 30);
   EXPECT_NO_THROW(check_threat(scene.figure, scene.start, good));
   AimedThreat still = good;
-  still.speed_mps = 0;
+  still.threat.velocity.setZero();
   EXPECT_THROW(check_threat(scene.figure, scene.start, still), Error);
   AimedThreat nan = good;
-  nan.position.x() = std::numeric_limits<float>::quiet_NaN();
+  nan.threat.position.x() = std::numeric_limits<float>::quiet_NaN();
   EXPECT_THROW(check_threat(scene.figure, scene.start, nan), Error);
   AimedThreat inside = good;
-  inside.position = inside.target_point + Eigen::Vector3f(0.05F, 0, 0);
+  inside.threat.position = inside.target_point + Eigen::Vector3f(0.05F, 0, 0);
   EXPECT_THROW(check_threat(scene.figure, scene.start, inside), Error);
 }
 

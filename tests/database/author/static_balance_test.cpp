@@ -138,7 +138,7 @@ TEST(StaticBalance, IsReproducibleBitForBit) {
 TEST(StaticBalance, RefusesAThreatWithoutSpeed) {
   const AuthorScene scene;
   AimedThreat still = scene.threat(Target::head, 0);
-  still.speed_mps = 0;
+  still.threat.velocity.setZero();
   EXPECT_THROW(balanced_pose(scene.figure, scene.start, still, kControls), Error);
 }
 

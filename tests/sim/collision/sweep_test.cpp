@@ -32,7 +32,7 @@ TEST(TimeOfContact, MatchesFineSampling) {
   int touched = 0;
   int missed = 0;
   for (int i = 0; i < 400; ++i) {
-    const features::FreeFlight ball = random.ball();
+    const features::Ball ball = random.ball();
     const MovingShape shape = random.shape();
     const auto found = time_of_contact(ball, shape, kHorizon_s, kTestContactDistance_m, 0);
     constexpr int kSamples = 20000;
@@ -66,7 +66,7 @@ TEST(TimeOfContact, IsNeverLateForAcceleratingShapes) {
   constexpr double kSlack_mps2 = 100;
   int touched = 0;
   for (int i = 0; i < 200; ++i) {
-    const features::FreeFlight ball = random.ball();
+    const features::Ball ball = random.ball();
     const MovingShape shape = random.shape();
     const Eigen::Vector3d acceleration = kSlack_mps2 * random.vector(1).normalized();
     const double safe_s =

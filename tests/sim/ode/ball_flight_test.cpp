@@ -13,14 +13,19 @@ using motion::Body;
 
 constexpr double kAboveGround_m = 20;  // where no scene reaches the ground that is not about it
 
+features::Ball with_gravity(features::Ball ball, double gravity_mps2) {
+  ball.gravity_mps2 = gravity_mps2;
+  return ball;
+}
+
 /// A ball and one free sphere, met by the rules that a figure is met by.
 class FreeSphere {
  public:
-  FreeSphere(const Ball& ball, const BodyState& state, double radius, double mass_kg,
+  FreeSphere(const features::Ball& ball, const BodyState& state, double radius, double mass_kg,
              const SimulationOptions& options)
       : options_(options),
         contacts_(world_.id()),
-        ball_(world_.id(), ball, options.gravity_mps2),
+        ball_(world_.id(), with_gravity(ball, options.gravity_mps2)),
         body_(dBodyCreate(world_.id())),
         radius_(radius) {
     dMass mass;
@@ -51,7 +56,7 @@ class FreeSphere {
   }
 
   double impulse() const { return impulse_; }
-  features::FreeFlight ball() const { return ball_.flight(); }
+  features::Ball ball() const { return ball_.flight(); }
   Eigen::Vector3d sphere_velocity() const { return velocity_of(body_); }
 
  private:
@@ -79,8 +84,8 @@ SimulationOptions weightless() {
   return options;
 }
 
-Ball ball_at(const Eigen::Vector3d& position, const Eigen::Vector3d& velocity) {
-  Ball ball;
+features::Ball ball_at(const Eigen::Vector3d& position, const Eigen::Vector3d& velocity) {
+  features::Ball ball;
   ball.position = position + kAboveGround_m * Eigen::Vector3d::UnitZ();
   ball.velocity = velocity;
   return ball;
@@ -94,9 +99,9 @@ double head_on_impulse(double restitution, double speed_mps, double first_kg, do
 TEST(BallFlight, FollowsTheParabolaWhateverTheSteps) {
   std::mt19937 generator(1);
   std::uniform_real_distribution<double> step(1e-6, 0.02);
-  const Ball thrown = ball_at({1, 2, 30}, {-4, 3, 8});
+  const features::Ball thrown = ball_at({1, 2, 30}, {-4, 3, 8});
   const OdeWorld world;
-  const BallFlight ball(world.id(), thrown, 9.81);
+  const BallFlight ball(world.id(), thrown);
   double time_s = 0;
   for (int i = 0; i < 200; ++i) {
     const double step_s = step(generator);
@@ -112,7 +117,7 @@ TEST(BallFlight, FollowsTheParabolaWhateverTheSteps) {
 TEST(BallFlight, ImpulseOnAFreeSphereMatchesTheClosedForm) {
   for (double mass_kg : {0.3, 1.0, 4.4, 30.0}) {
     for (double speed_mps : {5.0, 17.0, 30.0}) {
-      const Ball ball = ball_at({3, 0, 0}, {-speed_mps, 0, 0});
+      const features::Ball ball = ball_at({3, 0, 0}, {-speed_mps, 0, 0});
       FreeSphere scene(ball, {}, 0.1, mass_kg, weightless());
       scene.run(1);
       const double expected = head_on_impulse(0.7, speed_mps, ball.mass_kg, mass_kg);
@@ -145,7 +150,7 @@ TEST(BallFlight, ConservesTheMomentumOfBallAndSphere) {
   std::uniform_real_distribution<double> offset(-0.15, 0.15);
   int hits = 0;
   for (int i = 0; i < 50; ++i) {
-    const Ball ball = ball_at({2, offset(generator), offset(generator)}, {-20, 0, 0});
+    const features::Ball ball = ball_at({2, offset(generator), offset(generator)}, {-20, 0, 0});
     FreeSphere scene(ball, {}, 0.1, 1.5, weightless());
     scene.run(0.4);
     const Eigen::Vector3d momentum =
@@ -179,7 +184,7 @@ TEST(BallFlight, NearMissGivesNoImpulse) {
 
 TEST(BallFlight, DoesNotTunnelThroughThinObjects) {
   for (double radius : {0.005, 0.02}) {
-    const Ball ball = ball_at({3.017, 0, 0}, {-30, 0, 0});
+    const features::Ball ball = ball_at({3.017, 0, 0}, {-30, 0, 0});
     FreeSphere scene(ball, {}, radius, 1, weightless());
     scene.run(0.5);
     const double expected = head_on_impulse(0.7, 30, 0.27, 1);
@@ -203,7 +208,7 @@ TEST(BallFlight, BouncesOffTheGround) {
 }
 
 TEST(BallFlight, ResultsDoNotDependOnTheSteps) {
-  const Ball ball = ball_at({3, 0.05, 0.1}, {-25, 0, 1});
+  const features::Ball ball = ball_at({3, 0.05, 0.1}, {-25, 0, 1});
   const SimulationOptions coarse;
   SimulationOptions fine = coarse;
   fine.free_step_s /= 7;

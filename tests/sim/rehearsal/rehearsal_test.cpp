@@ -84,7 +84,8 @@ TEST_F(RehearsalTest, FindsHitsAfterABounceOffTheGround) {
   const Rehearsal standing = simulator_.rehearse(motions_[0].motion, 0, 1);
   int hits = 0;
   for (int i = 0; i < 12; ++i) {
-    const Ball ball = scenes::aimed_ball({0.45 + 0.02 * i, 0.1, 0.106}, {-4.0, 0, -4.0}, 0.3);
+    const features::Ball ball =
+        scenes::aimed_ball({0.45 + 0.02 * i, 0.1, 0.106}, {-4.0, 0, -4.0}, 0.3);
     const auto slow = simulator_.simulate(motions_[0].motion, &ball, 1);
     const auto fast = simulator_.simulate(standing, ball);
     EXPECT_LT(change(slow, fast), 0.005);
@@ -110,8 +111,7 @@ TEST_F(RehearsalTest, NothingTouchesBeforeTheFirstPossibleContact) {
     if (contact_step) ++met;
     const std::size_t until = contact_step.value_or(track.step_begins_s.size());
     steps += until;
-    features::FreeFlight ball{hit.ball.position, hit.ball.velocity, hit.ball.radius,
-                              options.gravity_mps2};
+    features::Ball ball = hit.ball;
     constexpr int kSamples = 250;
     for (std::size_t step = 0; step < until; ++step) {
       const auto& next = track.figure_at(std::min(step + 1, track.step_begins_s.size() - 1));
@@ -137,12 +137,12 @@ TEST_F(RehearsalTest, NothingTouchesBeforeTheFirstPossibleContact) {
 
 TEST_F(RehearsalTest, SkipsBallsThatCannotTouch) {
   const Rehearsal standing = simulator_.rehearse(motions_[0].motion, 0, 1);
-  const Ball wide = scenes::aimed_ball({0, 3, 2}, {-20, 0, 0}, 0.4);
+  const features::Ball wide = scenes::aimed_ball({0, 3, 2}, {-20, 0, 0}, 0.4);
   const auto missed = simulator_.simulate(standing, wide);
   EXPECT_TRUE(missed.skipped);
   EXPECT_EQ(missed.steps, 0);
   EXPECT_EQ(total(missed), 0);
-  const Ball aimed = scenes::aimed_ball({0, 0, 1.2}, {-20, 0, 0}, 0.4);
+  const features::Ball aimed = scenes::aimed_ball({0, 0, 1.2}, {-20, 0, 0}, 0.4);
   const auto hit = simulator_.simulate(standing, aimed);
   EXPECT_FALSE(hit.skipped);
   EXPECT_GT(total(hit), 1);
@@ -181,7 +181,7 @@ TEST_F(RehearsalTest, LaterStartGivesTheSameBitsInLessMemory) {
 
 TEST_F(RehearsalTest, RejectsABallThatArrivesBeforeItsStart) {
   const Rehearsal late = simulator_.rehearse(motions_[0].motion, 0.6, 1);
-  const Ball early = scenes::aimed_ball({0, 0, 1.2}, {-20, 0, 0}, 0.3);
+  const features::Ball early = scenes::aimed_ball({0, 0, 1.2}, {-20, 0, 0}, 0.3);
   EXPECT_THROW(simulator_.simulate(late, early), Error);
 }
 

@@ -19,7 +19,6 @@ namespace {
 using motion::Body;
 
 constexpr double kRestitution = 0.7;
-constexpr double kVolleyball_kg = 0.27;
 
 const motion::Physique& character() {
   static const motion::Physique man = motion::default_character();
@@ -42,13 +41,14 @@ double total(const SimulationResult& result) {
   return sum(result.impulse);
 }
 
-SimulationResult simulate(const motion::Motion& motion, const Ball* ball, double duration_s = 1) {
+SimulationResult simulate(const motion::Motion& motion, const features::Ball* ball,
+                          double duration_s = 1) {
   return Simulator(character(), {}).simulate(motion, ball, duration_s);
 }
 
 /// Balls from all sides at all heights, most of which hit.
-std::vector<Ball> many_balls(const motion::Pose& pose) {
-  std::vector<Ball> balls;
+std::vector<features::Ball> many_balls(const motion::Pose& pose) {
+  std::vector<features::Ball> balls;
   for (int i = 0; i < 12; ++i) {
     const double azimuth = 0.55 * i;
     const Body body = motion::kBodies[static_cast<std::size_t>(i * 5 % motion::kBodyCount)];
@@ -80,9 +80,9 @@ TEST(Simulator, HoldsStillBeyondTheEndOfItsMotion) {
 
 TEST(Simulator, AMissGivesNoImpulse) {
   const motion::Motion motion = standing_still();
-  const Ball wide = scenes::aimed_ball({0, 2, 1}, {-20, 0, 0}, 0.4);
-  const Ball late = scenes::aimed_ball({0, 0, 1.2}, {-20, 0, 0}, 1.5);
-  for (const Ball& ball : {wide, late}) {
+  const features::Ball wide = scenes::aimed_ball({0, 2, 1}, {-20, 0, 0}, 0.4);
+  const features::Ball late = scenes::aimed_ball({0, 0, 1.2}, {-20, 0, 0}, 1.5);
+  for (const features::Ball& ball : {wide, late}) {
     const auto result = simulate(motion, &ball);
     EXPECT_EQ(total(result), 0);
     EXPECT_TRUE(std::isinf(result.first_contact_s));
@@ -94,10 +94,10 @@ TEST(Simulator, AMissGivesNoImpulse) {
 TEST(Simulator, ImpulseOnTheChestIsNearlyThatOnAWall) {
   const motion::Motion motion = standing_still();
   for (double speed_mps : {10.0, 20.0, 30.0}) {
-    const Ball ball =
+    const features::Ball ball =
         scenes::aimed_ball(middle_of(Body::chest, motion.poses.front()), {-speed_mps, 0, 0}, 0.3);
     const auto result = simulate(motion, &ball);
-    const double wall = (1 + kRestitution) * kVolleyball_kg * speed_mps;
+    const double wall = (1 + kRestitution) * features::kVolleyballMass_kg * speed_mps;
     EXPECT_LT(result.impulse[Body::chest], 1.01 * wall);
     EXPECT_GT(result.impulse[Body::chest], 0.85 * wall);
     EXPECT_NEAR(total(result), result.impulse[Body::chest], 1e-12);
@@ -107,18 +107,18 @@ TEST(Simulator, ImpulseOnTheChestIsNearlyThatOnAWall) {
 // A head on a neck takes at least what a free head would, and less than a wall.
 TEST(Simulator, ImpulseOnTheHeadIsBetweenThoseOnAFreeHeadAndOnAWall) {
   const motion::Motion motion = standing_still();
-  const Ball ball =
+  const features::Ball ball =
       scenes::aimed_ball(middle_of(Body::head, motion.poses.front()), {-25, 0, 0}, 0.3);
   const auto result = simulate(motion, &ball);
-  const double wall = (1 + kRestitution) * kVolleyball_kg * 25;
-  EXPECT_GT(result.impulse[Body::head], 0.98 * wall * 4.4 / (4.4 + kVolleyball_kg));
+  const double wall = (1 + kRestitution) * features::kVolleyballMass_kg * 25;
+  EXPECT_GT(result.impulse[Body::head], 0.98 * wall * 4.4 / (4.4 + features::kVolleyballMass_kg));
   EXPECT_LT(result.impulse[Body::head], 1.01 * wall);
 }
 
 TEST(Simulator, FirstContactTimeMatchesTheBallsFlight) {
   const motion::Motion motion = standing_still();
   const Eigen::Vector3d chest = middle_of(Body::chest, motion.poses.front());
-  const Ball ball = scenes::aimed_ball(chest, {-20, 0, 0}, 0.3);
+  const features::Ball ball = scenes::aimed_ball(chest, {-20, 0, 0}, 0.3);
   const auto result = simulate(motion, &ball);
   // From the surface of the chest's box, along X.
   const motion::Shape box = make_body_model(character())[Body::chest].shape;
@@ -144,7 +144,7 @@ TEST(Simulator, HandDrivenIntoTheFaceGivesBothAnImpulse) {
     const Eigen::Vector3d place = middle_of(hand, motion.poses.front());
     Eigen::Vector3d level = head - place;
     level.z() = 0;
-    const Ball ball = scenes::aimed_ball(place, 25 * level.normalized(), 0.3);
+    const features::Ball ball = scenes::aimed_ball(place, 25 * level.normalized(), 0.3);
     const auto result = simulate(motion, &ball);
     EXPECT_GT(result.impulse[hand], 1) << name_of(hand);
     if (result.impulse[Body::head] > 0.1) ++driven;
@@ -165,10 +165,10 @@ TEST(Simulator, ContactOfTheMotionItselfGivesNoImpulse) {
   for (int i = 0; i < 12; ++i) {
     const double time_s = 0.3 + 0.02 * i;
     const motion::Pose pose = motion::sample(kick, static_cast<float>(time_s));
-    const Ball ball = scenes::aimed_ball(middle_of(Body::left_thigh, pose),
-                                         Eigen::Vector3d(-kSpeed, 0, -2), time_s);
+    const features::Ball ball = scenes::aimed_ball(middle_of(Body::left_thigh, pose),
+                                                   Eigen::Vector3d(-kSpeed, 0, -2), time_s);
     const SimulationResult result = simulate(kick, &ball);
-    const double bounce = (1 + kRestitution) * kVolleyball_kg * (kSpeed + kBodySpeed);
+    const double bounce = (1 + kRestitution) * features::kVolleyballMass_kg * (kSpeed + kBodySpeed);
     // The ball may hit twice, and each hit may be charged to a body and to the one behind it.
     EXPECT_LT(total(result), 4 * bounce) << "ball at " << time_s << " s";
     if (total(result) > 1) ++hits;
@@ -216,7 +216,7 @@ TEST(Simulator, MirroredScenesGiveMirroredImpulses) {
     const motion::Motion& motion = motions[index].motion;
     motion::Motion mirrored = motion;
     for (motion::Pose& pose : mirrored.poses) pose = motion::mirrored(pose);
-    for (Ball ball : many_balls(motion::sample(motion, 0.3F))) {
+    for (features::Ball ball : many_balls(motion::sample(motion, 0.3F))) {
       const auto result = simulate(motion, &ball);
       ball.position.y() *= -1;
       ball.velocity.y() *= -1;
@@ -235,7 +235,7 @@ TEST(Simulator, IsDeterministicWhateverItSimulatedBefore) {
   const motion::Motion& motion = motions[5].motion;
   const auto balls = many_balls(motion::sample(motion, 0.3F));
   const Simulator used(character(), {});
-  for (const Ball& ball : balls) {
+  for (const features::Ball& ball : balls) {
     const auto first = used.simulate(motion, &ball, 0.6);
     const auto other = used.simulate(motions[1].motion, &balls.front(), 0.4);
     EXPECT_GT(other.steps, 0);
@@ -249,7 +249,8 @@ TEST(Simulator, IsDeterministicOnConcurrentThreads) {
   const auto balls = many_balls(motion::sample(motion, 0.3F));
   const auto run = [&](std::vector<SimulationResult>& results) {
     const Simulator simulator(character(), {});
-    for (const Ball& ball : balls) results.push_back(simulator.simulate(motion, &ball, 0.6));
+    for (const features::Ball& ball : balls)
+      results.push_back(simulator.simulate(motion, &ball, 0.6));
   };
   scenes::expect_same_bits_on_threads(run);
 }

@@ -15,8 +15,6 @@ namespace {
 
 using motion::Body;
 
-constexpr double kGravity_mps2 = 9.81;
-
 /// Steps of anything to anywhere: what the two scenes are compared by.
 class RandomStep {
  public:
@@ -100,8 +98,8 @@ TEST_F(TreeSceneTest, FreeFiguresMatchOde) {
                               parent_state.position);
       }
     }
-    OdeScene ode(figure_model_, start, nullptr, kGravity_mps2);
-    TreeScene tree(figure_model_, start.body, nullptr, kGravity_mps2);
+    OdeScene ode(figure_model_, start, nullptr, features::kGravity_mps2);
+    TreeScene tree(figure_model_, start.body, nullptr, features::kGravity_mps2);
     ode.figure().set_motors(target, step_s);
     ode.step(target, step_s);
     tree.step(target, step_s);
@@ -116,11 +114,11 @@ TEST_F(TreeSceneTest, FiguresInContactMatchOde) {
     ReferenceState start = random.state(0.4);
     const ReferenceState target = random.state(0.4);
     const double step_s = i % 3 ? 1.0 / 2000 : 1.0 / 60;
-    Ball thrown;
+    features::Ball thrown;
     thrown.position = {0.3, 0, 1};
     thrown.velocity = random.vector(20);
-    OdeScene ode(figure_model_, start, &thrown, kGravity_mps2);
-    TreeScene tree(figure_model_, start.body, &thrown, kGravity_mps2);
+    OdeScene ode(figure_model_, start, &thrown, features::kGravity_mps2);
+    TreeScene tree(figure_model_, start.body, &thrown, features::kGravity_mps2);
     ode.figure().set_motors(target, step_s);
     const auto both = [&](auto&& add) {
       add(ode);

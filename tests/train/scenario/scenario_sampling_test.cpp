@@ -129,10 +129,10 @@ TEST(MinFeasibleElevation, PutsTheStartOnTheGround) {
 TEST_F(ScenarioSampling, ADescribedThreatHasTheFeaturesOfACharacterStandingStill) {
   motion::PerTarget<Eigen::Vector3f> centres{};
   centres[motion::Target::head] = {0.1F, 0, 1.6F};
-  DescribedThreat threat;
-  threat.approach.azimuth = static_cast<float>(M_PI) / 2;
-  threat.approach.speed_mps = 20;
-  threat.approach.time_to_impact_s = 0.5F;
+  features::ThreatDescription threat;
+  threat.azimuth = static_cast<float>(M_PI) / 2;
+  threat.speed_mps = 20;
+  threat.time_to_impact_s = 0.5F;
   const features::FeatureVector x =
       described_features(features::feature_set_named("paper")->layout, threat, centres);
   EXPECT_NEAR(x[0], 0.1F, 1e-4F);       // from the left: no way along X

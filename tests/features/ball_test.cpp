@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "features/free_flight.h"
+#include "features/ball.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@ namespace flinch::features {
 namespace {
 
 TEST(TimeOfBounce, MatchesTheTimeOfFall) {
-  FreeFlight ball;
+  Ball ball;
   ball.position = {0, 0, 1.1};
   ball.radius = 0.1;
   ball.gravity_mps2 = 10;

@@ -1,22 +1,38 @@
 // SPDX-License-Identifier: MIT
-#include "features/free_flight.h"
+#include "features/ball.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace flinch::features {
 
-Eigen::Vector3d FreeFlight::position_at(double time_s) const {
+Eigen::Vector3d Ball::position_at(double time_s) const {
   return position + time_s * velocity -
          0.5 * gravity_mps2 * time_s * time_s * Eigen::Vector3d::UnitZ();
 }
 
-Eigen::Vector3d FreeFlight::velocity_at(double time_s) const {
+Eigen::Vector3d Ball::velocity_at(double time_s) const {
   return velocity - gravity_mps2 * time_s * Eigen::Vector3d::UnitZ();
 }
 
+Ball Ball::at(double time_s) const {
+  Ball later = *this;
+  later.position = position_at(time_s);
+  later.velocity = velocity_at(time_s);
+  return later;
+}
+
+Ball ball_of(const Threat& threat, double gravity_mps2) {
+  return {threat.position.cast<double>(), threat.velocity.cast<double>(),
+          static_cast<double>(threat.radius), static_cast<double>(threat.mass_kg), gravity_mps2};
+}
+
+double moment_of_inertia(const Ball& ball) {
+  return 2.0 / 3 * ball.mass_kg * ball.radius * ball.radius;
+}
+
 // z + v t - g t^2 / 2 = r + touch; at the later root the ball falls.
-std::optional<double> time_of_bounce(const FreeFlight& ball, double horizon_s, double touch_m) {
+std::optional<double> time_of_bounce(const Ball& ball, double horizon_s, double touch_m) {
   const double height = ball.position.z() - ball.radius - touch_m;
   const double rise = ball.velocity.z();
   if (ball.gravity_mps2 <= 0) {
