@@ -6,6 +6,8 @@
 #include <numbers>
 #include <utility>
 
+#include "motion/rotation.h"
+
 namespace flinch::models {
 
 int nearest_annotation(std::span<const ClipSummary> clips, int idle, motion::Target threatened,
@@ -18,8 +20,8 @@ int nearest_annotation(std::span<const ClipSummary> clips, int idle, motion::Tar
       continue;
     }
     const motion::Annotation& annotation = *clips[i].annotation;
-    const double angle = std::abs(
-        std::remainder(static_cast<double>(annotation.direction) - azimuth, 2 * std::numbers::pi));
+    const double angle = std::abs(motion::wrapped_to_pi(static_cast<double>(annotation.direction) -
+                                                        static_cast<double>(azimuth)));
     const std::pair rank{annotation.target != threatened, angle};
     if (rank < best_rank) {
       best_rank = rank;

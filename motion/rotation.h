@@ -3,22 +3,29 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
+#include <concepts>
 #include <limits>
 #include <numbers>
 
 namespace flinch::motion {
 
-constexpr float radians(float degrees) {
-  return degrees * std::numbers::pi_v<float> / 180;
+template <std::floating_point Scalar>
+constexpr Scalar radians(Scalar degrees) {
+  return degrees * std::numbers::pi_v<Scalar> / 180;
+}
+constexpr float radians(int degrees) {
+  return radians(static_cast<float>(degrees));
 }
 
-constexpr float degrees(float radians) {
-  return radians * 180 / std::numbers::pi_v<float>;
+template <std::floating_point Scalar>
+constexpr Scalar degrees(Scalar radians) {
+  return radians * 180 / std::numbers::pi_v<Scalar>;
 }
 
 /// Returns the equivalent angle in [-pi, pi], radians.
-inline float wrapped_to_pi(float angle) {
-  return std::remainder(angle, 2 * std::numbers::pi_v<float>);
+template <std::floating_point Scalar>
+Scalar wrapped_to_pi(Scalar angle) {
+  return std::remainder(angle, 2 * std::numbers::pi_v<Scalar>);
 }
 
 /// Returns the yaw of a direction, radians counter-clockwise from the world's X axis.

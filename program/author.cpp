@@ -59,7 +59,7 @@ void run(const Options& options) {
       database::authored_library(character_of(options), options.startle);
   library.hash = database::write_library(library, options.library);
   if (options.gallery) draw_gallery(library, *options.gallery);
-  const std::string idle = library.clips[static_cast<std::size_t>(library.idle)].name;
+  const std::string idle = library.idle_clip().name;
   if (options.json) {
     print({{"kind", "library"},
            {"file", options.library},

@@ -5,7 +5,8 @@
 #include <charconv>
 #include <cmath>
 #include <iostream>
-#include <numbers>
+
+#include "motion/rotation.h"
 
 namespace flinch::program {
 
@@ -17,8 +18,8 @@ void print_line(const Json& document) {
   std::cout << document.dump() << std::endl;
 }
 
-double degrees(double radians) {
-  return std::round(radians * 180e6 / std::numbers::pi) / 1e6;
+double rounded_degrees(double radians) {
+  return std::round(1e6 * motion::degrees(radians)) / 1e6;
 }
 
 double shortest(float value) {
@@ -33,7 +34,7 @@ Json to_json(const models::ClipSummary& clip) {
   if (!clip.annotation) return {};
   const motion::Annotation& annotation = *clip.annotation;
   return {{"target", motion::name_of(annotation.target)},
-          {"direction_degrees", std::round(degrees(double{annotation.direction}))},
+          {"direction_degrees", std::round(motion::degrees(double{annotation.direction}))},
           {"degree", motion::name_of(annotation.degree)},
           {"onset_s", shortest(annotation.onset_s)},
           {"peak_s", shortest(annotation.peak_s)},

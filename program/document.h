@@ -16,7 +16,7 @@ void print(const Json& document);
 void print_line(const Json& document);
 
 /// Degrees from radians, rounded to the millionth that floats leave sure.
-double degrees(double radians);
+double rounded_degrees(double radians);
 
 /// The double with the fewest digits that is this float, so that JSON shows 0.4 and not
 /// 0.4000000059604645.

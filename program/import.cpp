@@ -92,8 +92,7 @@ void print_text(const Options& options, const database::ImportResult& result) {
   std::cout << options.library << ": library " << library.name << ", "
             << database::hash_text(library.hash) << ", " << library.clips.size() << " clips ("
             << mirrored_count(library) << " of them mirrored) at " << library.rate_hz << " Hz from "
-            << result.report.sources.size() << " files, idle "
-            << library.clips[static_cast<std::size_t>(library.idle)].name << '\n';
+            << result.report.sources.size() << " files, idle " << library.idle_clip().name << '\n';
   if (unannotated > 0)
     std::cout << unannotated
               << " clips are unannotated and never answer a threat; annotate them in "

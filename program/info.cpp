@@ -6,6 +6,7 @@
 #include "database/import/import.h"
 #include "database/import/library_writer.h"
 #include "motion/error.h"
+#include "motion/rotation.h"
 #include "program/bvh_options.h"
 #include "program/command.h"
 #include "program/load.h"
@@ -49,7 +50,7 @@ Json library_document(const database::ClipLibrary& library) {
           {"rate_hz", shortest(library.rate_hz)},
           {"mass_kg", shortest(library.character.mass_kg)},
           {"sex", motion::name_of(library.character.sex)},
-          {"idle", library.clips[static_cast<std::size_t>(library.idle)].name},
+          {"idle", library.idle_clip().name},
           {"joints", joints},
           {"clips", clips}};
 }
@@ -57,7 +58,7 @@ Json library_document(const database::ClipLibrary& library) {
 std::vector<std::string> annotation_cells(const std::optional<motion::Annotation>& annotation) {
   if (!annotation) return {"-", "-", "-", "-", "-", "-"};
   return {std::string(motion::name_of(annotation->target)),
-          fixed(degrees(double{annotation->direction}), 0),
+          fixed(motion::degrees(double{annotation->direction}), 0),
           std::string(motion::name_of(annotation->degree)),
           fixed(double{annotation->onset_s}, 2),
           fixed(double{annotation->peak_s}, 2),
@@ -83,9 +84,8 @@ void print_library(const database::ClipLibrary& library) {
   }
   std::cout << "library " << library.name << ", " << database::hash_text(library.hash) << '\n'
             << library.clips.size() << " clips at " << library.rate_hz << " Hz, idle "
-            << library.clips[static_cast<std::size_t>(library.idle)].name << ", "
-            << motion::name_of(library.character.sex) << " of " << library.character.mass_kg
-            << " kg\n\n"
+            << library.idle_clip().name << ", " << motion::name_of(library.character.sex) << " of "
+            << library.character.mass_kg << " kg\n\n"
             << table.text();
 }
 

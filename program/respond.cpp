@@ -9,6 +9,7 @@
 #include "database/export/gltf_writer.h"
 #include "database/import/file_io.h"
 #include "motion/error.h"
+#include "motion/rotation.h"
 #include "program/command.h"
 #include "program/load.h"
 #include "program/response_recording.h"
@@ -39,14 +40,13 @@ Kind kind_of(const std::string& path) {
 // The recording as a clip that protects where the threat comes from, for its arrow.
 void write_filmstrip(const runtime::Library& library, const ResponseRecording& recording,
                      const Options& options) {
-  motion::Clip clip = library.clip_library().clips[static_cast<std::size_t>(recording.clip)];
+  motion::Clip clip = library.clip_library().clip(recording.clip);
   clip.motion = recording.motion;
   if (clip.annotation) {
     clip.annotation->onset_s = 0;
     clip.annotation->peak_s = recording.impact_s;
     clip.annotation->end_s = recording.motion.duration_s();
-    clip.annotation->direction =
-        static_cast<float>(options.threat.azimuth * std::numbers::pi / 180);
+    clip.annotation->direction = static_cast<float>(motion::radians(options.threat.azimuth));
   }
   database::write_file_atomically(
       options.out,
@@ -70,7 +70,7 @@ void write(const runtime::Library& library, const ResponseRecording& recording,
 }
 
 const std::string& clip_name(const runtime::Library& library, int clip) {
-  return library.clip_library().clips[static_cast<std::size_t>(clip)].name;
+  return library.clip_library().clip(clip).name;
 }
 
 void run(const Options& options) {

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "models/selector.h"
+#include "motion/rotation.h"
 #include "program/command.h"
 #include "program/load.h"
 #include "program/table.h"
@@ -62,7 +63,7 @@ void print_text(const models::Selector& selector, const ThreatOptions& threat,
     const models::ClipSummary& clip = selector.clips[static_cast<std::size_t>(candidate.clip)];
     const auto& annotation = clip.annotation;
     table.add({clip.name, annotation ? std::string(motion::name_of(annotation->target)) : "-",
-               annotation ? fixed(degrees(double{annotation->direction}), 0) : "-",
+               annotation ? fixed(motion::degrees(double{annotation->direction}), 0) : "-",
                fixed(double{by_votes ? candidate.vote : candidate.expected_cost_ns}, 3)});
   }
   const models::ClipSummary& best =

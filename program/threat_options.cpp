@@ -2,9 +2,9 @@
 #include "program/threat_options.h"
 
 #include <algorithm>
-#include <numbers>
 
 #include "motion/error.h"
+#include "motion/rotation.h"
 #include "program/document.h"
 #include "program/table.h"
 
@@ -38,9 +38,9 @@ features::ThreatDescription described(const ThreatOptions& options,
                                       const motion::PerTarget<Eigen::Vector3f>& centres) {
   features::ThreatDescription threat;
   threat.target = *motion::target_named(options.target);
-  const double min_elevation =
-      degrees(train::min_feasible_elevation(options.speed_mps, options.time_to_impact_s,
-                                            options.radius_m, double{centres[threat.target].z()}));
+  const double min_elevation = rounded_degrees(
+      train::min_feasible_elevation(options.speed_mps, options.time_to_impact_s, options.radius_m,
+                                    double{centres[threat.target].z()}));
   const double elevation = options.elevation.value_or(std::max(0.0, min_elevation));
   if (min_elevation >= 90)
     throw Error("", "a ball this slow would come from below the ground " +
@@ -49,8 +49,8 @@ features::ThreatDescription described(const ThreatOptions& options,
   if (elevation < min_elevation)
     throw Error("", "the ball would come from below the ground; raise --elevation to at least " +
                         fixed(min_elevation, 1) + ", raise --speed or shorten --time-to-impact");
-  threat.azimuth = static_cast<float>(options.azimuth * std::numbers::pi / 180);
-  threat.elevation = static_cast<float>(elevation * std::numbers::pi / 180);
+  threat.azimuth = static_cast<float>(motion::radians(options.azimuth));
+  threat.elevation = static_cast<float>(motion::radians(elevation));
   threat.speed_mps = static_cast<float>(options.speed_mps);
   threat.time_to_impact_s = static_cast<float>(options.time_to_impact_s);
   threat.radius = static_cast<float>(options.radius_m);

@@ -74,10 +74,8 @@ ReactionStatus ReactingCharacter::update(float dt_s) noexcept {
 void ReactingCharacter::update_from_physics(float dt_s) noexcept {
   match_age_s_ += dt_s;
   const motion::Pose wanted = character_.pose();
-  const auto& clips = library_->clip_library().clips;
   const motion::Pose returning =
-      match_ ? pose_of(clips[static_cast<std::size_t>(match_->clip)], *match_, match_age_s_)
-             : wanted;
+      match_ ? pose_of(library_->clip_library().clip(match_->clip), *match_, match_age_s_) : wanted;
   status_ = reaction_.advance(double{dt_s}, wanted, returning);
   pose_ = reaction_.pose();
   if (reaction_.phase() == ReactionPhase::recovering && !has_searched_) {
@@ -92,7 +90,7 @@ void ReactingCharacter::update_from_physics(float dt_s) noexcept {
 
 void ReactingCharacter::update_from_clip(float dt_s) noexcept {
   match_age_s_ += dt_s;
-  const motion::Clip& clip = library_->clip_library().clips[static_cast<std::size_t>(match_->clip)];
+  const motion::Clip& clip = library_->clip_library().clip(match_->clip);
   pose_ = pose_of(clip, *match_, match_age_s_);
   if (match_->time_s + match_age_s_ < clip.motion.duration_s()) return;
   resume_from_shown_pose(dt_s);

@@ -3,12 +3,12 @@
 
 #include <array>
 #include <charconv>
-#include <numbers>
 
 #include "database/export/euler_angles.h"
 #include "database/export/export_check.h"
 #include "database/export/y_up.h"
 #include "database/import/file_io.h"
+#include "motion/rotation.h"
 
 namespace flinch::database {
 namespace {
@@ -17,7 +17,6 @@ using motion::kRoles;
 using motion::Role;
 
 constexpr double kUnitsPerMetre = 100;
-constexpr double kDegrees = 180 / std::numbers::pi;
 
 // Six decimals, without a sign on zero. The longest finite float in centimetres has 41 digits.
 void append(double number, std::string& text) {
@@ -72,7 +71,9 @@ void append_frame(const motion::Pose& pose, motion::PerRole<Eigen::Vector3d>& an
   for (const Role role : kRoles) {
     const Eigen::Quaterniond rotation = pose.rotation[role].cast<double>().normalized();
     angles[role] = euler_zxy(to_y_up(rotation), angles[role]);
-    append(Eigen::Vector3d(kDegrees * angles[role]), line);
+    append(Eigen::Vector3d(
+               angles[role].unaryExpr([](double angle) { return motion::degrees(angle); })),
+           line);
   }
   text.append(line, 1);  // without the first space
   text += '\n';

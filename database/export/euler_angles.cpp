@@ -4,17 +4,18 @@
 #include <cmath>
 #include <numbers>
 
+#include "motion/rotation.h"
+
 namespace flinch::database {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 // limit of cos b: far above rounding errors of floats, far below what is visible
 constexpr double kLocked = 1e-6;
 
 // Adds full turns to each angle to bring it nearest to `near`.
 Eigen::Vector3d unwrapped(const Eigen::Vector3d& angles, const Eigen::Vector3d& near) {
   return angles.binaryExpr(
-      near, [](double angle, double old) { return old + std::remainder(angle - old, 2 * kPi); });
+      near, [](double angle, double old) { return old + motion::wrapped_to_pi(angle - old); });
 }
 
 }  // namespace
@@ -38,7 +39,8 @@ Eigen::Vector3d euler_zxy(const Eigen::Quaterniond& rotation, const Eigen::Vecto
   const double c = std::atan2(rest(0, 2), rest(0, 0));
 
   const Eigen::Vector3d one = unwrapped({a, b, c}, near);
-  const Eigen::Vector3d other = unwrapped({a + kPi, kPi - b, c + kPi}, near);
+  const Eigen::Vector3d other =
+      unwrapped({a + std::numbers::pi, std::numbers::pi - b, c + std::numbers::pi}, near);
   return (other - near).squaredNorm() < (one - near).squaredNorm() ? other : one;
 }
 

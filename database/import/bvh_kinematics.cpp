@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include <numbers>
 #include <span>
 
 #include "database/import/bvh.h"
+#include "motion/rotation.h"
 
 namespace flinch::database {
 namespace {
@@ -16,7 +16,6 @@ struct Local {
 /// position = OFFSET with its position channels in place; rotation = R1 R2 R3, of the rotation
 /// channels in the file's order.
 Local local_of(const BvhJoint& joint, std::span<const double> row) {
-  constexpr double kRadians = std::numbers::pi / 180;
   Local local{joint.offset, Eigen::Quaterniond::Identity()};
   for (std::size_t i = 0; i < joint.channels.size(); ++i) {
     const double value = row[static_cast<std::size_t>(joint.first_channel) + i];
@@ -25,7 +24,7 @@ Local local_of(const BvhJoint& joint, std::span<const double> row) {
       local.position[channel] = value;
     } else {
       local.rotation *= Eigen::Quaterniond(
-          Eigen::AngleAxisd(value * kRadians, Eigen::Vector3d::Unit(channel - 3)));
+          Eigen::AngleAxisd(motion::radians(value), Eigen::Vector3d::Unit(channel - 3)));
     }
   }
   return local;

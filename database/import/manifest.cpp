@@ -4,16 +4,14 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numbers>
 
 #include "database/import/role_overrides.h"
 #include "database/import/toml_reader.h"
 #include "motion/error.h"
+#include "motion/rotation.h"
 
 namespace flinch::database {
 namespace {
-
-constexpr double kRadiansPerDegree = std::numbers::pi / 180;
 
 std::string in_quotes(const std::string& text) {
   return "\"" + text + "\"";
@@ -49,7 +47,7 @@ double degrees_within_half_turn(const TomlReader& reader, std::string_view key) 
 float direction(const TomlReader& reader) {
   double degrees = 45 * std::round(degrees_within_half_turn(reader, "direction") / 45);
   if (degrees <= -180) degrees = 180;
-  return static_cast<float>(degrees * kRadiansPerDegree);
+  return static_cast<float>(motion::radians(degrees));
 }
 
 void check_within(const TomlReader& reader, std::string_view key, double time_s,
@@ -100,7 +98,7 @@ ManifestEntry read_entry(const TomlReader& reader, motion::Purpose purpose) {
     reader.fail("end", "must end after it starts");
   }
   if (reader.has("heading")) {
-    entry.heading = degrees_within_half_turn(reader, "heading") * kRadiansPerDegree;
+    entry.heading = motion::radians(degrees_within_half_turn(reader, "heading"));
   }
   return entry;
 }

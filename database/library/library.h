@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -23,6 +24,10 @@ struct ClipLibrary {
   /// Hash of the file's content, which identifies the library in stores and selectors. Reading and
   /// writing set it.
   std::uint64_t hash = 0;
+
+  /// By index, which must be one of `clips`.
+  const motion::Clip& clip(int index) const { return clips[static_cast<std::size_t>(index)]; }
+  const motion::Clip& idle_clip() const { return clip(idle); }
 };
 
 /// A library's hash in text: 16 hexadecimal digits, as messages and JSON have it.

@@ -102,7 +102,7 @@ flinch_status load(const Source& source, flinch_library** out) try {
 }
 
 const motion::Clip& clip_at(const flinch_library& library, std::int32_t index) {
-  return library.content->clip_library().clips[static_cast<std::size_t>(index)];
+  return library.content->clip_library().clip(index);
 }
 
 }  // namespace

@@ -21,10 +21,8 @@ struct PreparedLibrary {
   float reach_m = 0;                     ///< see features::CollisionFigure
 
   const motion::Skeleton& skeleton() const { return library->character.skeleton; }
-  const motion::Clip& clip(int index) const {
-    return library->clips[static_cast<std::size_t>(index)];
-  }
-  const motion::Motion& idle() const { return clip(library->idle).motion; }
+  const motion::Clip& clip(int index) const { return library->clip(index); }
+  const motion::Motion& idle() const { return library->idle_clip().motion; }
   features::CollisionFigure figure() const { return {&skeleton(), &body_model, reach_m}; }
   features::IdlingFigure idling() const { return {&skeleton(), &body_model, &idle()}; }
 };

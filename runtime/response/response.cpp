@@ -25,10 +25,6 @@ constexpr std::array kLegRoles{Role::pelvis,    Role::left_thigh,  Role::left_sh
                                Role::left_foot, Role::right_thigh, Role::right_shin,
                                Role::right_foot};
 
-bool is_idle(const Response& response) {
-  return response.clip == response.library->library->idle;
-}
-
 float fraction_of(const Interval& interval, float time_s) {
   if (time_s <= interval.begin_s) return 0;
   if (time_s >= interval.end_s) return 1;
@@ -153,6 +149,10 @@ float pelvis_drop(const motion::Skeleton& skeleton, const JointFrames& frames,
 }
 
 }  // namespace
+
+bool is_idle(const Response& response) noexcept {
+  return response.clip == response.library->library->idle;
+}
 
 Eigen::Vector3f horizontal(const Eigen::Vector3f& vector) {
   return {vector.x(), vector.y(), 0};

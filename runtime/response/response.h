@@ -106,6 +106,9 @@ Response make_response(const PreparedLibrary& library, const features::Character
 /// Whether the input of make_response() could be used.
 bool is_valid(const Response& response) noexcept;
 
+/// Whether a valid response does nothing: its clip is the idle clip.
+bool is_idle(const Response& response) noexcept;
+
 /// The pose `time_s` after perception, world; continuous in time. A time that is negative or not
 /// finite counts as 0. An invalid response gives the rest pose at the world's origin. Costs one or
 /// two microseconds; allocates nothing, throws nothing.

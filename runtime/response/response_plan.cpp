@@ -51,7 +51,7 @@ bool is_finite(const Inertialization& inertialization) {
 
 bool has_clip(const database::ClipLibrary& library, int clip) {
   return clip >= 0 && static_cast<std::size_t>(clip) < library.clips.size() &&
-         !library.clips[static_cast<std::size_t>(clip)].motion.poses.empty();
+         !library.clip(clip).motion.poses.empty();
 }
 
 bool is_in_order(const motion::Annotation& annotation) {
@@ -66,7 +66,7 @@ bool is_usable_input(const PreparedLibrary& prepared, const features::CharacterS
   if (!has_clip(library, library.idle) || !has_clip(library, clip)) return false;
   if (!is_finite(state) || !is_finite(inertialization)) return false;
   if (!(time_to_impact_s > 0) || !std::isfinite(time_to_impact_s)) return false;
-  const auto& annotation = library.clips[static_cast<std::size_t>(clip)].annotation;
+  const auto& annotation = library.clip(clip).annotation;
   return clip == library.idle || (annotation && is_in_order(*annotation));
 }
 
@@ -355,7 +355,7 @@ Side weight_bearing_foot(const Response& r) {
 // The feet's way home: one after the other, the one that carries more weight last.
 void plan_return(Response& r) {
   const Side last = weight_bearing_foot(r);
-  const bool idles = r.clip == r.library->library->idle;
+  const bool idles = is_idle(r);
   if (!idles)
     r.arcs_back = motion::shorter_arcs(clip_pose_at(r, r.end_s), return_pose_at(r, r.end_s));
   const auto away_foot = [&](Side side, float time_s) {

@@ -39,9 +39,8 @@ Eigen::Vector3d box_inertia(const Eigen::Vector3d& sides, double mass_kg) {
 }
 
 Eigen::Vector3d capsule_inertia(double r, double l, double mass_kg) {
-  constexpr double kPi = std::numbers::pi;
-  const double cylinder = kPi * r * r * l;
-  const double caps = 4.0 / 3.0 * kPi * r * r * r;
+  const double cylinder = std::numbers::pi * r * r * l;
+  const double caps = 4.0 / 3.0 * std::numbers::pi * r * r * r;
   const double across = cylinder * (0.25 * r * r + 1.0 / 12.0 * l * l) +
                         caps * (0.4 * r * r + 0.375 * r * l + 0.25 * l * l);
   const double along = (cylinder * 0.5 + caps * 0.4) * r * r;

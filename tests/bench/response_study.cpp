@@ -42,7 +42,7 @@ void run(const bench::StudyArguments& arguments) {
   std::uniform_real_distribution<float> part(0, 1);
   std::vector<Row> slip, added, below, seam, lift, extrapolated, peak;
   for (int clip = 0; clip < static_cast<int>(library.clips.size()); ++clip) {
-    const motion::Clip& played = library.clips[static_cast<std::size_t>(clip)];
+    const motion::Clip& played = library.clip(clip);
     if (!played.annotation || clip == library.idle) continue;
     for (int i = 0; i < threats; ++i) {
       const float time_s = 0.25F + 0.95F * part(random);

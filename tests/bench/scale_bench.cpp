@@ -61,7 +61,7 @@ void rehearse_responses(benchmark::State& state) {
   std::size_t bytes = 0;
   for (auto _ : state) {
     clip = (clip + 1) % static_cast<int>(setup.library.clips.size());
-    if (!setup.library.clips[static_cast<std::size_t>(clip)].annotation) continue;
+    if (!setup.library.clip(clip).annotation) continue;
     bytes = rehearse(setup, setup.responses.key_of(clip, {0, last})).byte_count();
   }
   state.counters["kilobytes"] = static_cast<double>(bytes) / 1e3;

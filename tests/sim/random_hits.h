@@ -6,6 +6,7 @@
 #include <random>
 #include <vector>
 
+#include "motion/rotation.h"
 #include "tests/sim/figure_motions.h"
 
 namespace flinch::scenes {
@@ -35,7 +36,7 @@ inline std::vector<Hit> random_hits(const motion::Physique& character,
         forward_kinematics(character.skeleton, motion::sample(motion, static_cast<float>(time_s)));
     const auto target = static_cast<motion::Target>(i / motions.size() % motion::kTargetCount);
     const double azimuth = uniform(0, 2 * std::numbers::pi);
-    const double elevation = uniform(-10, 45) * std::numbers::pi / 180;
+    const double elevation = motion::radians(uniform(-10, 45));
     const Eigen::Vector3d from(std::cos(azimuth) * std::cos(elevation),
                                std::sin(azimuth) * std::cos(elevation), std::sin(elevation));
     hits.push_back({index, aimed_ball(target_centre(model, frames, target).cast<double>(),

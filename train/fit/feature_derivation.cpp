@@ -14,9 +14,8 @@ void derive_features(const features::Layout& layout, const StoreHeader& header,
     throw Error("", std::string("the library in the store ") + database::message_of(status) +
                         "; simulate it again");
   const motion::BodyModel model = motion::make_body_model(library.character);
-  const features::IdlingFigure figure{
-      &library.character.skeleton, &model,
-      &library.clips[static_cast<std::size_t>(library.idle)].motion};
+  const features::IdlingFigure figure{&library.character.skeleton, &model,
+                                      &library.idle_clip().motion};
   for (Observation& observation : observations)
     observation.features = features::feature_vector(layout, observation.scenario, figure);
 }

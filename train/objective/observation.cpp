@@ -3,16 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "motion/error.h"
+#include "motion/rotation.h"
 
 namespace flinch::train {
 
 float azimuth_of(const features::Scenario& scenario) {
   const Eigen::Vector3f from = -scenario.threat.velocity;
-  return std::remainder(std::atan2(from.y(), from.x()) - scenario.state.facing,
-                        2 * std::numbers::pi_v<float>);
+  return motion::wrapped_to_pi(motion::yaw_of(from) - scenario.state.facing);
 }
 
 std::size_t trial_of(const Observation& observation, int clip) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "features/random.h"
 #include "motion/error.h"
@@ -114,7 +115,7 @@ features::Scenario sample_scenario(const database::ClipLibrary& library,
                                    std::uint64_t number) {
   constexpr int kMaxDraws = 10'000;
   features::Random random(seed, features::RandomStream::scenario, number);
-  const motion::Motion& idle = library.clips[static_cast<std::size_t>(library.idle)].motion;
+  const motion::Motion& idle = library.idle_clip().motion;
 
   features::Scenario scenario;
   scenario.target = static_cast<motion::Target>(random.index(motion::kTargetCount));

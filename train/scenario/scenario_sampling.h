@@ -4,12 +4,12 @@
 #include <array>
 #include <compare>
 #include <cstdint>
-#include <numbers>
 
 #include "database/library/library.h"
 #include "features/feature_layout.h"
 #include "features/scenario.h"
 #include "motion/body.h"
+#include "motion/rotation.h"
 
 namespace flinch::train {
 
@@ -20,8 +20,8 @@ struct ScenarioDistribution {
   double mass_kg = features::kVolleyballMass_kg;
   double min_speed_mps = 8;  ///< at the impact
   double max_speed_mps = 30;
-  double min_elevation = -10 * std::numbers::pi / 180;  ///< at the impact
-  double max_elevation = 45 * std::numbers::pi / 180;
+  double min_elevation = motion::radians(-10.0);  ///< at the impact
+  double max_elevation = motion::radians(45.0);
   double min_time_to_impact_s = 0.25;
   double max_time_to_impact_s = 1.2;
   /// Times to impact are the minimum plus a whole number of steps, so that scenarios can share

@@ -43,10 +43,6 @@ bool is_near(const runtime::WeightShift& a, float a_impact_s, const runtime::Wei
          is_near(a.hold, a_impact_s, b.hold, b_impact_s) && is_near(a.pelvis, b.pelvis);
 }
 
-bool is_idle(const runtime::Response& response) {
-  return response.clip == response.library->library->idle;
-}
-
 }  // namespace
 
 bool is_same_from_impact(const runtime::Response& early, float early_time_s,

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
-#include <numbers>
 #include <optional>
 #include <span>
 
@@ -12,6 +11,7 @@
 #include "database/library/content_hash.h"
 #include "database/library/file_header.h"
 #include "motion/error.h"
+#include "motion/rotation.h"
 #include "train/simulate/scenario_scheduler.h"
 #include "train/simulate/worker_pool.h"
 #include "train/store/store_trials.h"
@@ -26,17 +26,13 @@ constexpr std::uint64_t kBatchPerThread = 128;
 /// pays.
 constexpr std::uint64_t kUncachedBatchPerThread = 1024;
 
-constexpr double degrees(double radians) {
-  return radians * 180 / std::numbers::pi;
-}
-
 std::string describe(const ScenarioDistribution& distribution) {
   return nlohmann::ordered_json{
       {"radius_m", distribution.radius_m},
       {"mass_kg", distribution.mass_kg},
       {"speed_mps", {distribution.min_speed_mps, distribution.max_speed_mps}},
       {"elevation_degrees",
-       {degrees(distribution.min_elevation), degrees(distribution.max_elevation)}},
+       {motion::degrees(distribution.min_elevation), motion::degrees(distribution.max_elevation)}},
       {"time_to_impact_s", {distribution.min_time_to_impact_s, distribution.max_time_to_impact_s}},
       {"time_to_impact_step_s", distribution.time_to_impact_step_s},
       {"character_states", distribution.idle_phase_count},
@@ -144,7 +140,7 @@ StoreHeader make_store_header(const SimulationSetup& setup) {
                                 setup.plan.distribution.max_speed_mps;
   header.idle = library.idle;
   for (int clip = 0; clip < static_cast<int>(library.clips.size()); ++clip) {
-    const motion::Clip& source = library.clips[static_cast<std::size_t>(clip)];
+    const motion::Clip& source = library.clip(clip);
     const bool answers = source.purpose == motion::Purpose::anticipation && clip != library.idle;
     header.clips.push_back({source.name, answers ? source.annotation : std::nullopt});
     header.clip_work_j.push_back(answers ? reference_work_j(setup, clip) : 0);
@@ -154,7 +150,7 @@ StoreHeader make_store_header(const SimulationSetup& setup) {
     throw Error("", "the library " + library.name +
                         " has no annotated clip that moves; annotate its clips in the manifest "
                         "and import again");
-  const motion::Motion& idle = library.clips[static_cast<std::size_t>(library.idle)].motion;
+  const motion::Motion& idle = library.idle_clip().motion;
   header.idle_target_centres = target_centres_in_character_frame(
       library.character.skeleton, setup.body_model, idle.poses.front());
   return header;

@@ -110,7 +110,7 @@ Observation make_observation(const SimulationSetup& setup, std::uint64_t number)
 std::vector<int> clips_to_try(const database::ClipLibrary& library, motion::Target threatened) {
   std::vector<int> clips;
   for (int clip = 0; clip < static_cast<int>(library.clips.size()); ++clip) {
-    const motion::Clip& candidate = library.clips[static_cast<std::size_t>(clip)];
+    const motion::Clip& candidate = library.clip(clip);
     const bool allowed = candidate.purpose == motion::Purpose::anticipation &&
                          features::is_allowed(threatened, candidate.annotation);
     if (clip == library.idle || allowed) clips.push_back(clip);
@@ -151,7 +151,7 @@ TrialResult try_rehearsed(const SimulationSetup& setup, const features::Scenario
 }
 
 double reference_work_j(const SimulationSetup& setup, int clip) {
-  const auto& annotation = setup.library.clips[static_cast<std::size_t>(clip)].annotation;
+  const auto& annotation = setup.library.clip(clip).annotation;
   if (clip == setup.library.idle || !annotation) return 0;
   // With enough time to shift the weight, the clip plays at its own speed.
   constexpr float kShiftTime_s = 0.5F;  // s

@@ -44,7 +44,7 @@ motion::Motion idle_of(const StoreHeader& header, const std::string& path) {
   if (read_library(header.library_file, library) != database::LoadStatus::ok ||
       library.idle != header.idle)
     throw Error(path, kDamagedStore);
-  return library.clips[static_cast<std::size_t>(library.idle)].motion;
+  return library.idle_clip().motion;
 }
 
 }  // namespace

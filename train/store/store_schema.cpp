@@ -3,19 +3,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <span>
 
 #include "database/library/content_hash.h"
 #include "database/library/file_header.h"
 #include "motion/error.h"
+#include "motion/rotation.h"
 #include "train/store/store_rows.h"
 
 namespace flinch::train {
 
 namespace {
-
-constexpr double kDegrees = 180 / std::numbers::pi;
 
 void write_clips(Database& database, const StoreHeader& header) {
   Statement statement = database.prepare(
@@ -28,7 +26,7 @@ void write_clips(Database& database, const StoreHeader& header) {
     insert.bind(static_cast<std::int64_t>(i)).bind(clip.name).bind(header.clip_work_j[i]);
     if (const auto& annotation = clip.annotation) {
       insert.bind(std::string(motion::name_of(annotation->target)))
-          .bind(std::round(double{annotation->direction} * kDegrees))
+          .bind(std::round(motion::degrees(double{annotation->direction})))
           .bind(std::string(motion::name_of(annotation->degree)))
           .bind(double{annotation->onset_s})
           .bind(double{annotation->peak_s})
@@ -70,7 +68,7 @@ void read_clips(Database& database, StoreHeader& header) {
       const auto degree = motion::degree_named(row.text(5));
       if (!target || !degree) throw Error(database.path(), kDamagedStore);
       clip.annotation = motion::Annotation{*target,
-                                           static_cast<float>(row.real(4) / kDegrees),
+                                           static_cast<float>(motion::radians(row.real(4))),
                                            *degree,
                                            static_cast<float>(row.real(6)),
                                            static_cast<float>(row.real(7)),

@@ -49,9 +49,8 @@ TEST(AuthoredLibrary, IsReproducibleBitForBit) {
 TEST(AuthoredLibrary, StartsEveryClipFromTheIdlePose) {
   const ClipLibrary& library = default_library();
   const AuthorScene scene;
-  const JointFrames idle = motion::forward_kinematics(
-      scene.figure.skeleton(),
-      library.clips[static_cast<std::size_t>(library.idle)].motion.poses[0]);
+  const JointFrames idle =
+      motion::forward_kinematics(scene.figure.skeleton(), library.idle_clip().motion.poses[0]);
   for (const Clip& clip : library.clips) {
     const JointFrames first =
         motion::forward_kinematics(scene.figure.skeleton(), clip.motion.poses[0]);

@@ -181,7 +181,7 @@ TEST(Import, CutsClipsAndMirrorsTheAnnotatedOnes) {
   EXPECT_EQ(library.name, "m");
   EXPECT_EQ(library.rate_hz, 60);
   ASSERT_EQ(library.clips.size(), 4U);
-  EXPECT_EQ(library.clips[static_cast<std::size_t>(library.idle)].name, "idle");
+  EXPECT_EQ(library.idle_clip().name, "idle");
   const motion::Clip& duck = library.clips[1];
   EXPECT_EQ(duck.motion.poses.size(), 43U);
   EXPECT_NEAR(duck.annotation->onset_s, 0.1, 1e-6);

@@ -73,8 +73,7 @@ TEST_F(Mocap, TheWholeManifestBecomesALibrary) {
   EXPECT_EQ(count["mirrored"], 66);
   EXPECT_EQ(count["idle"], 3);
   EXPECT_EQ(count["push"], 29);
-  EXPECT_EQ(imported().library.clips[static_cast<std::size_t>(imported().library.idle)].name,
-            "idle_65");
+  EXPECT_EQ(imported().library.idle_clip().name, "idle_65");
   EXPECT_TRUE(imported().report.skipped.empty());
 }
 

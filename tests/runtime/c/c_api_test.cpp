@@ -100,7 +100,7 @@ TEST_F(CApi, LibraryDescriptionMatchesTheFile) {
   EXPECT_EQ(info.rate_hz, authored.rate_hz);
   EXPECT_EQ(info.mass_kg, authored.character.mass_kg);
   for (std::int32_t i = 0; i < info.clip_count; ++i) {
-    const motion::Clip& ours = authored.clips[static_cast<std::size_t>(i)];
+    const motion::Clip& ours = authored.clip(i);
     auto clip = sized<flinch_clip>();
     ASSERT_EQ(flinch_library_clip(library, i, &clip), FLINCH_OK);
     EXPECT_EQ(clip.name, ours.name);

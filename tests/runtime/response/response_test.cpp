@@ -72,7 +72,7 @@ Pose idle_at(const features::CharacterState& state, float t) {
 template <typename Change>
 database::ClipLibrary with_changed(int clip, Change change) {
   database::ClipLibrary library = authored();
-  const motion::Clip kept = library.clips[static_cast<std::size_t>(clip)];
+  const motion::Clip kept = library.clip(clip);
   library.clips.resize(1);
   library.clips.push_back(kept);
   change(library.clips[1]);

@@ -16,7 +16,7 @@ TEST(PredictImpact, FindsTheTargetAndTimeOfScenarios) {
   const database::ClipLibrary library = scenes::synthetic_library();
   const motion::BodyModel model = make_body_model(library.character);
   const motion::Skeleton& skeleton = library.character.skeleton;
-  const motion::Motion& idle = library.clips[static_cast<std::size_t>(library.idle)].motion;
+  const motion::Motion& idle = library.idle_clip().motion;
   const features::CollisionFigure figure = features::make_collision_figure(skeleton, model);
   const features::MotionBounds motion_bounds = features::motion_bounds_of(skeleton, model, idle);
   int impacts = 0;

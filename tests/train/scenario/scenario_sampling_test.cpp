@@ -61,8 +61,8 @@ TEST_F(ScenarioSampling, ThreatsAreWithinTheDistributionAndAboveTheGround) {
     EXPECT_GE(impact_velocity.norm(), 8 - 1e-3F);
     EXPECT_LE(impact_velocity.norm(), 30 + 1e-3F);
     const double elevation = std::asin(double{-impact_velocity.z() / impact_velocity.norm()});
-    EXPECT_GE(elevation * 180 / M_PI, -10.01);
-    EXPECT_LE(elevation * 180 / M_PI, 45.01);
+    EXPECT_GE(motion::degrees(elevation), -10.01);
+    EXPECT_LE(motion::degrees(elevation), 45.01);
     for (const float share : {0.0F, 0.25F, 0.5F, 0.75F, 1.0F}) {
       EXPECT_GE(features::position_at(scenario.threat, share * t).z(),
                 scenario.threat.radius - 1e-3F);

@@ -68,7 +68,7 @@ TEST_F(SharedResponse, IsTheSameMotionSeenFromTheImpact) {
       EXPECT_LT(apart(response(clip, key.cell), time_to_impact_s(kDistribution, key.cell.time), own,
                       time_to_impact_s(kDistribution, time)),
                 2e-4F)
-          << library_->clips[static_cast<std::size_t>(clip)].name << ", time " << time;
+          << library_->clip(clip).name << ", time " << time;
       ++compared;
     }
   }
@@ -85,7 +85,7 @@ TEST_F(SharedResponse, IsNoLongerSharedWhereThereIsLessTime) {
     EXPECT_GT(apart(response(clip, sooner), time_to_impact_s(kDistribution, sooner.time),
                     response(clip, key.cell), time_to_impact_s(kDistribution, key.cell.time)),
               2e-4F)
-        << library_->clips[static_cast<std::size_t>(clip)].name;
+        << library_->clip(clip).name;
     ++rushed;
   }
   EXPECT_GT(rushed, 50);

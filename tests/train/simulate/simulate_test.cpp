@@ -21,7 +21,7 @@ TEST(ClipsToTry, AreTheAllowedClipsAndTheIdleClip) {
   library.clips[2].annotation.reset();
   std::vector<std::string> names;
   for (const int clip : clips_to_try(library, motion::Target::head))
-    names.push_back(library.clips[static_cast<std::size_t>(clip)].name);
+    names.push_back(library.clip(clip).name);
   EXPECT_EQ(names, (std::vector<std::string>{"idle", "raise_hands", "turn_shoulder",
                                              "duck_mirrored", "turn_shoulder_mirrored"}));
 }
@@ -38,7 +38,7 @@ TEST(ReferenceWork, ResponsesArePlayedAtTheirOwnRate) {
   const database::ClipLibrary library = scenes::synthetic_library();
   const runtime::PreparedLibrary prepared = runtime::prepare(library);
   for (int clip = 1; clip < static_cast<int>(library.clips.size()); ++clip) {
-    const auto& annotation = library.clips[static_cast<std::size_t>(clip)].annotation;
+    const auto& annotation = library.clip(clip).annotation;
     EXPECT_EQ(runtime::make_response(prepared, {}, clip, annotation->peak_s + 0.5F).playback_rate,
               1);
   }
