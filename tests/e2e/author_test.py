@@ -31,7 +31,7 @@ class Author(ProgramTest):
         self.assertEqual([c["name"] for c in quality["clips"] if c["breaks"]], [])
         text = self.succeed("info", self.library, "--quality").stdout
         count = len(quality["clips"])
-        self.assertIn(f"{count} of {count} clips keep all bounds", text)
+        self.assertIn(f"{count} of {count} clips meet all bounds", text)
 
     def test_the_gallery_in_the_docs_shows_every_clip(self):
         drawn = self.folder / "gallery"

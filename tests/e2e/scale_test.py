@@ -147,7 +147,7 @@ class Processes(RunTest):
         self.assertFalse(store.exists())
         done = self.run_job(2, *command)
         self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertIn("going on after", done.stderr)
+        self.assertIn("continuing after", done.stderr)
         self.assertEqual(store.read_bytes(), whole)
 
     def test_what_is_wrong_is_told_once(self):

@@ -62,7 +62,7 @@ class Store(ProgramTest):
                                r"same command again")
         self.assertFalse(store.exists())
         done = self.succeed(*self.command(store, SLOW))
-        self.assertIn("going on after", done.stderr)
+        self.assertIn("continuing after", done.stderr)
         self.assertEqual(store.read_bytes(), whole)
 
     def test_after_a_kill_the_same_command_goes_on(self):
@@ -129,7 +129,7 @@ class Store(ProgramTest):
         self.assertIn("make room", process.stderr.splitlines()[-1])
         self.assertFalse(store.exists())
         done = self.succeed(*self.command(store, scenarios=many))
-        self.assertIn("going on after", done.stderr)
+        self.assertIn("continuing after", done.stderr)
         self.assertEqual(store.read_bytes(), whole.read_bytes())
 
     def test_merged_stores_are_the_store_of_all(self):
