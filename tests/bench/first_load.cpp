@@ -39,7 +39,7 @@ Cost cost_of_loading(const std::string& path) {
   return {after.cpu_s - before.cpu_s, after.page_faults - before.page_faults};
 }
 
-/// In a process of its own, which has loaded nothing before.
+/// Measures in a new process, which has loaded nothing before.
 Cost cost_in_new_process(const std::string& path) {
   Cost cost;
   int ends[2];

@@ -30,7 +30,7 @@ struct Study {
   std::shared_ptr<const sim::FigureModel> plan;
 };
 
-/// Of joints of two poses, the largest distance, mm.
+/// Largest distance of a joint between two poses, mm.
 double distance_mm(const Study& study, const motion::Pose& first, const motion::Pose& second) {
   const auto a = forward_kinematics(study.character.skeleton, first);
   const auto b = forward_kinematics(study.character.skeleton, second);

@@ -24,7 +24,7 @@ using motion::Body;
 constexpr double kMaxChange = 0.005;  // a smaller change of an impulse counts as none
 constexpr std::size_t kWorst = 10;
 
-/// Adds to `sum_s` the time since `begin_s`, and begins anew.
+/// Adds the time since `begin_s` to `sum_s`, and restarts.
 void add_time(double& begin_s, double& sum_s) {
   const double now_s = bench::process_cpu_s();
   sum_s += now_s - begin_s;

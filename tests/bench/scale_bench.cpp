@@ -12,7 +12,7 @@
 namespace flinch::train {
 namespace {
 
-/// The default library and all that is made ready once.
+/// The default library and everything that is prepared once.
 struct Scene {
   database::ClipLibrary library = database::authored_library(motion::default_character());
   SimulationSetup setup{library, {}};

@@ -4,8 +4,8 @@
 //
 // Usage: node validate.mjs NODE [--all-broken] FOLDER
 //
-// NODE is the folder of the validator that scripts/setup installs (build/node). Exits with 77, for a
-// skipped test, when it is not there.
+// NODE is the folder of the validator, which scripts/setup installs (build/node). Exits with 77, a
+// skipped test, if the folder does not exist.
 import { existsSync, readdirSync, readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { join, resolve } from 'node:path';
