@@ -24,7 +24,7 @@ class LiveReference {
   sim::ReferenceState at(double time_s) const;
 
  private:
-  /// Difference of a pose from its extrapolation, in the order of ReferenceState.
+  /// The extrapolation less the pose that followed, in the order of ReferenceState.
   struct Correction {
     Eigen::Vector3d position = Eigen::Vector3d::Zero();
     Eigen::Vector3d rotation = Eigen::Vector3d::Zero();

@@ -24,7 +24,7 @@ struct BallState {
 BallState ball_state(const Ball& ball);
 
 /// A figure and a ball that obey the laws of an OdeScene, stepped by JointTree in a tenth of the
-/// time. A plain value except for its pointer to the figure model.
+/// time. A plain value except for its reference to the figure model.
 class TreeScene {
  public:
   /// `figure_model` must outlive this.

@@ -77,7 +77,7 @@ struct Errors {
     const Eigen::Vector3d along = truth.cast<double>().normalized();
     const Eigen::Vector3d side = along.cross(Eigen::Vector3d::UnitZ()).normalized();
     const Eigen::Vector3d direction = seen.cast<double>().normalized();
-    // For tiny angles both equal their share of the arc.
+    // Both angles are tiny, so each is its component of the arc.
     const double angle = std::acos(std::min(direction.dot(along), 1.0));
     const Eigen::Vector3d across = (direction - direction.dot(along) * along).normalized();
     up.add(angle > 0 ? angle * across.dot(side.cross(along)) : 0);
