@@ -44,7 +44,7 @@ file(RELATIVE_PATH to_prefix /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
 configure_file(${CMAKE_CURRENT_LIST_DIR}/flinch.pc.in ${PROJECT_BINARY_DIR}/flinch.pc @ONLY)
 install(FILES ${PROJECT_BINARY_DIR}/flinch.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 
-# The reaction links ODE, which the package then looks for as this build did.
+# The reaction links ODE, which the package finds with the same module as this build.
 if(TARGET flinch_reaction)
   flinch_link_closure(reaction_libraries flinch_reaction)
   list(FILTER reaction_libraries INCLUDE REGEX "^flinch_")

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# The headers that games may include: all that is installed, and at most 25. docs/embedding.md says
-# what each is for; the test architecture.public_headers checks the list.
+# The headers that games may include: everything that is installed, at most 25. docs/embedding.md
+# says what each is for; the test architecture.public_headers checks the list.
 set(FLINCH_REACTION_HEADERS  # of the package's component `reaction`
   reaction/recovery.h
   reaction/reaction.h

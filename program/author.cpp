@@ -33,13 +33,13 @@ motion::Physique character_of(const Options& options) {
   return database::read_character(*options.character);
 }
 
-// Mirror images are left out: they show nothing new.
+// Leaves out mirror images, which show nothing new.
 void draw_gallery(const database::ClipLibrary& library, const std::string& folder) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
-  if (error) throw Error(folder, "cannot make this folder: " + error.message());
+  if (error) throw Error(folder, "cannot create this folder: " + error.message());
   const motion::Figure figure = motion::make_figure(library.character);
-  std::string index = "# The authored library\n\nOne filmstrip a clip, of the " +
+  std::string index = "# The authored library\n\nOne filmstrip per clip, of the " +
                       std::to_string(library.clips.size()) +
                       " that `flinch author` makes; mirror images are left out. Upper row from the"
                       " right, lower row from the front; the threat comes along the arrow, or out"
@@ -79,19 +79,18 @@ void run(const Options& options) {
 
 Command author_command() {
   auto options = std::make_shared<Options>();
-  return {
-      .name = "author",
-      .summary = "Make the default library by rule, without motion capture",
-      .required = {{"--out", "library to write", &options->library}},
-      .optional = {{"--character",
-                    "TOML file with height_m, mass_kg, sex and [proportions], or a library "
-                    "whose character to take (default: a man of 1.75 m and 75 kg)",
-                    &options->character},
-                   {"--startle", "begin blocks with a flinch", &options->startle},
-                   {"--gallery", "folder to draw filmstrips of all clips into", &options->gallery},
-                   json_option(options->json)},
-      .notes = "Example:\n  flinch author --out default.flinchlib",
-      .run = [options] { run(*options); }};
+  return {.name = "author",
+          .summary = "Make the default library by rule, without motion capture",
+          .required = {{"--out", "library file to write", &options->library}},
+          .optional = {{"--character",
+                        "TOML file with height_m, mass_kg, sex and [proportions], or a library "
+                        "whose character to use (default: a man of 1.75 m and 75 kg)",
+                        &options->character},
+                       {"--startle", "start blocking clips with a flinch", &options->startle},
+                       {"--gallery", "folder for filmstrips of all clips", &options->gallery},
+                       json_option(options->json)},
+          .notes = "Example:\n  flinch author --out default.flinchlib",
+          .run = [options] { run(*options); }};
 }
 
 }  // namespace flinch::program

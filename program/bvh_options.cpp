@@ -9,11 +9,11 @@
 namespace flinch::program {
 
 std::vector<Option> bvh_options(BvhOptions& options) {
-  return {{"--unit", "of length in BVH files (default: found out)", &options.unit,
+  return {{"--unit", "unit of length in BVH files (default: detected)", &options.unit,
            OneOf{{"m", "cm", "mm", "inch", "cmu"}}},
-          {"--up", "axis in BVH files (default: found out)", &options.up,
+          {"--up", "axis that points up in BVH files (default: detected)", &options.up,
            OneOf{{"x", "y", "z", "-x", "-y", "-z"}}},
-          {"--roles", "TOML file with a table [roles] of lines like head = \"Bip01 Head\"",
+          {"--roles", "TOML file with a table [roles] that has lines like head = \"Bip01 Head\"",
            &options.roles}};
 }
 

@@ -10,20 +10,20 @@
 
 namespace flinch::program {
 
-/// How BVH files are to be understood where that is not left to be found out.
+/// How to read BVH files; whatever is not given is detected.
 struct BvhOptions {
   std::string unit;
   std::string up;
-  std::string roles;  ///< a TOML file
+  std::string roles;  ///< path of a TOML file
 
   bool given() const { return !unit.empty() || !up.empty() || !roles.empty(); }
 };
 std::vector<Option> bvh_options(BvhOptions& options);
 
-/// Throws Error for a file of roles that cannot be used.
+/// Returns the import options. Throws Error for a file of roles that cannot be used.
 database::SourceOptions source_options(const BvhOptions& options);
 
-/// What was found out about a BVH file: measures, and the joint of each role.
+/// Describes what was detected in a BVH file: measures, and the joint of each role.
 Json source_document(const database::SourceReport& source);
 std::string source_text(const database::SourceReport& source);
 

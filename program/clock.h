@@ -3,7 +3,7 @@
 
 namespace flinch::program {
 
-/// CPU time that the calling thread has had, s.
+/// CPU time of the calling thread, s.
 double thread_cpu_s();
 
 }  // namespace flinch::program

@@ -18,7 +18,7 @@ Option features_option(std::string& set) {
     summaries += (summaries.empty() ? "" : "; ") + names.back() + ": " + std::string(known.summary);
   }
   set = names.front();
-  return {"--features", "what a selector is told of a scenario (" + summaries + ")", &set,
+  return {"--features", "the features that a selector sees (" + summaries + ")", &set,
           OneOf{names}};
 }
 
@@ -32,10 +32,9 @@ std::vector<Option> cost_options(CostOptions& options) {
   std::vector<std::string> names;
   for (const train::VulnerabilityProfile& profile : train::vulnerability_profiles())
     names.emplace_back(profile.name);
-  return {
-      {"--brawn", "how much work weighs against damage, from 0 to 1", &options.brawn, Range{0, 1}},
-      {"--vulnerability", "which table says how much an impulse on each body hurts",
-       &options.vulnerability, OneOf{names}}};
+  return {{"--brawn", "weight of work against damage, from 0 to 1", &options.brawn, Range{0, 1}},
+          {"--vulnerability", "table of how much an impulse on each body hurts",
+           &options.vulnerability, OneOf{names}}};
 }
 
 const train::Vulnerability& vulnerability_of(const CostOptions& options) {

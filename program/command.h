@@ -10,7 +10,7 @@
 
 namespace flinch::program {
 
-/// The commands, each with destinations of its own for its options.
+/// The commands. Each call returns a command with its own destinations for options.
 Command author_command();
 Command import_command();
 Command info_command();
@@ -22,16 +22,16 @@ Command export_command();
 Command select_command();
 Command respond_command();
 
-/// --json, as all commands but simulate describe it.
+/// The option --json, for all commands except simulate.
 Option json_option(bool& json);
 
-/// The option that says with which features selectors are asked; `set` becomes the default.
+/// The option that selects the features of selectors; `set` becomes the default.
 Option features_option(std::string& set);
 
-/// The names of all methods.
+/// Returns the names of all methods.
 std::vector<std::string> method_names();
 
-/// How scenarios are labelled, as options say it.
+/// How to label scenarios, as given by options.
 struct CostOptions {
   double brawn = 0.1;
   std::string vulnerability{train::vulnerability_profiles()[0].name};

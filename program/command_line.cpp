@@ -20,7 +20,7 @@ struct OneValue<std::optional<Value>> {
   using Type = Value;
 };
 
-// CLI::Range takes nan for a number of any range.
+// CLI::Range accepts nan in every range.
 CLI::Validator real_number_in(const Range& range) {
   std::ostringstream text;
   text << "[" << range.min << " - " << range.max << "]";
@@ -41,7 +41,7 @@ CLI::Validator number_in(const Range& range) {
     return real_number_in(range);
 }
 
-/// With the largest unit that leaves no remainder: 1G.
+/// Returns the number with the largest unit that leaves no remainder: 1G.
 std::string byte_text(std::uint64_t bytes) {
   constexpr std::array kUnits{"", "K", "M", "G"};
   std::size_t unit = 0;
@@ -78,7 +78,7 @@ void show_default(const Option& option, CLI::Option* added) {
   if (std::holds_alternative<ByteCount>(option.accepted)) {
     added->default_str(byte_text(*std::get<std::uint64_t*>(option.destination)));
   } else if (!std::holds_alternative<std::vector<std::string>*>(option.destination)) {
-    added->capture_default_str();  // of an empty list it would be []
+    added->capture_default_str();  // of an empty list it would show []
   }
 }
 

@@ -103,14 +103,13 @@ Command compare_command() {
   auto options = std::make_shared<Options>();
   return {
       .name = "compare",
-      .summary = "Fit selectors to a store and try them side by side",
-      .required = {{"STORE", "store that flinch simulate made", &options->store}},
+      .summary = "Fit selectors to a store and compare them on the same scenarios",
+      .required = {{"STORE", "store made by flinch simulate", &options->store}},
       .optional = join(
-          {{{"--test", "store of other scenarios to try them on (default: every fourth of STORE)",
-             &options->test},
-            {"--report", "folder for report.json and the data of each chart, made if missing",
+          {{{"--test", "store of test scenarios (default: every fourth of STORE)", &options->test},
+            {"--report", "folder for report.json and chart data, created if missing",
              &options->report},
-            {"--models", "which to fit (default: all)", &options->models, OneOf{method_names()}},
+            {"--models", "models to fit (default: all)", &options->models, OneOf{method_names()}},
             features_option(options->features),
             {"--curves", "also fit to fewer scenarios", &options->curves},
             {"--transfer", "also fit for other brawns", &options->transfer},
@@ -119,7 +118,7 @@ Command compare_command() {
            {json_option(options->json)}}),
       .notes =
           "Protection is 0 for standing still and 1 for the exhaustive choice; intervals are\n"
-          "bootstrapped over the scenarios that are tried.\n\n"
+          "bootstrapped over the test scenarios.\n\n"
           "Example:\n  flinch compare real.flinchobs --test test.flinchobs --report report",
       .run = [options] { run(*options); }};
 }

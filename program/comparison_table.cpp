@@ -43,8 +43,8 @@ std::string rows_text(const std::vector<train::EvaluationRow>& rows) {
 
 std::string paired_text(const std::vector<train::EvaluationRow>& rows) {
   Table table({{"mean cost, N s"},
-               {"minus that of svm (95 %)", right},
-               {"minus that of knn (95 %)", right}});
+               {"minus mean of svm (95 %)", right},
+               {"minus mean of knn (95 %)", right}});
   for (const train::EvaluationRow& row : rows)
     table.add({row.name, difference(row, "svm"), difference(row, "knn")});
   return table.text();
@@ -66,7 +66,7 @@ std::string timing_text(const train::Report& report) {
   return table.text();
 }
 
-/// One line a group, the regret of each row.
+/// One line per group, with the regret of each row.
 std::string groups_text(const train::Report& report) {
   std::vector<Table::Column> columns{{"regret, N s"}, {""}, {"scenarios", right}};
   const std::size_t rows = report.evaluation.rows.size();
@@ -83,7 +83,8 @@ std::string groups_text(const train::Report& report) {
   return table.text();
 }
 
-/// Rows by name against a parameter: one line a method, one column a value of it.
+/// Results by method against a parameter: one line per method, one column per value of the
+/// parameter.
 template <class Row, class Parameter>
 std::string sweep_text(const std::string& title, const std::vector<Row>& rows,
                        const Parameter& parameter) {
@@ -103,7 +104,7 @@ std::string sweep_text(const std::string& title, const std::vector<Row>& rows,
 std::string transfer_text(const std::vector<train::TransferRow>& rows) {
   Table table({{"transfer"},
                {"fitted brawn", right},
-               {"judged brawn", right},
+               {"evaluated brawn", right},
                {"regret, N s", right},
                {"protection", right}});
   for (const train::TransferRow& row : rows) {
@@ -139,9 +140,10 @@ std::string prevention_text(const std::vector<train::PreventionRow>& rows) {
     table.add({row.group, row.value, std::to_string(row.scenarios), fixed(row.idle_cost_ns, 3),
                fixed(row.oracle_cost_ns, 3), fixed(row.prevented(), 3)});
   }
-  return "\nWhat the library can prevent of the cost of staying idle, over all scenarios of the "
-         "store; by target and\ndirection (degrees) of those with " +
-         fixed(double{train::kMinAnswerTime_s}, 1) + " s or more to impact:\n\n" + table.text();
+  return "\nShare of the cost of staying idle that the library can prevent, over all scenarios of "
+         "the "
+         "store; by target and\ndirection (degrees) for those with at least " +
+         fixed(double{train::kMinAnswerTime_s}, 1) + " s to impact:\n\n" + table.text();
 }
 
 }  // namespace
@@ -158,7 +160,7 @@ std::string comparison_text(const train::Report& report) {
     text += sweep_text("protection with noise on the features", report.noise,
                        [](const train::NoiseRow& row) { return fixed(row.noise, 2); });
   if (!report.curves.empty())
-    text += '\n' + sweep_text("protection, fitted to", report.curves,
+    text += '\n' + sweep_text("protection by number of training scenarios", report.curves,
                               [](const train::LearningCurveRow& row) {
                                 return std::to_string(row.fitted_count);
                               });

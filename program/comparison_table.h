@@ -7,7 +7,7 @@
 
 namespace flinch::program {
 
-/// What `flinch compare` prints for people.
+/// Returns the tables that `flinch compare` prints.
 std::string comparison_text(const train::Report& report);
 
 }  // namespace flinch::program

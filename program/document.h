@@ -7,22 +7,22 @@
 
 namespace flinch::program {
 
-/// JSON with its keys in the order that they were written in.
+/// JSON that keeps its keys in the order in which they were written.
 using Json = nlohmann::ordered_json;
 
-/// Writes the one document that --json prints.
+/// Prints the one document of --json.
 void print(const Json& document);
-/// Writes a document as one line of several, at once.
+/// Prints a document as one of several lines, and flushes it.
 void print_line(const Json& document);
 
-/// Degrees from radians, rounded to the millionth that floats leave sure.
+/// Converts radians to degrees, rounded to the millionth, which is as exact as floats are.
 double rounded_degrees(double radians);
 
-/// The double with the fewest digits that is this float, so that JSON shows 0.4 and not
+/// Returns the double with the fewest digits that equals this float, so that JSON shows 0.4 and not
 /// 0.4000000059604645.
 double shortest(float value);
 
-/// A clip's annotation with its keys as in the design; empty without an annotation.
+/// Returns a clip's annotation as JSON; an empty object without an annotation.
 Json to_json(const models::ClipSummary& clip);
 
 }  // namespace flinch::program

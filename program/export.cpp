@@ -24,7 +24,7 @@ struct Options {
   bool json = false;
 };
 
-/// That of the store itself, or of another that is fitted to.
+/// Returns the scaling of the store itself, or of the training store that is given.
 features::Scaling scaling_for(const Options& options, const train::Store& store) {
   if (options.scaling.empty()) return scaling_of(store.header, store.observations);
   train::Store fitted = train::read_store(options.scaling);
@@ -35,7 +35,7 @@ features::Scaling scaling_for(const Options& options, const train::Store& store)
 void run(const Options& options) {
   const bool libsvm = options.file.ends_with(".libsvm");
   if (!libsvm && !options.file.ends_with(".csv"))
-    throw Error(options.file, "unknown kind of file; let it end in .libsvm or .csv");
+    throw Error(options.file, "unknown kind of file; use a name that ends in .libsvm or .csv");
   const features::Layout& layout = features::feature_set_named(options.features)->layout;
   train::Store store = train::read_store(options.store);
   derive_features(layout, store);
@@ -61,11 +61,11 @@ Command export_command() {
   return {
       .name = "export",
       .summary = "Write a store's data for other tools",
-      .required = {{"STORE", "store that flinch simulate made", &options->store},
+      .required = {{"STORE", "store made by flinch simulate", &options->store},
                    {"--out", "FILE.libsvm (scaled features and labels) or FILE.csv (named columns)",
                     &options->file}},
       .optional = join({{{"--scaled-as",
-                          "store whose features the scaling is made from, for test data "
+                          "training store that defines the scaling, for test data "
                           "(default: STORE)",
                           &options->scaling},
                          features_option(options->features)},

@@ -95,7 +95,7 @@ void print_text(const Options& options, const database::ImportResult& result) {
             << result.report.sources.size() << " files, idle " << library.idle_clip().name << '\n';
   if (unannotated > 0)
     std::cout << unannotated
-              << " clips are unannotated and never answer a threat; annotate them in "
+              << " clips are unannotated and are never used against a threat; annotate them in "
               << "a manifest\n";
 }
 
@@ -117,26 +117,26 @@ void run(const Options& options) {
 
 Command import_command() {
   auto options = std::make_shared<Options>();
-  return {
-      .name = "import",
-      .summary = "Make a library of motion capture",
-      .required = {{"PATH", "BVH files, and folders of them", &options->paths},
-                   {"--out", "library to write", &options->library}},
-      .optional = join({{{"--manifest",
-                          "TOML file that says which clips to take and what they protect "
-                          "against",
-                          &options->manifest},
-                         {"--rate", "of the library, Hz (default: the manifest's, else 60)",
-                          &options->rate_hz, Range{10, 1000}},
-                         {"--skeleton", "file whose skeleton to use, where there is no manifest",
-                          &options->skeleton}},
-                        bvh_options(options->bvh),
-                        {{"--verbose", "tell of each file and clip", &options->verbose},
-                         json_option(options->json)}}),
-      .notes =
-          "Example:\n  flinch import mocap --manifest mocap/manifest.toml --out "
-          "real.flinchlib",
-      .run = [options] { run(*options); }};
+  return {.name = "import",
+          .summary = "Make a library from motion capture",
+          .required = {{"PATH", "BVH files, or folders of them", &options->paths},
+                       {"--out", "library file to write", &options->library}},
+          .optional =
+              join({{{"--manifest",
+                      "TOML file that lists the clips to take and what they protect "
+                      "against",
+                      &options->manifest},
+                     {"--rate", "frame rate of the library, Hz (default: the manifest's, else 60)",
+                      &options->rate_hz, Range{10, 1000}},
+                     {"--skeleton", "file whose skeleton to use if there is no manifest",
+                      &options->skeleton}},
+                    bvh_options(options->bvh),
+                    {{"--verbose", "print details of each file and clip", &options->verbose},
+                     json_option(options->json)}}),
+          .notes =
+              "Example:\n  flinch import mocap --manifest mocap/manifest.toml --out "
+              "real.flinchlib",
+          .run = [options] { run(*options); }};
 }
 
 }  // namespace flinch::program

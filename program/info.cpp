@@ -89,12 +89,12 @@ void print_library(const database::ClipLibrary& library) {
             << table.text();
 }
 
-/// A store's numbers, of which JSON and text say the same.
+/// Statistics of a store, for both JSON and text.
 struct StoreView {
   explicit StoreView(const std::string& path)
       : summary(train::summarise_store(path)), contents(train::count_contents(path)) {}
 
-  /// Without the library.
+  /// Size without the library.
   double bytes_per_scenario() const {
     return static_cast<double>(contents.bytes - summary.header.library_file.size()) /
            static_cast<double>(std::max<std::uint64_t>(summary.observation_count, 1));
@@ -151,7 +151,7 @@ void print_store(const StoreView& view) {
             << " % of their impulses are not zero; "
             << fixed(static_cast<double>(view.contents.bytes) / 1e6, 1) << " MB, "
             << fixed(view.bytes_per_scenario(), 0)
-            << " bytes a scenario without the library\ndistribution " << header.distribution
+            << " bytes per scenario without the library\ndistribution " << header.distribution
             << "\nsimulation " << header.simulation << "\n\n"
             << table.text();
 }
@@ -223,7 +223,7 @@ void print_selector(const runtime::SelectorFile& file) {
     std::cout << ", in this file: " << pose_count(*file.library) << " poses at "
               << file.library->rate_hz << " Hz of library " << file.library->name << '\n';
   } else {
-    std::cout << ", not in this file: train it again to respond with it\n";
+    std::cout << ", without motion in this file: train it again to respond with it\n";
   }
 }
 
@@ -283,12 +283,12 @@ Command info_command() {
   return {
       .name = "info",
       .summary =
-          "Tell what a library, store or selector holds, or how a BVH file's joints are mapped",
+          "Show what a library, store or selector holds, or how a BVH file's joints are mapped",
       .required = {{"FILE", "a library, store, selector or BVH file", &options->file}},
-      .optional =
-          join({bvh_options(options->bvh),
-                {{"--quality", "measure how human each clip of a library is", &options->quality},
-                 json_option(options->json)}}),
+      .optional = join(
+          {bvh_options(options->bvh),
+           {{"--quality", "measure how human-like each clip of a library is", &options->quality},
+            json_option(options->json)}}),
       .notes = "Example:\n  flinch info real.flinchlib\n  flinch info default.flinchlib --quality",
       .run = [options] { run(*options); }};
 }

@@ -7,7 +7,7 @@ namespace flinch::program {
 
 namespace {
 
-// A signal handler can reach nothing but a static.
+// A signal handler can access only static storage.
 std::atomic<bool> interrupted = false;
 static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may not lock");
 

@@ -5,7 +5,7 @@
 
 namespace flinch::program {
 
-/// From now on the first Ctrl-C, or SIGTERM, sets the flag that this returns instead of ending the
+/// From this call on, the first Ctrl-C or SIGTERM sets the returned flag instead of ending the
 /// program; a second one ends it.
 const std::atomic<bool>& catch_interrupts();
 

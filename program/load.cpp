@@ -26,7 +26,7 @@ runtime::Library load_runtime_library(const std::string& path) {
   runtime::Library library;
   const database::LoadStatus status = library.load(path);
   if (status == database::LoadStatus::ok) return library;
-  load_selector_file(path);  // says what the file is instead, or what is wrong with it
+  load_selector_file(path);  // throws what the file is instead, or what is wrong with it
   throw Error(path, std::string("the selector ") + database::message_of(status) +
                         "; run `flinch train` again");
 }

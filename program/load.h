@@ -8,12 +8,12 @@
 
 namespace flinch::program {
 
-/// Reads a selector file, with its clips where it has any. Throws Error that says what is wrong,
-/// and what the file is instead where that can be told.
+/// Reads a selector file, with its clips if it has any. Throws Error that says what is wrong and,
+/// if known, what the file is instead.
 runtime::SelectorFile load_selector_file(const std::string& path);
 
-/// Loads a selector with its clips, as a game does. Throws Error as load_selector_file does, also
-/// for a selector without clips.
+/// Loads a selector with its clips, as a game does. Throws Error as load_selector_file does, and
+/// also for a selector without clips.
 runtime::Library load_runtime_library(const std::string& path);
 
 }  // namespace flinch::program

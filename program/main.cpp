@@ -30,7 +30,7 @@ flinch::program::Program flinch_program() {
               "real.flinchlib\n  flinch simulate real.flinchlib --out real.flinchobs -n 2000\n"
               "  flinch train real.flinchobs --out real.flinch\n"
               "  flinch select real.flinch --azimuth 40 --target head\n\n"
-              "flinch COMMAND --help tells more about each.",
+              "flinch COMMAND --help explains each command.",
           .commands = {author_command(), import_command(), info_command(), simulate_command(),
                        merge_command(), train_command(), compare_command(), export_command(),
                        select_command(), respond_command()}};

@@ -40,15 +40,15 @@ Command merge_command() {
   auto options = std::make_shared<Options>();
   return {
       .name = "merge",
-      .summary = "Join stores of one run, each of a range of its scenarios",
-      .required = {{"STORE", "stores that flinch simulate made", &options->stores},
-                   {"--out", "store to write", &options->out}},
+      .summary = "Join stores that each hold a range of the scenarios of one run",
+      .required = {{"STORE", "stores made by flinch simulate", &options->stores},
+                   {"--out", "store file to write", &options->out}},
       .optional = {json_option(options->json)},
       .notes =
           "The stores must be of the same library, seed, distribution and simulation, and leave "
           "no\n"
-          "scenario out between them. Scenarios that are in several must be the same in all. The\n"
-          "result has the bytes of a store that was simulated at once.\n\n"
+          "gap between their scenarios. A scenario in several stores must be the same in all. The\n"
+          "result is byte for byte the store that a single simulation would have made.\n\n"
           "Example:\n  flinch merge part-*.flinchobs --out all.flinchobs",
       .run = [options] { run(*options); }};
 }

@@ -35,7 +35,7 @@ double hit_rate(const train::SimulationProgress& progress) {
   return simulations > 0 ? static_cast<double>(progress.counts.hits) / simulations : 0;
 }
 
-/// To three digits after the point, as much as a rate is worth.
+/// Rounds to three decimals; more would be noise.
 double rounded(double value) {
   return std::round(1000 * value) / 1000;
 }
@@ -63,10 +63,11 @@ void ProgressDisplay::begin(const train::SimulationProgress& progress) {
   scenarios_at_start_ = progress.scenarios;
   tenth_shown_ = 10 * progress.scenarios / progress.wanted;
   if (!json_ && progress.scenarios > 0 && progress.scenarios < progress.wanted)
-    std::cerr << "going on after " << progress.scenarios << " scenarios" << std::endl;
+    std::cerr << "continuing after " << progress.scenarios << " scenarios" << std::endl;
 }
 
-/// A bar always; lines at every tenth of the way, and of longer ways every ten seconds.
+/// A bar is always due. Lines are due at every tenth of the work, and after ten seconds without
+/// one.
 bool ProgressDisplay::is_due(const train::SimulationProgress& progress) {
   const auto now = std::chrono::steady_clock::now();
   const std::uint64_t tenth = 10 * progress.scenarios / progress.wanted;
@@ -104,7 +105,7 @@ void ProgressDisplay::show_text(const train::SimulationProgress& progress) {
   const Rates now = rates(progress);
   const std::string text =
       std::to_string(progress.scenarios) + "/" + std::to_string(progress.wanted) + " scenarios, " +
-      fixed(now.scenarios_per_s, 1) + " a second (" + fixed(now.simulations_per_s, 0) +
+      fixed(now.scenarios_per_s, 1) + " per second (" + fixed(now.simulations_per_s, 0) +
       " simulations), " + fixed(100 * hit_rate(progress), 0) + " % hit, " +
       duration_text(now.left_s) + " left";
   if (!terminal_) {

@@ -8,8 +8,8 @@
 
 namespace flinch::program {
 
-/// Shows how a simulation goes on: a bar with rate, time left and rate of hits on a terminal, a
-/// line now and then otherwise, both on stderr; or lines of JSON on stdout.
+/// Shows the progress of a simulation: on a terminal a bar with rate, time left and hit rate,
+/// otherwise a line from time to time, both on stderr; or lines of JSON on stdout.
 class ProgressDisplay {
  public:
   explicit ProgressDisplay(bool json);
@@ -20,7 +20,7 @@ class ProgressDisplay {
   void show(const train::SimulationProgress& progress);
 
  private:
-  /// What is told beside the progress itself.
+  /// Figures that are shown with the progress.
   struct Rates {
     double scenarios_per_s = 0;
     double simulations_per_s = 0;

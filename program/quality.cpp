@@ -54,7 +54,7 @@ std::string quality_text(const database::ClipLibrary& library) {
                fixed(double{quality.peak_acceleration_mps2}, 0), listed(broken)});
   }
   return table.text() + "\n" + std::to_string(good) + " of " + std::to_string(all.size()) +
-         " clips keep all bounds\n";
+         " clips meet all bounds\n";
 }
 
 Json quality_document(const database::ClipLibrary& library) {

@@ -8,10 +8,11 @@
 
 namespace flinch::program {
 
-/// How human a library's clips are: a table of database::measure_quality for people.
+/// Formats database::measure_quality of a library's clips as a table.
 std::string quality_text(const database::ClipLibrary& library);
 
-/// The same for machines: `bounds` and, for every clip, its measures and the bounds it breaks.
+/// Returns the same as JSON: `bounds` and, for every clip, its measures and the bounds that it
+/// exceeds.
 Json quality_document(const database::ClipLibrary& library);
 
 }  // namespace flinch::program

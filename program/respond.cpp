@@ -34,10 +34,11 @@ Kind kind_of(const std::string& path) {
   if (extension == ".glb") return Kind::glb;
   if (extension == ".bvh") return Kind::bvh;
   if (extension == ".svg") return Kind::svg;
-  throw Error(path, "can write .glb, .bvh or .svg; name the file so");
+  throw Error(path, "unknown kind of file; use a name that ends in .glb, .bvh or .svg");
 }
 
-// The recording as a clip that protects where the threat comes from, for its arrow.
+// Draws the recording as a clip that protects the side that the threat comes from, so that the
+// filmstrip shows its arrow.
 void write_filmstrip(const runtime::Library& library, const ResponseRecording& recording,
                      const Options& options) {
   motion::Clip clip = library.clip_library().clip(recording.clip);
@@ -74,7 +75,7 @@ const std::string& clip_name(const runtime::Library& library, int clip) {
 }
 
 void run(const Options& options) {
-  kind_of(options.out);  // before any work
+  kind_of(options.out);  // throws before any work
   const runtime::Library library = load_runtime_library(options.selector);
   const motion::PerTarget<Eigen::Vector3f>& centres = library.selector().target_centres;
   const features::ThreatDescription threat = described(options.threat, centres);
@@ -120,8 +121,8 @@ void run(const Options& options) {
 Command respond_command() {
   auto options = std::make_shared<Options>();
   return {.name = "respond",
-          .summary = "Write the whole animation that answers a threat, ball included",
-          .required = {{"SELECTOR", "selector that flinch train made", &options->selector},
+          .summary = "Write the whole response to a threat as an animation, ball included",
+          .required = {{"SELECTOR", "selector made by flinch train", &options->selector},
                        {"--out",
                         "FILE.glb for Blender and glTF viewers, FILE.bvh, or FILE.svg for a "
                         "filmstrip",
@@ -130,7 +131,7 @@ Command respond_command() {
           .notes =
               "The character stands at the origin, facing the front, perceives the threat at once, "
               "and is\n"
-              "hit by it as the simulation has it.\n\n"
+              "hit by it as in the simulation.\n\n"
               "Example:\n  flinch respond default.flinch --azimuth 40 --speed 24 --target head "
               "--out hit.glb",
           .run = [options] { run(*options); }};

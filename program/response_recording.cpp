@@ -12,10 +12,10 @@
 namespace flinch::program {
 namespace {
 
-// The reaction takes over this long before the impact, so that a ball that comes early is met.
+// The reaction takes over this long before the impact, in case the ball comes early.
 constexpr float kReactionLead_s = 0.15F;  // s
 constexpr float kIdleTail_s = 0.5F;       // s of idling at the end
-constexpr float kFallDuration_s = 1.5F;   // s that a fall is shown for
+constexpr float kFallDuration_s = 1.5F;   // s, length of a fall that is recorded
 constexpr float kMaxDuration_s = 15;      // s
 
 void check(runtime::Status status) {
@@ -26,7 +26,7 @@ void check(reaction::ReactionStatus status) {
   if (status != reaction::ReactionStatus::ok) throw Error("", reaction::message_of(status));
 }
 
-// What is seen at one moment.
+// Records what is visible at one moment.
 void record_frame(const reaction::ReactingCharacter& character, const features::Threat& threat,
                   float time_s, ResponseRecording& recording) {
   recording.motion.poses.push_back(character.pose());

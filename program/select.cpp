@@ -94,8 +94,8 @@ void run(const Options& options) {
 Command select_command() {
   auto options = std::make_shared<Options>();
   return {.name = "select",
-          .summary = "Ask a selector which clip answers a threat",
-          .required = {{"SELECTOR", "selector that flinch train made", &options->selector}},
+          .summary = "Ask a selector for the clip to answer a threat with",
+          .required = {{"SELECTOR", "selector made by flinch train", &options->selector}},
           .optional = join({threat_options(options->threat), {json_option(options->json)}}),
           .notes =
               "The character stands still, facing the front, until the impact.\n\n"

@@ -35,7 +35,8 @@ struct Options {
   bool json = false;
 };
 
-/// The processors that this process may use, shared with the run's others on this machine.
+/// Returns the number of processors for this process: those that it may use, shared with the run's
+/// other processes on this machine.
 int thread_count(const Options& options, const train::Messenger& messenger) {
   if (options.threads) return *options.threads;
   const auto share = static_cast<int>(std::thread::hardware_concurrency()) / messenger.local_size();
@@ -46,14 +47,14 @@ std::string mebibytes(std::uint64_t bytes) {
   return std::to_string(bytes >> 20) + " MiB";
 }
 
-/// What the run will use, before it begins.
+/// Prints what the run will use, before it starts.
 void print_plan(const train::SimulationRun& run) {
   const train::MemoryPlan& memory = run.memory;
   std::cerr << "memory: at most " << mebibytes(memory.max_bytes)
-            << (run.messenger->size() > 1 ? " a process" : "") << "; " << memory.response_count
-            << " different responses take about " << mebibytes(memory.all_response_bytes)
+            << (run.messenger->size() > 1 ? " per process" : "") << "; " << memory.response_count
+            << " different responses need about " << mebibytes(memory.all_response_bytes)
             << ", of which " << (memory.keeps_all() ? "all" : mebibytes(memory.response_bytes()))
-            << " are kept" << std::endl;
+            << " is kept" << std::endl;
 }
 
 Json summary_document(const Options& options, const train::StoreSummary& store,
@@ -89,7 +90,7 @@ void print_summary(const train::SimulationProgress& done) {
             << fixed(100 * ratio(static_cast<double>(counts.hits), simulations), 1)
             << " % with contact, "
             << fixed(100 * ratio(static_cast<double>(counts.skipped), simulations), 1)
-            << " % skipped as nothing could touch\n"
+            << " % skipped because nothing could touch\n"
             << "solver messages: "
             << fixed(1000 * ratio(static_cast<double>(counts.solver_messages),
                                   static_cast<double>(counts.steps)),
@@ -98,7 +99,7 @@ void print_summary(const train::SimulationProgress& done) {
             << "CPU time: " << fixed(cpu.total_s(), 1) << " s (posing " << fixed(cpu.posing_s, 1)
             << ", rehearsing " << fixed(cpu.rehearsing_s, 1) << ", striking "
             << fixed(cpu.contact_s, 1) << ", writing " << fixed(cpu.writing_s, 1) << "), "
-            << fixed(ratio(simulations, cpu.total_s()), 0) << " simulations a second of it\n";
+            << fixed(ratio(simulations, cpu.total_s()), 0) << " simulations per CPU second\n";
 }
 
 void print_result(const Options& options, const train::SimulationProgress& done) {
@@ -132,7 +133,7 @@ void write_store(const Options& options, const train::SimulationSetup& setup,
   }
   throw Error(options.store, "interrupted; " + std::to_string(last.scenarios) + " of " +
                                  std::to_string(last.wanted) +
-                                 " scenarios are kept, run the same command again to go on");
+                                 " scenarios are kept, run the same command again to continue");
 }
 
 void simulate(const Options& options, train::Messenger& messenger) {
@@ -161,7 +162,7 @@ void run(const Options& options) {
     simulate(options, *messenger);
     return;
   }
-  // One line says what is wrong, and process 0 writes it.
+  // Prints one line with the error, by process 0 only.
   try {
     simulate(options, *messenger);
   } catch (const std::exception& error) {
@@ -176,22 +177,24 @@ Command simulate_command() {
   return {
       .name = "simulate",
       .summary = "Try every allowed clip of a library on random scenarios",
-      .required = {{"LIB", "library that flinch import made", &options->library},
-                   {"--out", "store to write", &options->store},
+      .required = {{"LIB", "library made by flinch author or import", &options->library},
+                   {"--out", "store file to write", &options->store},
                    {"-n", "number of scenarios", &options->scenarios, Range{1, 1e9}}},
       .optional =
-          {{"--first", "number of the first, where this is one of several stores to merge",
+          {{"--first", "number of the first scenario, for one of several stores to merge",
             &options->first},
-           {"--seed", "what the scenarios are drawn from", &options->seed},
-           {"--threads", "how many (default: one a processor)", &options->threads, Range{1, 1024}},
-           {"--memory", "how much to use at most, as in 512M or 2G", &options->memory, ByteCount{}},
-           {"--reference", "simulate each trial by itself from perception on: many times slower",
+           {"--seed", "seed of the random scenarios", &options->seed},
+           {"--threads", "number of threads (default: one per processor)", &options->threads,
+            Range{1, 1024}},
+           {"--memory", "maximum memory to use, such as 512M or 2G", &options->memory, ByteCount{}},
+           {"--reference", "simulate each trial separately from perception on: many times slower",
             &options->unabridged},
            {"--json", "print lines of JSON and nothing else: progress, and a summary at the end",
             &options->json}},
       .notes =
-          "What is done is kept: after Ctrl-C or a full disk run the same command again, and a\n"
-          "finished store goes on when more scenarios are asked for. The same library, seed and\n"
+          "Finished work is kept: after Ctrl-C or a full disk, run the same command again. Ask "
+          "for\n"
+          "more scenarios to continue a finished store. The same library, seed and scenario\n"
           "numbers give the same file, byte for byte, on any number of threads, with any memory, "
           "and\n"
           "by any number of processes that mpirun starts.\n\n"

@@ -6,7 +6,7 @@
 
 namespace flinch::program {
 
-/// Text in columns for people: words to the left, numbers to the right.
+/// Text in columns: words aligned left, numbers aligned right.
 class Table {
  public:
   enum class Align : bool { left, right };
@@ -16,7 +16,7 @@ class Table {
   };
   explicit Table(std::vector<Column> columns);
 
-  /// One cell a column.
+  /// Adds a line with one cell per column.
   void add(std::vector<std::string> cells);
   std::string text() const;
 
@@ -25,7 +25,7 @@ class Table {
   std::vector<std::vector<std::string>> rows_;
 };
 
-/// A number with so many decimals; "-" for what is not a number.
+/// Formats a number with this many decimals; "-" for not-a-number.
 std::string fixed(double value, int decimals);
 
 }  // namespace flinch::program

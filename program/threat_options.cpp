@@ -20,18 +20,19 @@ std::vector<std::string> target_names() {
 }  // namespace
 
 std::vector<Option> threat_options(ThreatOptions& threat) {
-  return {{"--azimuth", "where it comes from, degrees: 0 the front, 90 the character's left",
-           &threat.azimuth, Range{-360, 360}},
-          {"--elevation",
-           "how far above the horizontal it comes from at the impact, degrees (default: level, or "
-           "as high as a falling ball must)",
-           &threat.elevation, Range{-89, 89}},
-          {"--speed", "at the impact, m/s", &threat.speed_mps, Range{0.1, 1000}},
-          {"--target", "what it threatens: head, trunk, pelvis or legs", &threat.target,
-           OneOf{target_names()}},
-          {"--time-to-impact", "from perception, s", &threat.time_to_impact_s, Range{0.01, 10}},
-          {"--radius", "of the ball, m", &threat.radius_m, Range{0.001, 10}},
-          {"--mass", "of the ball, kg", &threat.mass_kg, Range{0.0001, 1000}}};
+  return {
+      {"--azimuth", "direction it comes from, degrees: 0 the front, 90 the character's left",
+       &threat.azimuth, Range{-360, 360}},
+      {"--elevation",
+       "angle above the horizontal at the impact, degrees (default: level, or "
+       "as high as a falling ball must)",
+       &threat.elevation, Range{-89, 89}},
+      {"--speed", "speed at the impact, m/s", &threat.speed_mps, Range{0.1, 1000}},
+      {"--target", "threatened part: head, trunk, pelvis or legs", &threat.target,
+       OneOf{target_names()}},
+      {"--time-to-impact", "time from perception, s", &threat.time_to_impact_s, Range{0.01, 10}},
+      {"--radius", "radius of the ball, m", &threat.radius_m, Range{0.001, 10}},
+      {"--mass", "mass of the ball, kg", &threat.mass_kg, Range{0.0001, 1000}}};
 }
 
 features::ThreatDescription described(const ThreatOptions& options,

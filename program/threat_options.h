@@ -10,7 +10,7 @@
 
 namespace flinch::program {
 
-/// A threat as options say it. Angles in degrees.
+/// A threat as given by options. Angles in degrees.
 struct ThreatOptions {
   double azimuth = 0;
   std::optional<double> elevation;
@@ -23,8 +23,8 @@ struct ThreatOptions {
 
 std::vector<Option> threat_options(ThreatOptions& threat);
 
-/// The threat that the options describe, of a character whose targets are at `centres`. Throws
-/// Error when it would have come out of the ground.
+/// Returns the threat that the options describe, to a character whose targets are at `centres`.
+/// Throws Error if it would have started below the ground.
 features::ThreatDescription described(const ThreatOptions& options,
                                       const motion::PerTarget<Eigen::Vector3f>& centres);
 

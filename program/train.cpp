@@ -75,10 +75,10 @@ void run(const Options& options) {
 Command train_command() {
   auto options = std::make_shared<Options>();
   return {.name = "train",
-          .summary = "Fit a selector to a store, parameters by cross-validation",
-          .required = {{"STORE", "store that flinch simulate made", &options->store},
-                       {"--out", "selector to write", &options->selector}},
-          .optional = join({{{"--model", "what to fit", &options->model, OneOf{method_names()}},
+          .summary = "Fit a selector to a store; cross-validation chooses the parameters",
+          .required = {{"STORE", "store made by flinch simulate", &options->store},
+                       {"--out", "selector file to write", &options->selector}},
+          .optional = join({{{"--model", "model to fit", &options->model, OneOf{method_names()}},
                              features_option(options->features)},
                             cost_options(options->cost),
                             {json_option(options->json)}}),

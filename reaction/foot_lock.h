@@ -7,16 +7,15 @@
 
 namespace flinch::reaction {
 
-/// The grip of the ground on the feet that stand, for a figure whose own springs are too weak to
-/// keep them in place: in place of the ground's support (see Figure::add_foot_support). A foot
-/// stands while its reference lies on the ground and keeps still.
+/// Holds the standing feet of a figure whose own springs are too weak to keep them in place.
+/// Replaces the ground's support (see Figure::add_foot_support). A foot stands while its reference
+/// is on the ground and does not move.
 class FootLock {
  public:
-  /// `figure_model` must outlive this; `figure` is of that plan and in that world, and must
-  /// outlive this too.
+  /// `figure_model` and `figure` must outlive this; `figure` has that model and is in that world.
   FootLock(const sim::FigureModel& figure_model, dWorldID world, sim::Figure& figure);
 
-  /// Sets the grip for the next step, at whose end `target` is wanted; `share` of it, see
+  /// Sets the hold for the next step, which ends at `target`. `share` scales its gains, see
   /// scaled_gains.
   void lock(const sim::ReferenceState& target, double step_s, double share);
   void unlock();

@@ -10,9 +10,9 @@ namespace flinch::reaction {
 
 /// The simulated part of one reaction.
 ///
-/// Steps are the simulation's own, whatever the frames: it runs ahead of the time shown by less
-/// than one step, toward the motion as it goes on, and what is shown lies between the last two
-/// states.
+/// Its steps do not depend on the frames. The simulation runs ahead of the displayed time by less
+/// than one step, towards the extrapolated motion, and the displayed pose is interpolated between
+/// the last two states.
 class ReactionSimulation {
  public:
   /// `figure_model` must outlive this. Throws Error if the physics engine fails.
@@ -20,18 +20,19 @@ class ReactionSimulation {
                      const motion::Pose& before, const motion::Pose& now, double dt_s,
                      const features::Ball* ball);
 
-  /// Simulates for `dt_s` more, by which time the motion is at `wanted`. Throws Error as above, and
-  /// if the figure's state is no longer finite.
+  /// Simulates for `dt_s` more, at the end of which the motion is at `wanted`. Throws Error as
+  /// above, and if the figure's state is no longer finite.
   void advance(double dt_s, const motion::Pose& wanted);
-  /// Only the ball goes on.
+  /// Simulates only the ball.
   void advance_ball(double dt_s);
 
-  /// The simulated figure at the time shown; `motion` gives clavicles and toes.
+  /// Returns the simulated figure at the displayed time; clavicles and toes come from `motion`.
   motion::Pose pose(const motion::Pose& motion) const;
   features::Ball ball(const features::Ball& initial_ball) const;
   const sim::OdeEncounter& encounter() const { return encounter_; }
 
-  /// Whether the blow has put the figure out of balance beyond a step, more than the motion itself.
+  /// Whether the blow has put the figure so far out of balance that no step can save it, and
+  /// farther than the motion itself.
   bool is_beyond_recovery() const;
   void start_falling();
 
@@ -53,12 +54,11 @@ class ReactionSimulation {
   sim::OdeEncounter encounter_;
   FootLock feet_;
   LiveReference wanted_;
-  sim::ReferenceState
-      feedforward_;  // where the forces of Figure::add_feedforward have brought the reference
-  Snapshot before_;  // the last step's beginning and end
+  sim::ReferenceState feedforward_;  // reference state that Figure::add_feedforward has led to
+  Snapshot before_;                  // at the start and the end of the last step
   Snapshot after_;
   double shown_s_ = 0;
-  double step_budget_ = 0;  // see step
+  double step_budget_ = 0;  // see step()
 };
 
 }  // namespace flinch::reaction

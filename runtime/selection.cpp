@@ -8,15 +8,16 @@
 namespace flinch::runtime {
 namespace {
 
-/// Adds up what is taken from it, as a monotonic_buffer_resource does: what is given back is not
-/// used again.
+/// Counts the bytes allocated from it. Like a monotonic_buffer_resource, does not reuse freed
+/// memory.
 class AllocationMeter : public std::pmr::memory_resource {
  public:
   std::size_t byte_count() const { return byte_count_; }
 
  private:
   void* do_allocate(std::size_t bytes, std::size_t alignment) override {
-    // Each at its worst alignment, so that the sum holds wherever the memory begins.
+    // Assumes the worst alignment of each allocation, so that the sum is enough wherever the memory
+    // starts.
     byte_count_ += bytes + alignment - 1;
     return std::pmr::new_delete_resource()->allocate(bytes, alignment);
   }

@@ -10,13 +10,13 @@
 
 namespace flinch::runtime {
 
-/// A library with what responses need to know of it, worked out once. Refers to the library, which
-/// must outlive it and stay as it is. Immutable: any number of characters and threads share one.
+/// A library with precomputed data for responses. Refers to the library, which must outlive it and
+/// not change. Immutable: any number of characters and threads share one.
 struct PreparedLibrary {
   const database::ClipLibrary* library = nullptr;
   motion::BodyModel body_model;
   motion::PerSide<Sole> soles;
-  std::vector<Footwork> footwork;        ///< one a clip
+  std::vector<Footwork> footwork;        ///< one per clip
   features::MotionBounds motion_bounds;  ///< of the idle clip
   float reach_m = 0;                     ///< see features::CollisionFigure
 
@@ -27,7 +27,7 @@ struct PreparedLibrary {
   features::IdlingFigure idling() const { return {&skeleton(), &body_model, &idle()}; }
 };
 
-/// Prepares a library. Allocates; not for every frame.
+/// Prepares a library. Allocates, so do not call it every frame.
 PreparedLibrary prepare(const database::ClipLibrary& library);
 
 }  // namespace flinch::runtime

@@ -7,20 +7,20 @@
 
 namespace flinch::runtime {
 
-/// The parts that a response's pose is made of, each a function of time, for pose_at and for the
-/// planning of responses. Where `roles` are not all, the rotations of others are not set.
+/// The parts of a response's pose, each a function of time, for pose_at and for the planning of
+/// responses. If `roles` are not all roles, the rotations of the others are not set.
 
-/// What the character does if nothing answers.
+/// Returns what the character does if it does not respond.
 motion::Pose source_pose_at(const Response& response, float time_s,
                             std::span<const motion::Role> roles = motion::kRoles);
-/// The idle clip where it goes on after the response.
+/// Returns the pose of the idle clip that continues after the response.
 motion::Pose return_pose_at(const Response& response, float time_s,
                             std::span<const motion::Role> roles = motion::kRoles);
-/// The clip's pose, aligned.
+/// Returns the clip's pose, aligned.
 motion::Pose clip_pose_at(const Response& response, float time_s,
                           std::span<const motion::Role> roles = motion::kRoles);
 
-/// Where a foot is in each of them; of the source, where it stands.
+/// Position of a foot in each of these poses; in the source, where the foot stands.
 motion::FootPose source_foot_in(const Response& response, motion::Side side,
                                 const motion::Pose& source);
 motion::FootPose clip_foot_in(const Response& response, motion::Side side, const motion::Pose& clip,
@@ -29,7 +29,7 @@ motion::FootPose source_foot_at(const Response& response, motion::Side side, flo
 motion::FootPose clip_foot_at(const Response& response, motion::Side side, float time_s);
 motion::FootPose return_foot_at(const Response& response, motion::Side side, float time_s);
 
-/// A pose is made in three stages. First the motions that it is blended from are sampled, once.
+/// A pose is made in three stages. The first samples the motions that it blends, each once.
 struct Samples {
   enum class Of : std::uint8_t {
     source_untouched,  ///< before the response: no weight is shifted
@@ -42,19 +42,19 @@ struct Samples {
   };
   Of of = Of::source_untouched;
   float time_s = 0;
-  motion::Pose from;  ///< the first of them
-  motion::Pose to;    ///< the other; not set where there is none
+  motion::Pose from;  ///< the first of the blended poses
+  motion::Pose to;    ///< the second; not set if there is none
 };
 Samples samples_at(const Response& response, float time_s);
 
-/// Second, joints are blended, each by itself.
+/// The second stage blends the joints, each separately.
 motion::Pose blended(const Response& response, const Samples& samples);
 
-/// Third, the feet are placed, with the weight shifted by `shift`: nothing that the pelvis does
-/// moves a foot.
+/// The third stage places the feet, with the weight shifted by `shift`, so that motion of the
+/// pelvis does not move a foot.
 struct Legs {
-  motion::JointFrames frames;              ///< of the pelvis and the legs, before the third stage
-  motion::PerSide<motion::FootPose> feet;  ///< where the feet go
+  motion::JointFrames frames;  ///< of the pelvis and the legs, before the feet are placed
+  motion::PerSide<motion::FootPose> feet;  ///< target poses of the feet
 };
 bool must_place_feet(const Response& response, const Samples& samples,
                      const Eigen::Vector3f& shift);
@@ -62,7 +62,7 @@ Legs legs_of(const Response& response, const Samples& samples, const motion::Pos
 void place_feet(const Response& response, const Legs& legs, const Eigen::Vector3f& shift,
                 motion::Pose& pose);
 
-/// By how much the shifts of weight move the pelvis, world, m.
+/// Returns the displacement of the pelvis by weight shifts, world, m.
 Eigen::Vector3f weight_shift_at(const Response& response, float time_s);
 
 Eigen::Vector3f horizontal(const Eigen::Vector3f& vector);

@@ -55,8 +55,8 @@ NextStep next_step(const features::Ball& ball, std::span<const MovingShape> shap
   if (!bounce) return ahead;
   if (*bounce <= kMinStep_s) {
     ahead.on_ground = true;
-    // A step that contains a bounce is short, because the ball falls below the ground in it, unless
-    // the ball lies or rolls.
+    // The velocity changes sign within the step of a bounce, so that step is short. A ball that
+    // lies or rolls needs no short step.
     if (-ball.velocity.z() > kMinBounceSpeed_mps) {
       ahead.step_s = std::min(ahead.step_s, options.contact_step_s);
     }

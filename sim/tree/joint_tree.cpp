@@ -54,7 +54,8 @@ Matrix3d symmetric_inverse(const Matrix3d& m) {
   return inverse;
 }
 
-// Moves an inertia to a point at distance r, whose velocity is v' = v - [r]x w. With A symmetric,
+// Moves an inertia to the point displaced by r, whose velocity is v' = v - [r]x w. With A
+// symmetric,
 //   B' = B + A [r]x,   C' = C + H^T [r]x + (H^T [r]x)^T,   H = B + A [r]x / 2.
 SpatialInertia moved_to(const SpatialInertia& inertia, const Vector3d& arm) {
   const Matrix3d lever = times_cross(inertia.mass, arm);
@@ -63,7 +64,7 @@ SpatialInertia moved_to(const SpatialInertia& inertia, const Vector3d& arm) {
   return {inertia.mass, inertia.coupling + lever, inertia.angular + turned + turned.transpose()};
 }
 
-/// Moves an impulse to a point from which `arm` leads to the present one.
+/// Moves an impulse to the point that is displaced by `arm`.
 Twist moved_to(const Twist& impulse, const Vector3d& arm) {
   return {impulse.linear, impulse.angular - arm.cross(impulse.linear)};
 }

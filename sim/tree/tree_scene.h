@@ -15,7 +15,7 @@
 namespace flinch::sim {
 
 /// A figure and a ball that obey the laws of an OdeScene, stepped by JointTree in a tenth of the
-/// time. A plain value except for its pointer to the figure model.
+/// time. A plain value except for its reference to the figure model.
 class TreeScene {
  public:
   /// `figure_model` must outlive this. `gravity_mps2` is the figure's; the ball has its own.

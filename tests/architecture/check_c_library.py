@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Fails when the shared library of the C interface shows, needs or weighs what it must not.
+"""Fails if the C interface's shared library exports or needs what it must not, or is too large.
 
 Usage: check_c_library.py HEADER LIBRARY SONAME [KIBIBYTES]
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Fails when the code leaves the map of docs/architecture.md.
+"""Fails if the code violates the map of docs/architecture.md.
 
 Usage: check_map.py ROOT TARGETS
 
@@ -18,7 +18,7 @@ from pathlib import Path
 @dataclass
 class Folder:
     """A folder of the map: one library or program."""
-    at_run_time: bool  # a game links it
+    at_run_time: bool  # part of the run time, so a game links it
     may_use: list  # folders; a name that ends in a slash stands for all folders in it
     headers: list  # third-party headers; a name that ends in a slash stands for a folder of them
 
@@ -28,7 +28,7 @@ OFFLINE = False
 SIM = ["motion", "features", "sim"]
 TRAIN = ["motion", "features", "database/library", "database/import", "models", "models/fit",
          "runtime", "runtime/response"]
-# In order: a folder uses only folders above it, and of those only the ones it names.
+# In order: a folder uses only folders above it, and of those only the ones that it names.
 MAP = {
     "motion": Folder(RUN_TIME, [], ["Eigen/"]),
     "features": Folder(RUN_TIME, ["motion"], ["Eigen/"]),
@@ -78,11 +78,11 @@ MAP = {
 }
 ROOMS = sorted({folder.split("/")[0] for folder in MAP})
 
-# Headers that cost the compiler seconds each time: one file alone includes them.
+# Headers that cost the compiler seconds per inclusion: only one file includes them.
 ONLY_IN = {"CLI/": "program/command_line.cpp"}
-# The operating system's headers, for files, terminals and signals: offline code alone.
+# The operating system's headers, for files, terminals and signals: offline code only.
 SYSTEM_HEADERS = ["fcntl.h", "signal.h", "unistd.h", "sys/"]
-# The run time starts no thread, asks no clock, draws no chance and prints nothing.
+# The run time starts no thread, reads no clock, draws no random numbers and prints nothing.
 NOT_AT_RUN_TIME = {"barrier", "chrono", "condition_variable", "csignal", "ctime", "future",
                    "iostream", "latch", "mutex", "random", "semaphore", "shared_mutex", "thread"}
 

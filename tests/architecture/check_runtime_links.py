@@ -18,7 +18,8 @@ ALLOWED_TARGETS = {"flinch_flags", "flinch_motion", "flinch_features", "flinch_d
                    "Eigen3::Eigen"}
 ALLOWED_LIBRARIES = {"libstdc++.so", "libm.so", "libgcc_s.so", "libc.so", "ld-linux-x86-64.so",
                      "ld-linux-aarch64.so"}
-# No socket, no thread, no clock, no chance, no words on the user's terminal, no end of the game.
+# No sockets, threads, clocks or random numbers, no output to the terminal, no termination of the
+# process.
 FORBIDDEN_SYMBOLS = {
     "socket", "connect", "bind", "listen", "accept", "fork", "execve", "execvp", "system", "popen",
     "dlopen", "pthread_create", "thrd_create", "_ZNSt6thread15_M_start_threadESt10unique_ptrINS_6"

@@ -17,7 +17,7 @@ def main():
         sys.exit(__doc__)
     expected = Path(sys.argv[1]).read_text(encoding="utf-8").splitlines()
     run = subprocess.run([sys.executable, *sys.argv[2:]], capture_output=True, text=True, check=False)
-    found = run.stdout.splitlines()[:-1]  # the last line counts
+    found = run.stdout.splitlines()[:-1]  # the last line is the count
     print(run.stdout + run.stderr)
     wrong = [f"not reported: {line}" for line in expected if line not in found]
     wrong += [f"not expected: {line}" for line in found if line not in expected]

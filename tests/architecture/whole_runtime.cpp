@@ -1,2 +1,2 @@
 // SPDX-License-Identifier: MIT
-// Holds nothing of its own: the module that it makes is the whole run time, to be looked into.
+// Empty: the module built from this file contains the whole run time, for inspection.

@@ -49,7 +49,7 @@ void balance_pose(benchmark::State& state) {
     const BalancedPose pose = balanced_pose(figure, start, threat, rule_controls(threat));
     worst = std::max(worst, pose.error.total());
   }
-  state.counters["worst_error"] = double{worst};  // that what is timed is right
+  state.counters["worst_error"] = double{worst};  // shows that the timed poses are right
 }
 BENCHMARK(balance_pose)->Unit(benchmark::kMillisecond);
 

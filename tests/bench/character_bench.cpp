@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What characters cost a game: a frame of one that idles and of one that is in the costliest part
+// What characters cost a game: a frame of an idling character, a frame of one in the costliest part
 // of its response, a perceived threat, and a thousand characters at 60 Hz.
 #include <benchmark/benchmark.h>
 
@@ -15,7 +15,7 @@
 namespace flinch::runtime {
 namespace {
 
-constexpr float kInstant_s = 1e-9F;  // an update that leaves a character where it is
+constexpr float kInstant_s = 1e-9F;  // an update that leaves the character unchanged
 constexpr float kFrame_s = 1.0F / 60;
 
 struct Loaded {
@@ -46,7 +46,7 @@ Loaded& loaded_with_network() {
   return loaded;
 }
 
-/// A ball that hits somewhere between shin and head of a character at `position`.
+/// A ball that hits a character at `position` somewhere between shin and head.
 features::Threat random_ball(std::mt19937& random, const Eigen::Vector2f& position) {
   features::ThreatDescription approach;
   approach.azimuth = tests::uniform(random, -3.1F, 3.1F);
@@ -57,7 +57,7 @@ features::Threat random_ball(std::mt19937& random, const Eigen::Vector2f& positi
   return features::threat_from_description(approach, goal, 0);
 }
 
-/// Whether a response blends and has its weight shifted at this moment.
+/// Whether a response is both blending and shifting weight at this time.
 bool is_shifting_and_blending(const Character& character) {
   const float now_s = character.response_time_s();
   return character.phase() == Phase::blending &&
@@ -107,7 +107,7 @@ void frame_of_shift_and_blend(benchmark::State& state) {
 }
 BENCHMARK(frame_of_shift_and_blend)->Unit(benchmark::kMicrosecond);
 
-/// The same until all joints' places are known: what a renderer takes.
+/// The same up to the frames of all joints, which a renderer needs.
 void frame_of_shift_and_blend_with_kinematics(benchmark::State& state) {
   std::vector<Character> characters = shifting_and_blending_characters(256);
   const motion::Skeleton& skeleton = loaded().library.prepared().skeleton();
@@ -120,7 +120,7 @@ void frame_of_shift_and_blend_with_kinematics(benchmark::State& state) {
 }
 BENCHMARK(frame_of_shift_and_blend_with_kinematics)->Unit(benchmark::kMicrosecond);
 
-/// From place and velocity to a planned response: prediction, selection, weight shift.
+/// From position and velocity to a planned response: prediction, selection, weight shift.
 void perceive_and_plan(benchmark::State& state, Loaded& with) {
   std::mt19937 random(3);
   std::vector<features::Threat> balls;
@@ -145,7 +145,7 @@ void perceive_and_plan_by_network(benchmark::State& state) {
 }
 BENCHMARK(perceive_and_plan_by_network)->Unit(benchmark::kMicrosecond);
 
-/// The last part of that alone, for any clip at any time.
+/// Only the planning, for any clip at any time.
 void plan(benchmark::State& state) {
   std::mt19937 random(5);
   struct Answer {
@@ -168,7 +168,7 @@ void plan(benchmark::State& state) {
 }
 BENCHMARK(plan)->Unit(benchmark::kMicrosecond);
 
-/// A frame of all, in which a ball comes at each every three seconds: one iteration a frame.
+/// A frame of all characters, with a ball at each every three seconds: one iteration per frame.
 void frame_of_a_thousand(benchmark::State& state) {
   constexpr std::size_t kCount = 1000;
   constexpr std::size_t kFramesPerBall = 180;
@@ -188,7 +188,7 @@ void frame_of_a_thousand(benchmark::State& state) {
     }
     ++frame;
   };
-  for (std::size_t i = 0; i < kFramesPerBall; ++i) play();  // until all are at it
+  for (std::size_t i = 0; i < kFramesPerBall; ++i) play();  // until all characters respond
   responding = 0;
   for (auto _ : state) play();
   state.counters["responding"] = responding / static_cast<double>(state.iterations() * kCount);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Measures what the first load of a selector file costs a process: page faults and all.
+// Measures what the first load of a selector file costs a process, including page faults.
 //
 //     first_load SELECTOR [PROCESSES]
 //
-// Each process loads the file once; the median and the extremes of their CPU times are printed.
+// Each process loads the file once; prints the median and the extremes of their CPU times.
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -21,7 +21,7 @@ namespace flinch {
 namespace {
 
 struct Cost {
-  double cpu_s = -1;  // negative: it was refused
+  double cpu_s = -1;  // negative if the file was refused
   long page_faults = 0;
 };
 
@@ -39,7 +39,7 @@ Cost cost_of_loading(const std::string& path) {
   return {after.cpu_s - before.cpu_s, after.page_faults - before.page_faults};
 }
 
-/// In a process of its own, which has loaded nothing before.
+/// Measures in a new process, which has loaded nothing before.
 Cost cost_in_new_process(const std::string& path) {
   Cost cost;
   int ends[2];

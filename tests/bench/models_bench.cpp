@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Fitting and selecting, on 8200 made-up observations of 120 classes. Where a counter says
-// times_faster, both were timed in turns in the same run.
+// Fitting and selecting with 8200 made-up observations of 120 classes. For a counter named
+// times_faster, both were timed alternately in the same run.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -23,7 +23,7 @@
 namespace flinch::models {
 namespace {
 
-// As many as a default library has, and as many observations as its training set.
+// As many classes as a default library, and as many observations as its training set.
 constexpr int kClasses = 120;
 constexpr int kObservations = 8200;
 
@@ -33,8 +33,8 @@ const TrainingSet& training_set() {
   return kSet;
 }
 
-/// Clips of which a threat at the head allows those of 42 in 120 classes (7 in 20 protect head or
-/// trunk, the others the legs), chosen from by `model`.
+/// Clips of which a threat at the head allows 42 of 120 classes (7 in 20 protect head or trunk, the
+/// others the legs), chosen from by `model`.
 template <typename Model>
 Selector selector_with(Model model) {
   Selector selector;
@@ -72,8 +72,8 @@ double microseconds_of(const Call& call, clockid_t clock) {
   return 1e6 * (bench::clock_s(clock) - begin_s);
 }
 
-/// Of this thread's processor time, in which others that want the processor do not show, without
-/// the microsecond that reading that clock takes.
+/// Measures this thread's CPU time, which other programs do not affect, less the microsecond that
+/// reading that clock takes.
 template <typename Call>
 double processor_us_of(const Call& call) {
   static const double kReading_us = [] {
@@ -90,8 +90,8 @@ double sum_of_choices(std::span<const features::FeatureVector> queries, const Ch
   return sum;
 }
 
-/// Times every call by itself and tells the median and the 99th percentile, and a sum of what the
-/// calls returned over one round of the queries.
+/// Times every call separately and reports the median, the 99th percentile and, as a checksum, the
+/// sum of what the calls returned over one round of the queries.
 void time_each_call(benchmark::State& state, const Choose& choose) {
   const std::vector<features::FeatureVector> queries = make_queries();
   std::vector<double> microseconds;
@@ -106,9 +106,9 @@ void time_each_call(benchmark::State& state, const Choose& choose) {
   state.counters["checksum"] = sum_of_choices(queries, choose);
 }
 
-/// The same, one round of the queries an iteration, in turns with `theirs`, which is asked the 8th
-/// part of them; tells how many times ours is as fast, by the medians. What the caches hold when
-/// the turns change is the other's: `cold_us` is our first call of a turn.
+/// The same with one round of the queries per iteration, alternating with `theirs`, which gets an
+/// eighth of them. Reports how many times as fast ours is, by the medians. After each change the
+/// caches hold the other's data: `cold_us` is our first call after it.
 void time_against(benchmark::State& state, const Choose& ours, const Choose& theirs) {
   const std::vector<features::FeatureVector> queries = make_queries();
   std::vector<double> our_us;
@@ -149,7 +149,7 @@ const SvmModel& svm_model(benchmark::State& state) {
   return kModels[static_cast<std::size_t>(state.range(0))];
 }
 
-// The argument of these is the kernel: 0 polynomial, 1 RBF.
+// The benchmarks' argument is the kernel: 0 polynomial, 1 RBF.
 
 const LibsvmOracle& libsvm(benchmark::State& state) {
   static const std::array<LibsvmOracle, 2> kOracles{LibsvmOracle(training_set(), kSvms[0]),
@@ -161,10 +161,10 @@ int libsvm_choice(benchmark::State& state, const features::FeatureVector& x) {
   return libsvm(state).predict(to_doubles(x));
 }
 
-/// A selector's choice of 42 of 120 clips against svm_predict's, which knows no mask, of all.
+/// A selector's choice among 42 of 120 clips, against svm_predict's among all, which has no mask.
 void select_by_svm(benchmark::State& state) {
   const Selector selector = selector_with(svm_model(state));
-  libsvm(state);  // is trained before anything is timed
+  libsvm(state);  // is trained before timing starts
   time_against(
       state,
       [&](const features::FeatureVector& x) { return select(selector, x, motion::Target::head); },
@@ -183,7 +183,7 @@ void rank_by_svm(benchmark::State& state) {
 }
 BENCHMARK(rank_by_svm)->Arg(0)->Arg(1)->Unit(benchmark::kMicrosecond);
 
-/// The choice of all 120 against svm_predict's, which is the same: the checksums agree.
+/// The choice among all 120, against svm_predict's. Both choose the same: the checksums agree.
 void svm_without_mask(benchmark::State& state) {
   const SvmModel& model = svm_model(state);
   time_against(
@@ -203,7 +203,7 @@ void select_by_knn(benchmark::State& state) {
 }
 BENCHMARK(select_by_knn)->Unit(benchmark::kMicrosecond);
 
-/// As large as a study: 8200 scenarios of 120 clips, and what each clip costs.
+/// As large as a study: 8200 scenarios of 120 clips, with the cost of each clip.
 const TrainingSet& large_set() {
   static const TrainingSet kSet =
       with_costs(random_clouds(3, 8200, kClasses, features::kFeatureCount), 4);
@@ -245,8 +245,8 @@ void select_by_pairwise_machines(benchmark::State& state) {
 }
 BENCHMARK(select_by_pairwise_machines)->Unit(benchmark::kMicrosecond);
 
-/// The nearest ten of large_set(), without a mask, against FLANN's exact tree, as its manual has
-/// it; the checksums add up who is nearest, and agree.
+/// The nearest ten of large_set() without a mask, against FLANN's exact tree as in its manual. The
+/// checksums add up the neighbours' indices, and agree.
 void find_neighbours(benchmark::State& state) {
   const KnnModel model = fit_knn(large_set(), {10, KnnVote::majority});
   std::vector<double> points = large_set().points;
@@ -285,7 +285,7 @@ void fit_pairwise_machines(benchmark::State& state) {
 }
 BENCHMARK(fit_pairwise_machines)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime();
 
-/// Pair by pair on all processors, against svm_train, which uses one.
+/// Fits pair by pair on all processors, against svm_train, which uses one.
 void fit_one_svm(benchmark::State& state) {
   const SvmParameters& parameters = kSvms[static_cast<std::size_t>(state.range(0))];
   std::vector<double> our_us;

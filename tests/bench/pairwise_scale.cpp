@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How long pairwise machines take to fit, and what memory: pairwise_scale 8200 50000 200000.
+// Time and memory that pairwise machines take to fit: pairwise_scale 8200 50000 200000.
 #include <chrono>
 #include <cstdio>
 

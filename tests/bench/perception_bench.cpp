@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What it costs to predict the impact of a threat on an idling figure, the same mix each time.
+// Cost of predicting the impact of a threat on an idling figure, for the same mix of threats each
+// time.
 #include <benchmark/benchmark.h>
 
 #include "features/feature_layout.h"
@@ -73,7 +74,7 @@ void predict_misses(benchmark::State& state) {
 }
 BENCHMARK(predict_misses);
 
-/// What a selector is told, of one layout.
+/// The features of a selector, for one layout.
 void feature_vectors(benchmark::State& state, const char* set) {
   const features::Layout& layout = features::feature_set_named(set)->layout;
   const features::IdlingFigure idling{&figure().character.skeleton, &figure().model,

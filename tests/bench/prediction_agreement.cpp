@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How well the predicted impact agrees with what the trainer aims: the tables of
-// docs/perception.md.
+// Agreement of the predicted impact with the trainer's aim: the tables of docs/perception.md.
 #include <algorithm>
 #include <array>
 #include <cstdio>
@@ -29,10 +28,10 @@ struct Row {
 struct Agreement {
   motion::PerTarget<Row> row;
   std::vector<double> error_ms;  ///< of the time to impact
-  std::vector<double> lead_ms;   ///< of the touch before the trainer's time
+  std::vector<double> lead_ms;   ///< time by which the touch precedes the trainer's time
 };
 
-/// Every threat as it is perceived within `limits` from between the eyes.
+/// Perceives every threat within `limits` from between the eyes.
 Agreement agreement_of(const database::ClipLibrary& library,
                        const runtime::PerceptionLimits& limits, std::uint64_t count,
                        std::uint64_t seed) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a reaction costs a 60 Hz frame, by what it does in that frame.
+// Cost of a reaction per 60 Hz frame, by its phase in that frame.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -22,7 +22,7 @@ void report(benchmark::State& state, const std::vector<double>& frames_us) {
   state.counters["max_us"] = bench::quantile(frames_us, 1);
 }
 
-/// A second of reaction an iteration; reports the frames in which the phase is one of `phases`.
+/// A second of reaction per iteration; reports the frames whose phase is one of `phases`.
 void frames(benchmark::State& state, const std::vector<ReactionPhase>& phases, double mass_kg) {
   const motion::Physique man = motion::default_character();
   const auto motions = scenes::motions_by_rule(man.skeleton);
@@ -70,7 +70,8 @@ void begin(benchmark::State& state) {
 }
 BENCHMARK(begin)->Unit(benchmark::kMicrosecond);
 
-/// Among 120 clips of two seconds, none of them near: what is never cut short by a good match.
+/// Searches 120 clips of two seconds, none of them near, so that no good match ends the search
+/// early.
 void find_clip(benchmark::State& state) {
   const motion::Physique man = motion::default_character();
   std::vector<motion::Clip> clips(120);

@@ -3,7 +3,7 @@
 //
 //     reaction_study [LIBRARY]
 //
-// over the motions by rule and, where a library is given, over each of its clips as well.
+// over the procedural motions and, if a library is given, each of its clips.
 #include <algorithm>
 #include <cstdio>
 
@@ -30,7 +30,7 @@ struct Study {
   std::shared_ptr<const sim::FigureModel> plan;
 };
 
-/// Of joints of two poses, the largest distance, mm.
+/// Largest distance of a joint between two poses, mm.
 double distance_mm(const Study& study, const motion::Pose& first, const motion::Pose& second) {
   const auto a = forward_kinematics(study.character.skeleton, first);
   const auto b = forward_kinematics(study.character.skeleton, second);
@@ -101,7 +101,7 @@ void print_effect(const Study& study, const std::vector<ReactionCase>& cases) {
               quantile(frames_us, 0.999), quantile(frames_us, 1));
 }
 
-/// Against frames of 60 Hz, at every tenth of a second.
+/// Compared with 60 Hz frames, at every tenth of a second.
 void print_frame_rates(const Study& study, const std::vector<ReactionCase>& cases) {
   std::printf("\n### Frame rate: largest distance of a joint from where 60 Hz has it, mm\n\n");
   std::printf("| rate | median | p90 | p99 | worst |\n| --- | --- | --- | --- | --- |\n");
@@ -137,7 +137,7 @@ void print_knock_overs(const Study& study) {
   }
 }
 
-/// For the pose at the end of the time that the simulation has alone, among the clips themselves.
+/// Searches the clips for the pose at the end of the time in which only the simulation acts.
 void print_search(const Study& study, const database::ClipLibrary& library,
                   const std::vector<ReactionCase>& cases) {
   const reaction::ReactionClips clips(library.character, library.clips,

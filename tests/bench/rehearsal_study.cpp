@@ -21,10 +21,10 @@ namespace {
 
 using motion::Body;
 
-constexpr double kMaxChange = 0.005;  // of an impulse that counts as the same
+constexpr double kMaxChange = 0.005;  // a smaller change of an impulse counts as none
 constexpr std::size_t kWorst = 10;
 
-/// Adds to `sum_s` the time since `begin_s`, and begins anew.
+/// Adds the time since `begin_s` to `sum_s`, and restarts.
 void add_time(double& begin_s, double& sum_s) {
   const double now_s = bench::process_cpu_s();
   sum_s += now_s - begin_s;
@@ -43,9 +43,9 @@ struct Pair {
   int clip = 0;
   double expected_ns = 0;
   double found_ns = 0;
-  double change = 0;  ///< sum over the bodies of the differences, over the whole
+  double change = 0;  ///< sum of the bodies' differences, divided by the total
   double contact_later_s = 0;
-  std::string changed;  ///< bodies and by how much, N·s
+  std::string changed;  ///< the bodies that differ and by how much, N·s
 };
 
 struct Study {
@@ -125,7 +125,7 @@ void compare_scenario(const train::SimulationSetup& setup, const train::CostMode
   std::vector<train::Trial> rehearsed = observation.trials;
   for (std::size_t i = 0; i < rehearsed.size(); ++i) {
     train::Trial& trial = observation.trials[i];
-    // The labels' work is the library's: the same for both.
+    // The work comes from the library and is the same for both.
     trial.work_j = static_cast<float>(train::reference_work_j(setup, trial.clip));
     rehearsed[i].work_j = trial.work_j;
     study.pairs.push_back(try_both_ways(setup, observation.scenario, trial.clip, study,

@@ -20,7 +20,7 @@ namespace {
 
 struct Row {
   float value = 0;
-  std::string what;  // the response
+  std::string what;  // description of the response
 };
 
 void print_rows(const char* name, const char* unit, float scale, std::vector<Row> rows) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Loading a selector with its clips, as large as the default library's with 2000 scenarios, and
-// selecting by it.
+// selecting with it.
 #include <benchmark/benchmark.h>
 
 #include <array>
@@ -39,7 +39,7 @@ void set_size(benchmark::State& state) {
   state.counters["megabytes"] = static_cast<double>(size) / 1e6;
 }
 
-/// From a file, verified and prepared: all that a game waits for.
+/// From a file, verified and prepared: everything that a game waits for.
 void load_selector(benchmark::State& state) {
   const tests::TemporaryFolder folder;
   const std::string path = folder / "made_up.flinch";

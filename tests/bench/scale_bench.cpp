@@ -12,7 +12,7 @@
 namespace flinch::train {
 namespace {
 
-/// The default library and all that is made ready once.
+/// The default library and everything that is prepared once.
 struct Scene {
   database::ClipLibrary library = database::authored_library(motion::default_character());
   SimulationSetup setup{library, {}};
@@ -22,7 +22,8 @@ Scene& scene() {
   return scene;
 }
 
-/// All of `flinch simulate` but reading the library: scenarios, rehearsals, simulations, the store.
+/// All of `flinch simulate` except reading the library: scenarios, rehearsals, simulations, the
+/// store.
 void simulate_scenarios(benchmark::State& state) {
   const SimulationSetup& setup = scene().setup;
   SimulationRun run;
@@ -69,7 +70,7 @@ void rehearse_responses(benchmark::State& state) {
 }
 BENCHMARK(rehearse_responses)->Unit(benchmark::kMillisecond);
 
-/// Observations as they come, without the time that simulating them takes.
+/// Typical observations, without the time that simulating them takes.
 std::vector<Observation> posed(const SimulationSetup& setup, ScenarioRange range) {
   std::vector<Observation> observations;
   for (std::uint64_t number = range.first; number < range.end(); ++number) {
@@ -82,7 +83,7 @@ std::vector<Observation> posed(const SimulationSetup& setup, ScenarioRange range
   return observations;
 }
 
-/// What the writer does with a helper's range: takes the message apart, and commits it.
+/// The writer's work for a worker's range: decodes the message and commits it.
 void write_ranges(benchmark::State& state) {
   const SimulationSetup& setup = scene().setup;
   const auto size = static_cast<std::uint64_t>(state.range(0));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Simulations a second on one core: figures that track a second of motion while a ball flies at
+// Simulations per second on one core: figures that track a second of motion while a ball flies at
 // them, the same mix each time.
 #include <benchmark/benchmark.h>
 
@@ -83,7 +83,7 @@ void simulate_rehearsed(benchmark::State& state) {
 }
 BENCHMARK(simulate_rehearsed)->Unit(benchmark::kMicrosecond)->MinTime(1);
 
-/// A standing figure's free step, by ODE and along the tree.
+/// A free step of a standing figure, with ODE and with the tree.
 template <class Scene, class Start>
 void step_standing(benchmark::State& state, Start start) {
   const sim::FigureModel plan(motion::default_character());

@@ -3,7 +3,7 @@
 //
 //     simulation_study [LIBRARY]
 //
-// over the motions by rule and, where a library is given, over each of its clips as well.
+// over the procedural motions and, if a library is given, each of its clips.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -86,7 +86,7 @@ Outcome outcome_of(const Study& study, const std::vector<scenes::Hit>& hits,
   return outcome;
 }
 
-/// sum over bodies |J - J'| / sum J', of the hits.
+/// sum over bodies |J - J'| / sum J', for those that hit.
 std::vector<double> changes_percent(const Outcome& from, const Outcome& to) {
   std::vector<double> changes;
   for (std::size_t i = 0; i < to.results.size(); ++i) {

@@ -12,7 +12,7 @@ namespace flinch::train {
 namespace {
 
 constexpr int kClips = 131;             // the default library's
-constexpr int kTrialsPerScenario = 79;  // as many are tried in its mean scenario
+constexpr int kTrialsPerScenario = 79;  // tried in its average scenario
 constexpr std::uint64_t kAppended = 1000;
 constexpr std::int64_t kMany = 100'000;
 constexpr std::int64_t kMillion = 1'000'000;
@@ -27,7 +27,7 @@ StoreHeader header_of_many_clips() {
   return header;
 }
 
-/// As sparse as the default library's: of 100 trials 19 leave no impulse, 65 on one body, 11 on
+/// As sparse as in the default library: of 100 trials 19 leave no impulse, 65 on one body, 11 on
 /// two, 4 on three and 1 on four.
 int hit_count(features::Random& random) {
   const std::uint64_t share = random.index(100);
@@ -49,7 +49,7 @@ Observation random_observation(const StoreHeader& header, std::uint64_t number) 
   return observation;
 }
 
-/// Different ones, which stand again and again under other numbers.
+/// A number of different observations, which are reused under other numbers.
 std::vector<Observation> random_observations(const StoreHeader& header) {
   std::vector<Observation> observations;
   for (std::uint64_t number = 0; number < kAppended; ++number)
@@ -57,7 +57,7 @@ std::vector<Observation> random_observations(const StoreHeader& header) {
   return observations;
 }
 
-/// A store of so many scenarios; its size without the library.
+/// Makes a store of `scenarios` scenarios and returns its size without the library.
 double make_store(const std::string& path, const StoreHeader& header,
                   std::vector<Observation>& observations, ScenarioRange range) {
   StoreWriter writer(path, header, range);
@@ -70,7 +70,7 @@ double make_store(const std::string& path, const StoreHeader& header,
   return static_cast<double>(std::filesystem::file_size(path) - header.library_file.size());
 }
 
-/// A store that is read again and again.
+/// A store that is read repeatedly.
 struct Made {
   explicit Made(std::uint64_t scenarios)
       : size(make_store(path, header, observations, {0, scenarios})) {}
@@ -94,7 +94,7 @@ void count(benchmark::State& state, std::uint64_t scenarios, double size) {
   state.counters["bytes_a_scenario"] = size / static_cast<double>(scenarios);
 }
 
-/// 1000 scenarios a commit, and the finished file.
+/// 1000 scenarios per commit, and the finished file.
 void write_store(benchmark::State& state) {
   const StoreHeader header = header_of_many_clips();
   std::vector<Observation> observations = random_observations(header);
@@ -132,7 +132,7 @@ BENCHMARK(read_stored)
     ->Arg(kMillion)
     ->Unit(benchmark::kMillisecond);
 
-/// From the file to other labels, for another brawn and vulnerability.
+/// From the file to new labels, for another brawn and vulnerability.
 void relabel_store(benchmark::State& state) {
   const Made& store = made(state.range(0));
   const CostModel model =

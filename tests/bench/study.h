@@ -11,7 +11,7 @@
 
 #include "motion/error.h"
 
-// The main function of programs that measure and print tables.
+// Common main function of programs that measure and print tables.
 namespace flinch::bench {
 
 /// The arguments after the program's name.
@@ -22,7 +22,7 @@ class StudyArguments {
   std::size_t count() const { return texts_.size(); }
   bool has(std::size_t index) const { return index < texts_.size(); }
   const std::string& text(std::size_t index) const { return texts_.at(index); }
-  /// The number at this place, 0 or above; throws Error for anything else.
+  /// Returns the number in this position, which must be at least 0. Throws Error for anything else.
   template <class Number>
   Number number(std::size_t index) const {
     const std::string& text = texts_.at(index);
@@ -33,7 +33,7 @@ class StudyArguments {
     }
     return value;
   }
-  /// The same where the argument is there, else `otherwise`.
+  /// Returns the same, or `otherwise` if the argument is missing.
   template <class Number>
   Number number_or(std::size_t index, Number otherwise) const {
     return has(index) ? number<Number>(index) : otherwise;
@@ -43,15 +43,15 @@ class StudyArguments {
   std::vector<std::string> texts_;
 };
 
-/// What a study takes.
+/// Usage of a study.
 struct StudyUsage {
   std::string_view text;  ///< its name, then its arguments
   std::size_t min_arguments = 0;
   std::size_t max_arguments = 0;
 };
 
-/// Runs a study and returns the exit code of its program: 0; 1 after an exception, whose message is
-/// printed; 2 after printing the usage, where the arguments are too few or too many.
+/// Runs a study and returns the exit code of its program: 0; 1 after an exception, whose message it
+/// prints; 2 if there are too few or too many arguments, after printing the usage.
 template <class Run>
 int study_main(int count, char** arguments, const StudyUsage& usage, Run run) {
   const StudyArguments given(std::vector<std::string>(arguments + 1, arguments + count));

@@ -12,7 +12,7 @@ void try_clips(benchmark::State& state) {
   const database::ClipLibrary library = scenes::synthetic_library();
   const SimulationSetup setup(library, {});
   std::int64_t trials = 0;
-  double impulse = 0;  // shows that it is the same work everywhere
+  double impulse = 0;  // shows that the work is the same everywhere
   for (auto _ : state) {
     const Observation posed = make_observation(setup, static_cast<std::uint64_t>(trials % 64));
     const Trial trial =

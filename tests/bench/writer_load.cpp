@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Simulates, event by event, how busy the writer of a run on many machines is, and prints the table
+// Simulates, event by event, how busy the writer is in a run on many machines, and prints the table
 // of docs/scale.md:
 //
 //     writer_load SIMULATE_MS WRITE_US MESSAGE_US [SCENARIOS]
 //
-// with the CPU time that simulating a scenario takes (ms, of one core), that taking one takes the
-// writer (us), and that answering a message takes it beside (us): what bench_scale measures.
-// SCENARIOS are 10 million unless given. The ranges are those that the program would hand out.
+// The arguments are CPU times that bench_scale measures: to simulate a scenario (ms, on one core)
+// and, for the writer, to store one (us) and to answer a message (us). SCENARIOS is 10 million by
+// default. The ranges are those that the program would hand out.
 #include <cstdio>
 #include <queue>
 
@@ -18,32 +18,33 @@ namespace flinch::train {
 namespace {
 
 struct Costs {
-  double simulate_s = 0;  ///< a scenario, on one core
-  double write_s = 0;     ///< a scenario, of the writer's
-  double message_s = 0;   ///< of the writer's, to answer one
+  double simulate_s = 0;  ///< per scenario, on one core
+  double write_s = 0;     ///< per scenario, by the writer
+  double message_s = 0;   ///< per message, by the writer
 };
 
 struct Cluster {
-  int processes = 1;  ///< that only help
-  int threads = 1;    ///< of each
+  int processes = 1;  ///< besides the writer
+  int threads = 1;    ///< per process
 };
 
-/// When a helper asks, with what it has done.
+/// When a worker asks for work, and the range that it has done.
 struct Request {
   double at_s = 0;
   std::uint64_t scenarios = 0;
-  bool operator<(const Request& other) const { return at_s > other.at_s; }  // the soonest on top
+  // Puts the earliest on top.
+  bool operator<(const Request& other) const { return at_s > other.at_s; }
 };
 
 struct Load {
   double took_s = 0;
   double busy_s = 0;    ///< of the writer
-  double waited_s = 0;  ///< of all helpers, for the writer
+  double waited_s = 0;  ///< of all workers, for the writer
   std::uint64_t messages = 0;
 };
 
-/// The writer answers in the order of the requests, one at a time; machines differ in speed, and
-/// scenarios in what they cost, by a tenth each way.
+/// The writer answers requests in their order, one at a time. Machines differ in speed, and
+/// scenarios in cost, by up to a tenth either way.
 Load load_of(const Cluster& cluster, const Costs& costs, std::uint64_t scenarios) {
   constexpr std::uint64_t kMost = 128;
   ScenarioScheduler ranges({{0, scenarios}}, cluster.processes, kMost);
@@ -51,7 +52,7 @@ Load load_of(const Cluster& cluster, const Costs& costs, std::uint64_t scenarios
   std::priority_queue<Request> requests;
   for (int i = 0; i < cluster.processes; ++i) requests.push({0.001 * random.uniform(), 0});
   Load load;
-  double free_s = 0;  // when the writer is done with all before
+  double free_s = 0;  // when the writer has finished all earlier requests
   while (!requests.empty()) {
     const Request request = requests.top();
     requests.pop();

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""The default library: made by rule, for any character, and of use against threats."""
+"""The default library: made by rule, for any character, and effective against threats."""
 
 import os
 import pathlib
@@ -31,7 +31,7 @@ class Author(ProgramTest):
         self.assertEqual([c["name"] for c in quality["clips"] if c["breaks"]], [])
         text = self.succeed("info", self.library, "--quality").stdout
         count = len(quality["clips"])
-        self.assertIn(f"{count} of {count} clips keep all bounds", text)
+        self.assertIn(f"{count} of {count} clips meet all bounds", text)
 
     def test_the_gallery_in_the_docs_shows_every_clip(self):
         drawn = self.folder / "gallery"
@@ -73,7 +73,7 @@ class Author(ProgramTest):
         idle_cost = sum(known[number][idle] for number in in_time)
         least_cost = sum(min(known[number].values()) for number in in_time)
         self.assertEqual(row["scenarios"], len(in_time))
-        # Near ties are labelled with the clip of less work: up to 1 % of the cost.
+        # Near ties, up to 1 % of the cost, are labelled with the clip of less work.
         self.assertAlmostEqual(row["prevented"], 1 - least_cost / idle_cost, delta=0.005)
         self.assertGreater(row["prevented"], 0.6)
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Whatever the program is given, it says in one line what is wrong and leaves nothing half done."""
+"""For bad input, the program prints one line that says what is wrong and leaves no partial file."""
 
 import unittest
 
@@ -51,7 +51,7 @@ class BadInput(ProgramTest):
         return path
 
     def refuse(self, code, expected, *arguments):
-        """The command fails with this code, says what is expected and writes nothing."""
+        """Expects that the command fails with this code and message and writes nothing."""
         before = {p: p.read_bytes() for p in self.folder.iterdir() if p.is_file()}
         line = self.fail_with(code, *arguments)
         for words in [expected] if isinstance(expected, str) else expected:
@@ -61,7 +61,7 @@ class BadInput(ProgramTest):
         type(self).cases += 1
 
     def readers(self, path):
-        """Each command that reads a file, reading this one."""
+        """Returns each command that reads a file, with this file."""
         return {
             "library": ["simulate", path, "--out", self.out, "-n", 2],
             "store to train on": ["train", path, "--out", self.out],

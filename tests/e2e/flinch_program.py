@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Runs the program for the end-to-end tests, which set its path by environment variables."""
+"""Runs the program for the end-to-end tests. Environment variables give its path."""
 
 import json
 import os
@@ -13,7 +13,7 @@ MOCAP = pathlib.Path(os.environ["FLINCH_MOCAP_DIR"])
 
 
 def run(*arguments, **options):
-    """The finished process with its text."""
+    """Runs the program and returns the finished process with its output."""
     return subprocess.run([FLINCH, *map(str, arguments)], capture_output=True, text=True,
                           check=False, **options)
 
@@ -23,7 +23,7 @@ def make_library(path, name="synthetic"):
 
 
 class ProgramTest(unittest.TestCase):
-    """A test with a folder of its own for each case."""
+    """A test with a separate folder for each case."""
 
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
@@ -36,19 +36,19 @@ class ProgramTest(unittest.TestCase):
         return done
 
     def document(self, *arguments):
-        """What --json prints, which is one document and nothing else."""
+        """Returns the one document that --json prints."""
         done = self.succeed(*arguments, "--json")
         self.assertEqual(done.stderr, "")
         return json.loads(done.stdout)
 
     def lines(self, *arguments):
-        """What `simulate --json` prints: a document a line, the last one its summary."""
+        """Returns what `simulate --json` prints: one document per line, the summary last."""
         done = self.succeed(*arguments, "--json")
         self.assertEqual(done.stderr, "")
         return [json.loads(line) for line in done.stdout.splitlines()]
 
     def fail_with(self, code, *arguments, **options):
-        """The one line on stderr of a command that fails."""
+        """Expects that the command fails, and returns its one line on stderr."""
         done = run(*arguments, **options)
         self.assertEqual(done.returncode, code, f"{arguments}: {done.stdout}{done.stderr}")
         self.assertEqual(done.stdout, "", arguments)

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""From a library to a chosen clip, on a library that needs no motion capture."""
+"""From a library to a chosen clip, with a library that needs no motion capture."""
 
 import csv
 import json
@@ -59,7 +59,7 @@ class MainPath(ProgramTest):
                          [c["name"] for c in library["clips"]])
         poses = [round(c["duration_s"] * library["rate_hz"]) + 1 for c in library["clips"]]
         self.assertEqual(selector["poses"], sum(poses))
-        # The library's whole file stands in the selector's.
+        # The selector's file contains the library's whole file.
         self.assertIn(self.library.read_bytes(), self.selector.read_bytes())
 
     def check_comparison(self):

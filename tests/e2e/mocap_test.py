@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""The five commands of the main path on recorded motion, where there is any."""
+"""The five commands of the main path with motion capture, if there is any."""
 
 import re
 import sys

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""A store has the same bytes whoever simulated it: one process or several, at once or in parts.
+"""A store has the same bytes if one process or several simulated it, at once or in parts.
 
-Tests that stop a run use the slow simulation, which is long enough at it.
+Tests that stop a run use the slow simulation, which takes long enough.
 """
 
 import os
@@ -20,7 +20,7 @@ EXAMPLES = pathlib.Path(os.environ["FLINCH_EXAMPLES"])
 
 
 def wait_for_commit(process):
-    """The first line of progress follows the first commit."""
+    """Waits for the first line of progress, which follows the first commit."""
     for line in process.stderr:
         if f"/{SCENARIOS} scenarios" in line:
             return
@@ -28,7 +28,7 @@ def wait_for_commit(process):
 
 
 class RunTest(ProgramTest):
-    """A test with a library, and a store of it to compare with."""
+    """A test with a library and, for comparison, a store of it."""
 
     def setUp(self):
         super().setUp()
@@ -46,7 +46,7 @@ class RunTest(ProgramTest):
 
 
 class Alone(RunTest):
-    """Of one process."""
+    """Runs of one process."""
 
     def test_threads_and_memory_do_not_show(self):
         whole = self.make_whole()
@@ -102,7 +102,7 @@ class ClusterExamples(RunTest):
                     "STORE": str(self.folder / "joined"), "SCENARIOS": str(SCENARIOS),
                     "SLURM_CPUS_PER_TASK": "1", "MEMORY": "128M"}
         script = EXAMPLES / "slurm_array.sh"
-        # 3 does not divide 70: the last task has less to do.
+        # 3 does not divide 70: the last task has fewer scenarios.
         for task in (2, 0, 1):
             subprocess.run(["bash", script], check=True, capture_output=True,
                            env={**settings, "SLURM_ARRAY_TASK_ID": str(task),
@@ -113,7 +113,7 @@ class ClusterExamples(RunTest):
 
 @unittest.skipIf(MPIRUN is None, "there is no mpirun")
 class Processes(RunTest):
-    """Of the processes of an MPI job."""
+    """Runs of several processes of an MPI job."""
 
     def mpirun(self, count, *command):
         return [MPIRUN, "--allow-run-as-root", "--oversubscribe", "-n", str(count), FLINCH,
@@ -147,7 +147,7 @@ class Processes(RunTest):
         self.assertFalse(store.exists())
         done = self.run_job(2, *command)
         self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertIn("going on after", done.stderr)
+        self.assertIn("continuing after", done.stderr)
         self.assertEqual(store.read_bytes(), whole)
 
     def test_what_is_wrong_is_told_once(self):
@@ -160,7 +160,7 @@ class Processes(RunTest):
 
     @staticmethod
     def children(pid):
-        """Process numbers of the job's flinch processes."""
+        """Returns the ids of the job's flinch processes."""
         found = []
         for status in pathlib.Path("/proc").glob("[0-9]*/status"):
             try:

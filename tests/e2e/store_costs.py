@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: MIT
-"""Costs from a store's impulses and work by the formula alone: no code of the program's."""
+"""Computes costs from a store's impulses and work by the formula, without the program's code."""
 
 import sqlite3
 import struct
 
 
 def trials_of(blob):
-    """Each trial's clip, its work and {body: impulse}."""
+    """Yields each trial's clip, work and {body: impulse}."""
     place, clip = 0, -1
     while place < len(blob):
         head, work = struct.unpack_from("<Hf", blob, place)
@@ -17,7 +17,7 @@ def trials_of(blob):
 
 
 def costs(store, vulnerability, brawn):
-    """{scenario number: {clip: cost}}; vulnerability is {body name: value}."""
+    """Returns {scenario number: {clip: cost}}; vulnerability is {body name: value}."""
     with sqlite3.connect(f"file:{store}?mode=ro", uri=True) as database:
         meta = dict(database.execute("SELECT key, value FROM meta"))
         bodies = [name for (name,) in database.execute("SELECT name FROM body ORDER BY body")]

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""A store is never lost and never half there, whatever happens to the program."""
+"""A store is never lost and never incomplete, whatever happens to the program."""
 
 import resource
 import signal
@@ -12,7 +12,7 @@ from flinch_program import FLINCH, ProgramTest, make_library
 from store_costs import trials_of
 
 SCENARIOS = 40
-SLOW = "--reference"  # a run that can be stopped in its midst
+SLOW = "--reference"  # makes a run slow enough to be stopped midway
 
 
 class Store(ProgramTest):
@@ -30,7 +30,7 @@ class Store(ProgramTest):
         return self.whole.read_bytes()
 
     def stop_midway(self, store, how):
-        """Starts a run and signals it when something of it is committed; its exit code and line."""
+        """Signals a run after its first commit; returns its exit code and line on stderr."""
         process = subprocess.Popen([FLINCH, *map(str, self.command(store, "--threads", 1, SLOW))],
                                    stderr=subprocess.PIPE, text=True)
         self.wait_for_commit(process)
@@ -40,7 +40,7 @@ class Store(ProgramTest):
         return process.wait(), rest.splitlines()[-1] if rest else ""
 
     def wait_for_commit(self, process):
-        """The first line of progress follows the first commit."""
+        """Waits for the first line of progress, which follows the first commit."""
         for line in process.stderr:
             if f"/{SCENARIOS} scenarios" in line:
                 return
@@ -62,7 +62,7 @@ class Store(ProgramTest):
                                r"same command again")
         self.assertFalse(store.exists())
         done = self.succeed(*self.command(store, SLOW))
-        self.assertIn("going on after", done.stderr)
+        self.assertIn("continuing after", done.stderr)
         self.assertEqual(store.read_bytes(), whole)
 
     def test_after_a_kill_the_same_command_goes_on(self):
@@ -108,7 +108,7 @@ class Store(ProgramTest):
         self.assertEqual(store.read_bytes(), self.make_whole(SLOW))
 
     def run_with_little_room(self, room, *arguments):
-        """The finished process, none of whose files may become larger than `room`."""
+        """Returns the finished process, whose files could not grow beyond `room` bytes."""
         def allow_little():
             signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
             resource.setrlimit(resource.RLIMIT_FSIZE, (room, resource.RLIM_INFINITY))
@@ -119,7 +119,7 @@ class Store(ProgramTest):
 
     def test_a_full_disk_is_told_and_loses_nothing(self):
         self.make_whole()
-        room = self.whole.stat().st_size  # of a store of fewer scenarios
+        room = self.whole.stat().st_size  # size of a store of fewer scenarios
         many = 5 * SCENARIOS
         whole = self.folder / "many"
         self.succeed(*self.command(whole, scenarios=many))
@@ -129,7 +129,7 @@ class Store(ProgramTest):
         self.assertIn("make room", process.stderr.splitlines()[-1])
         self.assertFalse(store.exists())
         done = self.succeed(*self.command(store, scenarios=many))
-        self.assertIn("going on after", done.stderr)
+        self.assertIn("continuing after", done.stderr)
         self.assertEqual(store.read_bytes(), whole.read_bytes())
 
     def test_merged_stores_are_the_store_of_all(self):

@@ -16,7 +16,7 @@ namespace {
 
 using namespace flinch;
 
-// A ball that comes, hits the middle of the motion and is gone before its end.
+// A ball that arrives, hits in the middle of the motion and is gone before its end.
 database::BallTrack thrown_ball(const motion::Motion& motion) {
   database::BallTrack ball;
   const std::size_t count = motion.poses.size();
@@ -52,7 +52,7 @@ void write_samples(const std::string& folder) {
   database::write_glb(folder + "/child.glb", child, idle);
 }
 
-// The file with other numbers at the end of its data.
+// Returns the file with other numbers at the end of its data.
 std::string with_last_numbers(std::string bytes, const std::vector<float>& numbers) {
   const std::size_t size = numbers.size() * sizeof(float);
   std::memcpy(bytes.data() + bytes.size() - size, numbers.data(), size);
@@ -67,7 +67,7 @@ std::string replaced(std::string bytes, const std::string& what, const std::stri
   return bytes.replace(place, what.size(), with);
 }
 
-// What would be wrong if the writer made the mistakes that are easily made.
+// Writes files with the mistakes that a writer easily makes.
 void write_broken(const std::string& folder) {
   const database::ClipLibrary library = scenes::synthetic_library();
   const motion::Motion& idle = library.clips.front().motion;

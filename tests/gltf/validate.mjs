@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Fails unless the Khronos validator has nothing at all to say of the .glb files of a folder: no
-// error, no warning, no information, no hint. With --all-broken, unless it finds an error in each.
+// Fails if the Khronos validator reports any error, warning, information or hint for the .glb files
+// in a folder. With --all-broken, fails unless it reports an error for each of them.
 //
 // Usage: node validate.mjs NODE [--all-broken] FOLDER
 //
-// NODE is the folder into which scripts/setup puts the validator (build/node). Exits with 77, for a
-// skipped test, when it is not there.
+// NODE is the folder of the validator, which scripts/setup installs (build/node). Exits with 77, a
+// skipped test, if the folder does not exist.
 import { existsSync, readdirSync, readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { join, resolve } from 'node:path';
@@ -26,7 +26,7 @@ async function issuesOf(name) {
     const { issues } = await validator.validateBytes(bytes, options);
     return issues;
   } catch (error) {
-    // What is no GLB at all is refused, not reported on.
+    // The validator throws, instead of reporting, for a file that is not a GLB.
     const messages = [{ code: 'REFUSED', message: String(error) }];
     return { numErrors: 1, numWarnings: 0, numInfos: 0, numHints: 0, messages };
   }

@@ -21,7 +21,7 @@ TEST(DistanceOutside, EqualsTheDistanceToTheNearestConvexCombination) {
     std::vector<Eigen::Vector2d> points(3 + i % 6);
     for (auto& point : points) point = {uniform(generator), uniform(generator)};
     const Eigen::Vector2d from(1.5 * uniform(generator), 1.5 * uniform(generator));
-    // Every point of the hull is within a triangle of three of the points.
+    // Every point of a convex hull is inside a triangle of three of the points.
     constexpr int kGrid = 60;
     double nearest = 10;
     for (const auto& a : points) {

@@ -19,7 +19,7 @@ TEST(LiveReference, IsContinuousAndItsVelocityMatchesItsPathAtAnyFrameRate) {
   std::mt19937 generator(11);
   std::uniform_real_distribution<double> uneven(0.001, 0.03);
   for (const auto& [name, motion] : scenes::motions_by_rule(figure_model.skeleton)) {
-    double frame_s = 0.1;  // of the motion; the reference's own time begins there
+    double frame_s = 0.1;  // of the motion; the reference's own time starts there
     const double begin_s = frame_s;
     LiveReference reference(figure_model, scenes::pose_at(motion, frame_s - 0.01),
                             scenes::pose_at(motion, frame_s), 0.01);

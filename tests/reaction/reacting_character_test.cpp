@@ -21,8 +21,8 @@ using tests::kNan;
 constexpr float kFrame_s = 1.0F / 60;
 constexpr float kImpact_s = 0.6F;
 
-/// The made-up library; with a clip of purpose push that moves as the protective clip `clip` does
-/// from its peak on, if asked for.
+/// Loads the synthetic library and, if asked for, adds a clip of purpose push that moves as the
+/// protective clip `push_like` does from its peak on.
 runtime::Library loaded(std::optional<int> push_like) {
   database::ClipLibrary clips = tests::made_up_library(5, 120);
   if (push_like) {
@@ -49,7 +49,7 @@ const runtime::Library& with_push() {
   return library;
 }
 
-/// A volleyball at the middle of the chest as it is shown, there in 0.05 s.
+/// A volleyball that hits the middle of the displayed chest in 0.05 s.
 features::Ball ball_at_chest(const runtime::Library& library, const motion::Pose& pose,
                              double mass_kg) {
   const motion::Skeleton& skeleton = library.clip_library().character.skeleton;
@@ -64,7 +64,7 @@ struct Played {
   std::vector<PoseSource> pose_sources;
 };
 
-/// Plays `duration_s` of an answer that is hit at its peak.
+/// Plays `duration_s` of a response that is hit at its peak.
 Played play(ReactingCharacter& character, const runtime::Library& library, float duration_s,
             double mass_kg = 0.27) {
   EXPECT_EQ(character.character().respond(kClip, kImpact_s), runtime::Status::ok);
@@ -122,7 +122,7 @@ TEST(ReactingCharacter, ContinuesWithASimilarClipAndThenIdles) {
   EXPECT_EQ(hit.character().phase(), runtime::Phase::idle);
 }
 
-/// The most by which a joint's velocity changes from frame to frame, rad/s.
+/// Largest change of a joint's velocity between frames, rad/s.
 float velocity_step(const std::vector<motion::Pose>& poses, std::size_t k) {
   const auto way = [&](std::size_t from, Role role) {
     return motion::rotation_vector<float>(poses[from + 1].rotation[role] *
@@ -143,8 +143,8 @@ TEST(ReactingCharacter, PoseIsContinuousWhenItsSourceChanges) {
     for (std::size_t k = 2; k + 1 < played.poses.size(); ++k) {
       if (played.pose_sources[k] == played.pose_sources[k - 1]) continue;
       ++changes;
-      // A spring of 10 1/s that lets go of a joint a radian off changes its velocity by 1.7 rad/s
-      // in a frame; a jump by 3 degrees in one would change it by 3.
+      // When a spring of 10 1/s releases a joint that is a radian off, the joint's velocity changes
+      // by 1.7 rad/s in a frame; a jump of 3 degrees in one frame would change it by 3.
       for (std::size_t frame : {k - 1, k}) {
         EXPECT_LT(velocity_step(played.poses, frame), 2.5F) << "frame " << frame;
       }

@@ -38,7 +38,7 @@ TEST(ReactionClips, MatchDoesNotDependOnPositionAndFacing) {
   std::mt19937 generator(3);
   std::uniform_real_distribution<float> uniform(-3, 3);
   for (std::size_t i = 1; i < all.size(); ++i) {
-    const float time_s = 0.3F;  // in the middle of what moves
+    const float time_s = 0.3F;  // in the middle of the motion
     const float yaw = uniform(generator);
     const Eigen::Vector3f place(uniform(generator), uniform(generator), 0);
     const auto posed = [&](float at_s) {
@@ -46,7 +46,7 @@ TEST(ReactionClips, MatchDoesNotDependOnPositionAndFacing) {
     };
     const auto match = index.find(posed(time_s - kFrame_s), posed(time_s), kFrame_s);
     ASSERT_TRUE(match) << all[i].name;
-    // The ducks are nearly one another's.
+    // The two ducks are nearly the same motion.
     if (all[i].name != "squat" && all[i].name != "fast duck") {
       EXPECT_EQ(match->clip, static_cast<int>(i));
     }
@@ -61,7 +61,7 @@ TEST(ReactionClips, MatchDoesNotDependOnPositionAndFacing) {
 }
 
 TEST(ReactionClips, DistanceMatchesItsFormula) {
-  // One clip that stands still; the character stands as it does, moved upwards at a speed.
+  // One clip that stands still. The character stands in its pose but moves upwards.
   auto all = clips();
   all.resize(1);
   const ReactionClips index(character(), all);

@@ -8,7 +8,7 @@
 
 #include "tests/reaction/reaction_scenes.h"
 
-// One character that is hit, for the tests of reactions.
+// Plays the reaction of one character that is hit, for the tests of reactions.
 namespace flinch::scenes {
 
 inline const motion::Physique& character() {
@@ -40,7 +40,7 @@ inline motion::JointFrames frames_of(const motion::Pose& pose) {
   return forward_kinematics(character().skeleton, pose);
 }
 
-/// How far the joint that is farthest off is, m.
+/// Largest distance of a joint between two poses, m.
 inline double distance(const motion::Pose& first, const motion::Pose& second) {
   const motion::JointFrames a = frames_of(first);
   const motion::JointFrames b = frames_of(second);
@@ -66,7 +66,7 @@ inline const motion::Motion& standing() {
   return still;
 }
 
-/// With arms stretched out sideways, one metre above the ground.
+/// A motion with arms stretched out sideways, one metre above the ground.
 inline const motion::Motion& hovering() {
   static const motion::Motion still = [] {
     motion::Pose pose = motion::rest_pose(character().skeleton);
@@ -76,7 +76,7 @@ inline const motion::Motion& hovering() {
   return still;
 }
 
-/// A ball that is to hit the middle of a part of a figure that keeps still, level, within 0.035 s.
+/// A ball that hits the middle of a part of a motionless figure, flying level, within 0.035 s.
 inline ReactionCase aimed_at(motion::Body body, const Eigen::Vector3d& velocity,
                              double mass_kg = 0.27, const motion::Motion& still = standing()) {
   const Eigen::Vector3d place = middle_of(body, still.poses.front());
@@ -92,7 +92,7 @@ inline reaction::ReactionStatus advance(reaction::Reaction& reaction,
   return reaction.advance(dt_s, wanted, wanted);
 }
 
-/// The poses shown, frame by frame, the one at begin first.
+/// Returns the displayed poses, frame by frame, starting with the pose at begin().
 inline std::vector<motion::Pose> play(reaction::Reaction& reaction,
                                       const ReactionCase& reaction_case, double duration_s,
                                       double frame_s = kFrame_s) {

@@ -26,7 +26,7 @@ using scenes::same_bits;
 
 TEST(Reaction, IsDeterministicOnConcurrentThreads) {
   const auto run = [&](std::vector<std::vector<motion::Pose>>& results) {
-    Reaction reaction(figure_model());  // one for all: what it did before does not count
+    Reaction reaction(figure_model());  // reused for all cases: earlier reactions must not matter
     for (std::size_t i = 0; i < 12; ++i) results.push_back(play(reaction, cases()[i], 0.5));
   };
   std::vector<std::vector<motion::Pose>> alone;

@@ -28,7 +28,7 @@ TEST(Reaction, ReturnsToTheMotionAtTheEndOfTheSchedule) {
   const double over_s = scenes::kLead_s + duration_s(RecoverySchedule{});
   int returned = 0;
   for (const ReactionCase& reaction_case : cases()) {
-    // To another motion than the one tracked.
+    // The reaction returns to another motion than the one that it tracks.
     const motion::Motion& other = motions()[(&reaction_case - cases().data()) % 6].motion;
     Reaction reaction(figure_model());
     scenes::begin(reaction, reaction_case);
@@ -49,8 +49,8 @@ TEST(Reaction, ReturnsToTheMotionAtTheEndOfTheSchedule) {
   EXPECT_GT(returned, 40);
 }
 
-/// The most by which a joint's velocity, less that of the motion, changes from one frame to the
-/// next, m/s; frame by frame.
+/// Returns, frame by frame, the largest change of a joint's velocity relative to the motion from
+/// one frame to the next, m/s.
 std::vector<double> velocity_changes(const std::vector<motion::Pose>& poses,
                                      const ReactionCase& reaction_case) {
   std::vector<double> changes;
@@ -86,7 +86,7 @@ TEST(Reaction, PoseIsContinuousAtBeginAndEnd) {
     EXPECT_LT(changes[1], 0.3);  // the contact comes after the first frame
     for (std::size_t k = 2; k < changes.size(); ++k) {
       const double since_contact_s = static_cast<double>(k) * kFrame_s - scenes::kLead_s;
-      // A hand that is hit may well get to several m/s, and may strike another part.
+      // A hand that is hit may reach several m/s, and may strike another part.
       EXPECT_LT(changes[k], since_contact_s < schedule.simulation_only_s + kFrame_s ? 8 : 0.5)
           << since_contact_s << " s after the contact";
     }

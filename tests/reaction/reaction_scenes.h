@@ -6,24 +6,25 @@
 #include "reaction/reaction.h"
 #include "tests/sim/random_hits.h"
 
-// Characters that are about to be hit, for the tests and the benchmark of reactions.
+// Characters that are about to be hit, for the tests and benchmarks of reactions.
 namespace flinch::scenes {
 
-/// A motion, a ball, and when in the motion the reaction begins, from when on the ball is told.
+/// A motion, a ball, and the time in the motion at which the reaction begins and learns of the
+/// ball.
 struct ReactionCase {
   const motion::Motion* motion;
   features::Ball ball;
   double begin_s;
 };
 
-constexpr double kLead_s = 0.02;  ///< from begin to contact
+constexpr double kLead_s = 0.02;  ///< from begin() to the contact
 constexpr double kFrame_s = 1.0 / 60;
 
 inline motion::Pose pose_at(const motion::Motion& motion, double time_s) {
   return motion::sample(motion, static_cast<float>(time_s));
 }
 
-/// Of the balls of random_hits, those that hit, by balls of `mass_kg`.
+/// Returns those balls of random_hits that hit, with `mass_kg`.
 inline std::vector<ReactionCase> random_reaction_cases(const motion::Physique& character,
                                                        const std::vector<NamedMotion>& motions,
                                                        std::size_t count, unsigned seed,

@@ -37,7 +37,7 @@ TEST(Reaction, FollowsTheMotionWithoutABall) {
     ASSERT_EQ(reaction.begin(pose_at(motion, begin_s - kFrame_s), pose_at(motion, begin_s),
                              kFrame_s, nullptr),
               ReactionStatus::ok);
-    // Elbows at a thousand degrees a second are the hardest.
+    // Elbows at a thousand degrees per second are the hardest to track.
     const double most_m = name == "fast block" ? 0.02 : 0.005;
     for (int k = 1; k < 64; ++k) {
       const motion::Pose wanted = pose_at(motion, begin_s + k * kFrame_s);
@@ -74,11 +74,12 @@ TEST(Reaction, FirstContactMatchesTheTrainersSimulation) {
     if (difference < 0.05 * sum) ++alike;
   }
   EXPECT_GT(hits, 40);
-  // Where a part that was hit then hits another, how soft its springs are does matter.
+  // Where a part that was hit hits another part, the stiffness of its springs matters.
   EXPECT_GT(alike, hits * 8 / 10);
 }
 
-// The momentum of the figure by the poses shown half a millisecond apart, against the ball's loss.
+// Compares the figure's change of momentum, from displayed poses half a millisecond apart, with the
+// ball's loss.
 TEST(Reaction, ConservesMomentum) {
   constexpr double kShort_s = 0.0005;
   for (const auto& [body, velocity] : {std::pair{Body::head, Eigen::Vector3d(-20, 0, 0)},
@@ -101,20 +102,21 @@ TEST(Reaction, ConservesMomentum) {
       return momentum;
     };
     Eigen::Vector3d figure = step();
-    // Until what is shown lies within the step of the blow.
+    // Until the displayed pose lies within the step of the blow.
     while (since_s - kShort_s < reaction.contact_s() && since_s < 0.1) figure = step();
     ASSERT_LT(reaction.contact_s(), since_s) << name_of(body);
     const Eigen::Vector3d ball_before = reaction_case.ball.velocity;
     const Eigen::Vector3d lost =
         reaction_case.ball.mass_kg * (ball_before - reaction.ball().velocity);
     EXPECT_LT((figure - lost).head<2>().norm(), 0.03 * lost.norm()) << name_of(body);
-    // A free ball against a mass at rest loses between m v and (1 + e) m v; here the mass gives.
+    // A free ball against a free mass at rest loses between m v and (1 + e) m v; here the mass
+    // gives way.
     EXPECT_GT(lost.norm(), 0.5 * reaction_case.ball.mass_kg * velocity.norm());
     EXPECT_LT(lost.norm(), 1.75 * reaction_case.ball.mass_kg * velocity.norm());
   }
 }
 
-// A character that runs into a ball that hangs in the air before its face.
+// A character runs into a ball that hangs motionless before its face.
 TEST(Reaction, FigureStartsWithTheVelocityOfItsMotion) {
   constexpr double kSpeed_mps = 3;
   const motion::Pose now = standing().poses.front();
@@ -132,7 +134,7 @@ TEST(Reaction, FigureStartsWithTheVelocityOfItsMotion) {
   ASSERT_EQ(reaction.begin(at(-kFrame_s), now, kFrame_s, &ball), ReactionStatus::ok);
   ASSERT_EQ(reaction.advance(0.002, at(0.002), at(0.002)), ReactionStatus::ok);
   EXPECT_EQ(reaction.contact_s(), 0);
-  // Of a head that weighs much more than the ball: close to (1 + e) v.
+  // For a head that weighs much more than the ball, the speed is close to (1 + e) v.
   EXPECT_GT(reaction.ball().velocity.x(), 1.4 * kSpeed_mps);
   EXPECT_LT(reaction.ball().velocity.x(), 1.7 * kSpeed_mps);
 }
@@ -174,7 +176,7 @@ TEST(Reaction, AHeavyFastBallKnocksOverAndStateStaysFinite) {
         lowest = std::min(lowest, static_cast<double>(joint.z()));
       }
     }
-    // It lies on the ground, and not in it.
+    // It lies on the ground and not below it.
     EXPECT_LT(reaction.pose().root_position.z(), 0.4F) << name_of(body);
     EXPECT_GT(lowest, -0.2) << name_of(body);
   }

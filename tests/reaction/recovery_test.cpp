@@ -40,7 +40,7 @@ TEST(RecoverySchedule, WeightsAreMonotonicAndSmooth) {
                                (now.returning - last.returning) / kStep_s};
     EXPECT_LE(next.simulated, 1e-9);
     EXPECT_GE(next.returning, -1e-9);
-    // The second derivative of an ease over T is 6 / T^2 at most.
+    // The second derivative of an ease over T is at most 6 / T^2.
     EXPECT_LE(std::abs(next.simulated - rate.simulated), 1.01 * 6 / (0.26 * 0.26) * kStep_s);
     EXPECT_LE(std::abs(next.returning - rate.returning), 1.01 * 6 / (0.55 * 0.55) * kStep_s);
     if (next.returning > 0) ++moving;

@@ -111,7 +111,7 @@ TEST(Character, MotionMatchesTheTrainersBitForBit) {
   }
 }
 
-// At 24, 60, 144 and uneven frames a second.
+// At 24, 60, 144 and varying frames per second.
 TEST(Character, MotionDoesNotDependOnTheFrameRate) {
   std::mt19937 random(4);
   const auto pose_after_a_second = [&](auto next_dt) {
@@ -181,7 +181,7 @@ TEST(Character, ANewThreatContinuesFromTheCurrentPoseAndVelocity) {
   }
 }
 
-// A boxer's guard, stepping forward at 1 m/s: not an idle pose, and not at rest.
+// A boxer's guard, stepping forward at 1 m/s: neither an idle pose nor at rest.
 TEST(Character, RespondsFromAPoseSetByTheGame) {
   constexpr float kFrame_s = 1.0F / 60;
   Workspace workspace = make_workspace();
@@ -205,7 +205,7 @@ TEST(Character, RespondsFromAPoseSetByTheGame) {
   character.update(1e-3F);
   const Eigen::Vector3f gone = character.pose().root_position - now.root_position;
   EXPECT_LT((gone / 1e-3F - (now.root_position - before.root_position) / kFrame_s).norm(), 0.2F);
-  // Feet that stood stay until a step.
+  // Standing feet stay in place until a step.
   const auto feet = [&](const Pose& pose) {
     return motion::foot_pose(motion::forward_kinematics(library().prepared().skeleton(), pose),
                              character.response().support);

@@ -35,7 +35,7 @@ const std::string& whole_file() {
   return kFile;
 }
 
-/// Whether a library is the one that whole_file() holds.
+/// Expects that a library is the one in whole_file().
 void expect_whole(const Library& library) {
   ASSERT_TRUE(library.is_loaded());
   EXPECT_EQ(database::library_bytes(library.clip_library()), made_up().library_file);
@@ -111,7 +111,7 @@ TEST(Library, RejectsATruncatedFile) {
 
 TEST(Library, RejectsAChangedByte) {
   std::mt19937_64 random(1);
-  // The first bytes are the seal and the tables; each of them has its turn.
+  // Each byte of the seal and of the tables, which come first, is changed in turn.
   std::vector<std::size_t> bytes = tests::places(200);
   while (bytes.size() < 2000) bytes.push_back(random() % whole_file().size());
   Library library;
@@ -123,8 +123,8 @@ TEST(Library, RejectsAChangedByte) {
   EXPECT_EQ(library.load(bytes_of(whole_file())), LoadStatus::ok);
 }
 
-// Damage that the seal cannot see, because who sealed it meant it. The clips' own seal is not
-// looked at for accidents, so what is inside must be kept out by the checks alone.
+// Damage that the seal does not show, because the file was sealed after it. The clips' own seal is
+// not verified against accidents, so the checks of the content alone must reject it.
 TEST(Library, CorruptContentWithAValidSealIsRejectedOrSafe) {
   const std::size_t clips = whole_file().find("FLINCHL");
   ASSERT_NE(clips, std::string::npos);
@@ -163,11 +163,12 @@ TEST(SelectorFile, RefusesToWriteClipsOfAnotherLibrary) {
     EXPECT_THROW(train::selector_bytes(selector, bytes_of(library_file)), Error);
   };
   models::Selector selector = made_up().selector;
-  fails(selector, other_library([](auto& library) { library.name = "another"; }));  // its hash
+  // Its hash changes.
+  fails(selector, other_library([](auto& library) { library.name = "another"; }));
   fails(selector, "no library");
   fails(selector, made_up().library_file.substr(0, 5000));
 
-  // The hash is right in these.
+  // The hash is right in these cases.
   const auto fails_by = [&](const std::function<void(database::ClipLibrary&)>& change) {
     const std::string library_file = other_library(change);
     models::Selector renamed = selector;

@@ -16,8 +16,8 @@
 
 namespace flinch::tests {
 
-/// The synthetic library's motions under as many names as asked for, each held at its end until it
-/// has `pose_count` poses. Clip 0 is the idle one.
+/// The synthetic library's motions, repeated under as many names as requested, each held at its end
+/// until it has `pose_count` poses. Clip 0 is the idle clip.
 inline database::ClipLibrary made_up_library(int clip_count, std::size_t pose_count) {
   database::ClipLibrary library = scenes::synthetic_library();
   const std::vector<motion::Clip> posed(library.clips.begin() + 1, library.clips.end());
@@ -31,8 +31,8 @@ inline database::ClipLibrary made_up_library(int clip_count, std::size_t pose_co
   return library;
 }
 
-/// A library's file and a selector of its clips that was fitted to made-up observations, which
-/// choose from all of its clips but the idle one.
+/// A library file, and a selector of its clips that was fitted to made-up observations, which
+/// choose from all of its clips except the idle one.
 struct MadeUpSelector {
   std::string library_file;
   models::Selector selector;
@@ -40,7 +40,7 @@ struct MadeUpSelector {
   std::span<const std::byte> library_bytes() const {
     return std::as_bytes(std::span(library_file));
   }
-  /// Of the selector's file, with its clips.
+  /// The selector's file, with its clips.
   std::string file() const { return train::selector_bytes(selector, library_bytes()); }
 };
 

@@ -42,7 +42,7 @@ bool same_bits(const Threat& a, const Threat& b) {
   return same_bits(a.position, b.position) && same_bits(a.velocity, b.velocity);
 }
 
-/// Mean and standard deviation of what is added to.
+/// Mean and standard deviation of the values added.
 class Sample {
  public:
   void add(double value) {
@@ -59,14 +59,15 @@ class Sample {
   double squares_ = 0;
 };
 
-/// Mean within 5 standard errors and deviation within 1.5 % (5 standard errors are 1.1 %).
+/// Expects the mean within 5 standard errors and the deviation within 1.5 % (5 standard errors are
+/// 1.1 %).
 void expect_normal(const Sample& sample, double deviation) {
   EXPECT_NEAR(sample.mean(), 0, 5 * deviation / std::sqrt(kDraws));
   EXPECT_NEAR(sample.deviation(), deviation, 0.015 * deviation);
 }
 
-/// Of the angles by which a vector is turned, up and aside as seen along it, and of the logarithm
-/// of its length's factor.
+/// Samples of the angles by which a vector is turned, up and sideways as seen along it, and of the
+/// logarithm of its length's factor.
 struct Errors {
   Sample up;
   Sample aside;
@@ -76,7 +77,7 @@ struct Errors {
     const Eigen::Vector3d along = truth.cast<double>().normalized();
     const Eigen::Vector3d side = along.cross(Eigen::Vector3d::UnitZ()).normalized();
     const Eigen::Vector3d direction = seen.cast<double>().normalized();
-    // Both tiny angles, by the arc.
+    // Both angles are tiny, so each is its component of the arc.
     const double angle = std::acos(std::min(direction.dot(along), 1.0));
     const Eigen::Vector3d across = (direction - direction.dot(along) * along).normalized();
     up.add(angle > 0 ? angle * across.dot(side.cross(along)) : 0);

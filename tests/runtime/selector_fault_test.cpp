@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the reader would refuse is not written, whatever is wrong with it.
+// The writer refuses every selector that the reader would refuse.
 #include <gtest/gtest.h>
 
 #include <cstddef>

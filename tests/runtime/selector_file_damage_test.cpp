@@ -49,8 +49,8 @@ TEST(SelectorFileDamage, OtherFileKindsHaveTheirOwnStatus) {
   EXPECT_EQ(tests::read(bytes, selector), LoadStatus::other_version);
 }
 
-/// The file with every occurrence of `from` in its content replaced by `to`, of the same size,
-/// and a header that fits.
+/// Returns the file with every occurrence of `from` in its content replaced by `to`, which has the
+/// same size, and with a matching header.
 std::string resealed_with(const std::string& file, const std::string& from, const std::string& to) {
   EXPECT_EQ(from.size(), to.size());
   std::string content = tests::content_of(file);
@@ -71,11 +71,11 @@ TEST(SelectorFileDamage, AnotherFeatureLayoutHasItsOwnStatus) {
             LoadStatus::other_layout);
 }
 
-// Damage that the seal cannot see, because who sealed it meant it: the verifier and the checks that
-// follow must still keep anything out that would be read beyond its bounds.
+// Damage that the seal does not show, because the file was sealed after it. The verifier and the
+// checks that follow must still reject everything that would be read beyond its bounds.
 TEST(SelectorFileDamage, CorruptContentWithAValidSealNeverLoadsUnsound) {
   const auto damage = [](std::string& content, std::mt19937_64& random) {
-    // Half of the changes go to the tables, which stand before and after the long vectors.
+    // Half of the changes are in the tables, which are before and after the long vectors.
     const std::size_t at = random() % 2 == 0 ? random() % content.size() : random() % 400;
     content[at] = static_cast<char>(random());
   };

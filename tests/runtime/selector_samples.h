@@ -9,11 +9,11 @@
 
 namespace flinch::tests {
 
-/// Selectors of eight clips, idle last, with numbers that no text or float would bring back: one of
-/// each kind of model.
+/// Selectors of eight clips, idle last, one for each kind of model. Their numbers would not survive
+/// a conversion to text or float.
 models::Selector selector_without_model();
 models::Selector svm_selector();
-/// Of features that do not fill a whole row of the model.
+/// Its features do not fill a whole row of the model.
 models::Selector rbf_selector();
 models::Selector knn_selector();
 models::Selector knn_cost_selector();

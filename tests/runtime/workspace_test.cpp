@@ -22,7 +22,7 @@ models::Selector selector_with(ModelKind model) {
   return tests::made_up_selector(tests::made_up_library(kClips, 61), 300, model).selector;
 }
 
-/// Threats of every size, and what is none.
+/// Threats of every size, and feature vectors that are no threat.
 std::vector<features::FeatureVector> queries() {
   std::mt19937_64 random(7);
   std::vector<features::FeatureVector> queries(500);

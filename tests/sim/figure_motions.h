@@ -9,7 +9,7 @@
 #include "motion/mirror.h"
 #include "sim/rehearsal/simulator.h"
 
-// Motions by rule and aimed balls, for the tests, the study and the benchmark of the simulation.
+// Procedural motions and aimed balls, for the tests, the study and the benchmark of the simulation.
 namespace flinch::scenes {
 
 constexpr float kDegrees = 3.14159265F / 180;
@@ -20,7 +20,7 @@ inline void turn(motion::Pose& pose, motion::Role role, const Eigen::Vector3f& a
   pose.rotation[role] = pose.rotation[role] * rotation;
 }
 
-/// Standing with hanging arms.
+/// Standing with the arms hanging down.
 inline motion::Pose standing(const motion::Skeleton& skeleton) {
   motion::Pose pose = motion::rest_pose(skeleton);
   turn(pose, motion::Role::left_upper_arm, Eigen::Vector3f::UnitX(), -80);
@@ -75,7 +75,7 @@ inline motion::Pose arms_raised(const motion::Skeleton& skeleton) {
   return pose;
 }
 
-/// From one pose to another within `rise_s` after 0.2 s, and held; one second at 60 Hz.
+/// From one pose to another within `rise_s`, starting at 0.2 s, and then held; one second at 60 Hz.
 inline motion::Motion between(const motion::Pose& from, const motion::Pose& to, float rise_s) {
   motion::Motion motion;
   for (int k = 0; k <= 60; ++k) {
@@ -112,7 +112,7 @@ inline std::vector<NamedMotion> motions_by_rule(const motion::Skeleton& skeleton
           {"fast block", between(stand, guarding(skeleton), 0.2F)}};
 }
 
-/// A volleyball that would be at `place` at `time_s`, flying along `velocity` there.
+/// A volleyball that is at `place` at `time_s` if nothing stops it, flying along `velocity` there.
 inline features::Ball aimed_ball(const Eigen::Vector3d& place, const Eigen::Vector3d& velocity,
                                  double time_s) {
   features::Ball ball;

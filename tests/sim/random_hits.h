@@ -11,14 +11,15 @@
 
 namespace flinch::scenes {
 
-/// A ball and the motion that it meets, by its index.
+/// A ball, and the index of the motion that it meets.
 struct Hit {
   std::size_t motion = 0;
   features::Ball ball;
 };
 
-/// Volleyballs as threats are: 8 to 30 m/s, from anywhere, elevations of -10 to 45 degrees, at the
-/// middle of each target in turn between a third and two thirds into each motion in turn.
+/// Volleyballs distributed as threats are: 8 to 30 m/s, from any direction, elevations of -10 to 45
+/// degrees, aimed at the middle of each target in turn, between a third and two thirds into each
+/// motion in turn.
 inline std::vector<Hit> random_hits(const motion::Physique& character,
                                     const std::vector<NamedMotion>& motions, std::size_t count,
                                     unsigned seed) {

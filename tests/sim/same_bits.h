@@ -20,7 +20,8 @@ inline void expect_same_bits(const sim::SimulationResult& first,
   EXPECT_EQ(first.steps, second.steps);
 }
 
-/// `run` appends its results, the same on one thread alone as on three at once.
+/// Expects that `run`, which appends its results, gives the same bits on one thread alone as on
+/// three at the same time.
 template <class Run>
 void expect_same_bits_on_threads(const Run& run) {
   std::vector<sim::SimulationResult> alone;

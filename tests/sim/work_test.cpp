@@ -28,7 +28,7 @@ motion::Motion moved_rest_pose(const motion::Physique& character, float rate_hz,
 }
 
 // x = A sin(2 pi f t) along a line: W = m int |a v| dt = m A^2 w^2 per half period, 2 m A^2 w^2 per
-// period. At 1 Hz the low-pass takes nothing that shows.
+// period. At 1 Hz the effect of the low-pass is negligible.
 TEST(MechanicalWork, OfASinusoidMatchesTheClosedForm) {
   const motion::Physique character = motion::default_character();
   const auto motion = moved_rest_pose(character, 240, 240 * 3 + 1,
@@ -61,7 +61,7 @@ TEST(MechanicalWork, OfTooFewPosesIsZero) {
   EXPECT_EQ(sum(mechanical_work(character, motion)), 0);
 }
 
-// Both the speeding up and the slowing down cost: from rest to rest the signed sum is nothing.
+// Both speeding up and slowing down cost work: from rest to rest the signed sum is zero.
 TEST(MechanicalWork, FromRestToRestIsTwiceTheKineticEnergy) {
   const motion::Physique character = motion::default_character();
   const auto motion = moved_rest_pose(character, 240, 481, [](double t) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A game of its own: a ball flies at a character's head, and the head is not where it was. Usage:
-// consumer SELECTOR
+// A separate game project: a ball flies at a character's head, and the head moves out of the way.
+// Usage: consumer SELECTOR
 #include <algorithm>
 #include <iostream>
 #include <string>
@@ -11,7 +11,7 @@ using namespace flinch;
 
 namespace {
 
-/// Stands for a game: one throw in three seconds, and what is drawn is looked at.
+/// Stands in for a game: one throw in three seconds; checks the poses that would be drawn.
 class Game {
  public:
   bool is_running() const { return frame_ < 180; }

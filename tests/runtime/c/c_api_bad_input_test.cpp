@@ -162,13 +162,13 @@ TEST_F(CApi, RejectsNonFiniteNumbersAndChangesNothing) {
               [&] { return flinch_character_pose_over(character, &game, &mask, &game); });
     }
   }
-  // After all of this the character still comes back to idle.
+  // After all of this, the character still returns to idle.
   for (int i = 0; i < 200; ++i) ASSERT_EQ(flinch_character_update(character, 0.02F), FLINCH_OK);
   EXPECT_EQ(state().phase, FLINCH_IDLE);
   EXPECT_EQ(perceive(ball()), FLINCH_OK);
 }
 
-/// A number as games have them, or one that no sound game has.
+/// A number as games have them, or one that no correct game has.
 float any_number(std::mt19937& random) {
   constexpr float kOdd[] = {0,      -0.0F, 1e-45F,    1e-20F,     1e6F, -1e20F, 3e38F,
                             -3e38F, kNan,  kInfinity, -kInfinity, 100,  -1};
@@ -183,7 +183,7 @@ bool is_sound(const flinch_pose& pose) {
          });
 }
 
-// Whatever is asked, in whatever order: a status, and a pose that can be drawn.
+// Calls in any order with any arguments give a status and a valid pose.
 TEST_F(CApi, PoseStaysValidAfterRandomCalls) {
   std::mt19937 random(1);
   std::map<flinch_status, int> statuses;

@@ -14,7 +14,7 @@
 #include "tests/runtime/made_up_selector.h"
 #include "tests/scenes/not_finite.h"
 
-// What tests of the C interface begin with.
+// Common set-up of the tests of the C interface.
 namespace flinch::tests {
 
 inline const std::string& selector_file() {
@@ -37,7 +37,8 @@ inline flinch_library* load(const std::string& file) {
   return library;
 }
 
-/// At the head of a character at the origin, from the front left, there in half a second.
+/// A ball at the head of a character at the origin, from the front left, that hits in half a
+/// second.
 inline flinch_threat ball() {
   auto threat = sized<flinch_threat>();
   const float velocity[3] = {-16, -8, 2.7F};
@@ -83,7 +84,7 @@ class CApi : public testing::Test {
   flinch_status perceive(const flinch_threat& threat) {
     return flinch_character_perceive(character, &threat, workspace);
   }
-  /// The call gives this status and leaves the character as it was.
+  /// Expects that the call returns this status and leaves the character unchanged.
   void refuses(flinch_status expected, const std::function<flinch_status()>& call) {
     const flinch_pose pose_before = pose();
     const flinch_character_state state_before = state();

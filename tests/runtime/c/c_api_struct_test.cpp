@@ -20,7 +20,7 @@ TEST_F(CApi, AcceptsStructsOfOlderProgramsAndRejectsThoseOfNewerOnes) {
   ASSERT_EQ(perceive(threat), FLINCH_OK);
   const flinch_character_state whole = state();
   ASSERT_EQ(flinch_character_place(character, 0, 0, 0, 0), FLINCH_OK);
-  threat.radius = kNan;  // not looked at: the program knows of no radius
+  threat.radius = kNan;  // ignored: a program with this struct size does not know the radius
   threat.size = offsetof(flinch_threat, radius);
   ASSERT_EQ(perceive(threat), FLINCH_OK);
   const flinch_character_state old = state();
@@ -70,7 +70,7 @@ TEST_F(CApi, WritesNoMoreThanTheCallersStructSize) {
   EXPECT_EQ(old.radius, -7);
 }
 
-// What other languages write down by hand.
+// Bindings in other languages copy this layout by hand.
 TEST(CApiLayout, MatchesThePublishedVersion) {
   EXPECT_EQ(sizeof(flinch_threat), 36U);
   EXPECT_EQ(sizeof(flinch_pose), 16U + 16 * FLINCH_JOINT_COUNT);

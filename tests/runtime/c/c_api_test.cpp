@@ -117,7 +117,7 @@ TEST_F(CApi, LibraryDescriptionMatchesTheFile) {
   }
 }
 
-// Forward kinematics once more, from the skeleton as the C interface tells it.
+// Repeats the forward kinematics, with the skeleton as the C interface returns it.
 TEST_F(CApi, JointFramesMatchForwardKinematics) {
   auto skeleton = sized<flinch_skeleton>();
   auto frames = sized<flinch_joint_frames>();
@@ -149,7 +149,7 @@ TEST_F(CApi, PoseOverBlendsByTheMask) {
   for (auto& rotation : game.rotation) rotation[0] = 1;
   flinch_mask mask = half_of_everything();
   mask.weight = 1;
-  mask.joint[12] = 0;  // the right hand stays the game's
+  mask.joint[12] = 0;  // the game keeps the right hand
   flinch_pose over = game;
   ASSERT_EQ(flinch_character_pose_over(character, &game, &mask, &over), FLINCH_OK);
   const flinch_pose whole = pose();
@@ -158,7 +158,7 @@ TEST_F(CApi, PoseOverBlendsByTheMask) {
     EXPECT_NEAR(std::abs(expected.dot(Eigen::Vector4f(over.rotation[joint]))), 1, 1e-5) << joint;
   }
   EXPECT_NEAR(over.root_position[2], whole.root_position[2], 1e-6);
-  // In place.
+  // In place: the output is also an input.
   ASSERT_EQ(flinch_character_pose_over(character, &game, &mask, &game), FLINCH_OK);
   EXPECT_EQ(std::memcmp(&game, &over, sizeof game), 0);
 }

@@ -19,11 +19,11 @@ using motion::Side;
 using runtime::PreparedLibrary;
 using runtime::Response;
 
-constexpr float kRate = 120;         // Hz, of measuring
+constexpr float kRate = 120;         // Hz, of the measurements
 constexpr float kOnGround = 0.005F;  // m
-constexpr float kFrame = 1.0F / 60;  // s, of velocities
+constexpr float kFrame = 1.0F / 60;  // s, interval of velocities
 
-// How far a point is inside the sole of a foot, seen from above, m.
+// Distance of a point inside a sole's outline, seen from above, m.
 float margin_in_sole(const PreparedLibrary& library, const JointFrames& frames, Side side,
                      const Eigen::Vector3f& point) {
   const motion::FootPose foot = motion::foot_pose(frames, side);
@@ -33,9 +33,8 @@ float margin_in_sole(const PreparedLibrary& library, const JointFrames& frames, 
   return motion::signed_distance_inside(library.soles[side].hull, local.head<2>());
 }
 
-// Where the centre of mass is, and where it would come to rest if the body fell as a pendulum over
-// the point below: x + v / w0, w0 = sqrt(g / height), the extrapolated centre of mass of Hof et al.
-// (2005).
+// The centre of mass, and where it would come to rest if the body fell as a pendulum over the point
+// below: x + v / w0, w0 = sqrt(g / height), the extrapolated centre of mass of Hof et al. (2005).
 struct Centre {
   Eigen::Vector3f place;
   Eigen::Vector3f extrapolated;
@@ -53,7 +52,7 @@ Centre centre_at(const Response& r, float time_s) {
   return {place, place + std::sqrt(place.z() / kGravity) * velocity};
 }
 
-// Follows the points of a sole on the ground while their foot carries more weight.
+// Tracks the points of a sole on the ground while their foot carries more weight.
 struct SoleTrack {
   std::vector<std::optional<Eigen::Vector3f>> landed;
   float slip_m = 0;
@@ -72,7 +71,7 @@ struct SoleTrack {
   }
 };
 
-// Both soles at one moment.
+// Both soles at one time.
 struct Standing {
   motion::PerSide<std::vector<Eigen::Vector3f>> points;
   motion::PerSide<bool> stands{};
@@ -139,7 +138,7 @@ void measure_feet(const Response& r, ResponseQuality& quality) {
   quality.support_slip_m = std::max(tracks[Side::left].slip_m, tracks[Side::right].slip_m);
 }
 
-// The step of a joint's velocity at a time: (q_+ q^-1 - q q_-^-1) / dt, as rotation vectors.
+// Change of a joint's velocity at a time: (q_+ q^-1 - q q_-^-1) / dt, as rotation vectors.
 float velocity_step(const Pose& before, const Pose& at, const Pose& after, Role role, float dt_s) {
   const auto velocity = [&](const Pose& from, const Pose& to) {
     return motion::rotation_vector(to.rotation[role] * from.rotation[role].conjugate());
@@ -167,7 +166,7 @@ void measure_seam(const Response& r, float time_s, const char* name, float own,
 
 float velocity_step_of(const motion::Clip& clip, float playback_rate) {
   std::vector<float> steps;
-  const float dt_s = kFrame * playback_rate;  // of the clip, a frame
+  const float dt_s = kFrame * playback_rate;  // clip time per frame
   const float last_s = clip.motion.duration_s();
   for (float t = dt_s; t + dt_s <= last_s; t += dt_s) {
     const Pose before = motion::sample(clip.motion, t - dt_s);

@@ -8,31 +8,32 @@
 
 namespace flinch::tests {
 
-/// How well a response keeps to what bodies do, measured from its poses alone.
+/// Measures of how physically plausible a response is, computed from its poses alone.
 struct ResponseQuality {
-  /// Farthest that a point of the sole of the foot that carries more weight slips while it is on
-  /// the ground, from where it landed, m.
+  /// Largest slip of a point of the sole that carries more weight, from where it landed, while it
+  /// is on the ground, m.
   float support_slip_m = 0;
-  float clip_slip_m = 0;     ///< the same of the clip itself, from its onset to its end
-  float below_ground_m = 0;  ///< deepest point of a sole
-  /// Largest step of a joint's velocity at a seam of the response, over the 99th percentile of such
-  /// steps in the clip itself.
+  float clip_slip_m = 0;     ///< the same for the clip itself, from its onset to its end
+  float below_ground_m = 0;  ///< largest depth of a sole's point
+  /// Largest change of a joint's velocity at a seam of the response, divided by the 99th percentile
+  /// of such changes in the clip itself.
   float seam_share = 0;
-  std::string seam;  ///< which, and whose
-  /// Least distance of the centre of mass inside the sole of the standing foot when the other one
-  /// leaves the ground because the response has it step: before the clip's peak or on the way home.
+  std::string seam;  ///< name of the seam and of the joint
+  /// Smallest distance of the centre of mass inside the sole of the standing foot when the other
+  /// foot leaves the ground because the response makes it step: before the clip's peak or on the
+  /// way home.
   float lift_margin_m = 1;
   float lift_s = 0;
   /// The same of the extrapolated centre of mass (Hof et al. 2005), which must be over the sole for
   /// a body in motion to be in balance.
   float extrapolated_margin_m = 1;
-  /// How far the clip's peak is from the predicted impact, s; none where the clip is too long for
-  /// the time that there is.
+  /// Time of the clip's peak less that of the predicted impact, s; none if the clip is too long for
+  /// the available time.
   std::optional<float> peak_error_s;
 };
 
-/// The 99th percentile of the steps of joints' velocities from frame to frame of a clip that is
-/// played at `rate`, rad/s.
+/// Returns the 99th percentile of the changes of joints' velocities from frame to frame of a clip
+/// that is played at `playback_rate`, rad/s.
 float velocity_step_of(const motion::Clip& clip, float playback_rate);
 
 ResponseQuality measure_response(const runtime::Response& response, float time_to_impact_s);

@@ -68,7 +68,7 @@ Pose idle_at(const features::CharacterState& state, float t) {
   return features::idle_pose(prepared().idle(), state, t);
 }
 
-// The library without all but its idle clip and one other, changed.
+// The library with only its idle clip and one other, modified, clip.
 template <typename Change>
 database::ClipLibrary with_changed(int clip, Change change) {
   database::ClipLibrary library = authored();
@@ -79,7 +79,7 @@ database::ClipLibrary with_changed(int clip, Change change) {
   return library;
 }
 
-// A clip that ends where the body is out of the way, with both feet there.
+// A clip that ends out of the threat's way, with both feet on the ground there.
 database::ClipLibrary one_way_step() {
   return with_changed(kSidestep, [](motion::Clip& clip) {
     const float until_s = clip.annotation->peak_s + 0.2F;
@@ -88,7 +88,7 @@ database::ClipLibrary one_way_step() {
   });
 }
 
-// A clip of another actor, who stands wider, turned and elsewhere, and does not step.
+// A clip of another actor, with a wider stance, turned and elsewhere, that does not step.
 database::ClipLibrary other_stance() {
   return with_changed(kBlock, [](motion::Clip& clip) {
     const motion::Skeleton& skeleton = motion::default_character().skeleton;
@@ -186,8 +186,8 @@ TEST(Response, StepsWithTheOtherFootToTheClipsPlace) {
             foot.ankle.z() + 0.5F * plan.correction_lift_m);
 }
 
-// At most the largest speed of clip and idle, quickened, and of crossing over from one to the other
-// (a whole turn of a joint at most, weights changing by 15/8 / blend).
+// The bound is the largest speed of clip and idle, sped up, plus that of blending from one to the
+// other (at most a whole turn of a joint, with weights changing by 15/8 / blend).
 TEST(Response, IsContinuous) {
   constexpr float kStep_s = 1e-3F;
   int cases = 0;
@@ -218,7 +218,8 @@ TEST(Response, ReturnsToIdle) {
   EXPECT_NEAR(duration_s(response), response.end_s + kMinBlend_s, 1e-6F);
 }
 
-// Left of a character that faces 0.9 rad is (-sin, cos); the default library steps to the right.
+// To the left of a character that faces 0.9 rad is (-sin, cos); the default library steps to the
+// right.
 TEST(Response, IdlesWhereItsStepEnded) {
   const database::ClipLibrary library = one_way_step();
   const PreparedLibrary stepping = prepare(library);
@@ -230,7 +231,7 @@ TEST(Response, IdlesWhereItsStepEnded) {
   next.position += response.idle_displacement.head<2>();
   const float t = duration_s(response) + 0.4F;
   EXPECT_LT(distance(pose_at(response, t), idle_at(next, t)), 1e-5F);
-  // Feet that stand elsewhere than the idle's step home, and nothing jumps when they have.
+  // Feet that are not where the idle clip has them step home, and nothing jumps afterwards.
   const float seam = duration_s(response);
   EXPECT_LT(distance(pose_at(response, seam - 1e-4F), pose_at(response, seam + 1e-4F)), 5e-3F);
 }
@@ -255,7 +256,7 @@ TEST(Response, IsInvariantToPositionAndFacing) {
   }
 }
 
-// Asking at 24, 60 or 1000 Hz, or backwards, gives the same poses to the bit.
+// Sampling at 24, 60 or 1000 Hz, or backwards, gives the same poses to the bit.
 TEST(Response, PoseDependsOnTimeAlone) {
   const Response asked_often = make_response(prepared(), kState, kSidestep, 0.7F);
   const Response asked_once = asked_often;
@@ -314,7 +315,7 @@ TEST(Response, TreatsInvalidTimesAsZero) {
 TEST(Response, AllocatesNothing) {
   const std::size_t before_copy = allocation_count();
   const database::ClipLibrary copy = authored();
-  ASSERT_GT(allocation_count(), before_copy);  // the count counts
+  ASSERT_GT(allocation_count(), before_copy);  // the allocation counter works
   prepared();
   const std::size_t before = allocation_count();
   float sum = 0;
@@ -326,7 +327,7 @@ TEST(Response, AllocatesNothing) {
   EXPECT_TRUE(std::isfinite(sum));
 }
 
-// The measures of docs/response.md over all clips, each with a few threats of the study's.
+// The measures of docs/response.md over all clips, each with a few of the study's threats.
 TEST(ResponseQuality, AllClipsMeetTheBounds) {
   std::mt19937 random(3);
   int lifts = 0;
@@ -351,7 +352,7 @@ TEST(ResponseQuality, AllClipsMeetTheBounds) {
   EXPECT_GT(lifts, 100);
 }
 
-// A character that is interrupted in the middle of a response: its pose and velocities go on.
+// A character that is interrupted in the middle of a response; its pose and velocities continue.
 struct Interruption {
   Pose before;
   Pose now;

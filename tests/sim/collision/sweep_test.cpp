@@ -25,8 +25,8 @@ class RandomScene : public tests::RandomShapes {
   }
 };
 
-// Against the path sampled so finely that a gap changes by less than a tenth of the touch between
-// samples.
+// Compares with the path sampled so finely that a gap changes by less than a tenth of the contact
+// distance between samples.
 TEST(TimeOfContact, MatchesFineSampling) {
   RandomScene random(5);
   int touched = 0;
@@ -47,7 +47,7 @@ TEST(TimeOfContact, MatchesFineSampling) {
     if (sampled) {
       ASSERT_TRUE(found) << "missed a touch at " << *sampled;
       EXPECT_LE(*found, *sampled);
-      // At the time found the surfaces do touch.
+      // At the time found, the surfaces do touch.
       EXPECT_LE(clearance(ball.position_at(*found), ball.radius, shape.at(*found)).gap,
                 kTestContactDistance_m);
       ++touched;
@@ -60,7 +60,7 @@ TEST(TimeOfContact, MatchesFineSampling) {
   EXPECT_GT(missed, 50);
 }
 
-// Whatever accelerations up to the slack a shape has, it is not touched before the time found.
+// A shape with any accelerations up to the slack is not touched before the time found.
 TEST(TimeOfContact, IsNeverLateForAcceleratingShapes) {
   RandomScene random(6);
   constexpr double kSlack_mps2 = 100;

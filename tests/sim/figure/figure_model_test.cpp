@@ -11,7 +11,7 @@ namespace {
 
 using motion::Body;
 
-/// ODE's inertia of a body of even density, in the axes of its shape.
+/// ODE's inertia of a body of uniform density, in the axes of its shape.
 Eigen::Matrix3d inertia_by_ode(const motion::Shape& shape, double mass_kg) {
   dMass mass;
   if (shape.kind == motion::Shape::Kind::capsule) {

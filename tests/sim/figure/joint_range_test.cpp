@@ -42,7 +42,7 @@ TEST(JointAngles, AreTheComponentsOfSwingAndTwist) {
   EXPECT_TRUE(angles.isApprox(Eigen::Vector3d(0, -70, 20), 1e-9)) << angles.transpose();
 }
 
-// What the signs of the table mean, by where the bone goes.
+// Checks the signs of the table by where the bone goes.
 TEST(JointRange, AllowsEverydayPoses) {
   const auto within = [](Body body, const Eigen::Quaterniond& rotation) {
     return limit_violation(limits_of(body), rotation, Eigen::Quaterniond::Identity()).norm() <
@@ -126,7 +126,7 @@ TEST(JointRange, ViolationIsExactlyZeroWithinTheLimits) {
   EXPECT_GT(beyond, 1000);
 }
 
-// Angles jump at half a turn; the way back must not.
+// Angles jump at half a turn; the rotation back to the limits must not.
 TEST(JointRange, ViolationIsNoLargerThanTheDistanceToTheReference) {
   std::mt19937 generator(8);
   std::normal_distribution<double> normal;

@@ -11,7 +11,8 @@ namespace {
 
 using motion::Body;
 
-constexpr double kAboveGround_m = 20;  // where no scene reaches the ground that is not about it
+// High enough that scenes about something else do not reach the ground.
+constexpr double kAboveGround_m = 20;
 
 features::Ball with_gravity(features::Ball ball, double gravity_mps2) {
   ball.gravity_mps2 = gravity_mps2;
@@ -91,7 +92,7 @@ features::Ball ball_at(const Eigen::Vector3d& position, const Eigen::Vector3d& v
   return ball;
 }
 
-// J = (1 + e) v m1 m2 / (m1 + m2), the one-dimensional collision of two free masses.
+// J = (1 + e) v m1 m2 / (m1 + m2), for the one-dimensional collision of two free masses.
 double head_on_impulse(double restitution, double speed_mps, double first_kg, double second_kg) {
   return (1 + restitution) * speed_mps * first_kg * second_kg / (first_kg + second_kg);
 }
@@ -127,7 +128,7 @@ TEST(BallFlight, ImpulseOnAFreeSphereMatchesTheClosedForm) {
   }
 }
 
-// Figures from biomechanics: a 4.4 kg head under a 0.27 kg volleyball of 22.8 to 29.7 m/s.
+// Figures from biomechanics: a 4.4 kg head hit by a 0.27 kg volleyball at 22.8 to 29.7 m/s.
 TEST(BallFlight, ImpulseOfAVolleyballOnAFreeHeadMatchesTheClosedForm) {
   for (const auto& [speed_mps, expected] : {std::pair{22.8, 9.86}, {29.7, 12.84}}) {
     FreeSphere scene(ball_at({3, 0, 0}, {-speed_mps, 0, 0}), {}, 0.1, 4.4, weightless());
@@ -156,15 +157,15 @@ TEST(BallFlight, ConservesTheMomentumOfBallAndSphere) {
     const Eigen::Vector3d momentum =
         ball.mass_kg * scene.ball().velocity + 1.5 * scene.sphere_velocity();
     EXPECT_LT((momentum - ball.mass_kg * ball.velocity).norm(), 1e-9);
-    // What friction adds never exceeds what stopping and throwing back the ball takes.
+    // With friction, the impulse never exceeds what it takes to stop the ball and throw it back.
     EXPECT_LE(scene.impulse(), 1.01 * head_on_impulse(0.7, 20, 0.27, 1.5));
     if (scene.impulse() > 0) ++hits;
   }
   EXPECT_GT(hits, 25);
 }
 
-// Off-centre by s, the normal stands at angle a with sin a = s / (r1 + r2). Friction within its
-// cone: J = J_n sqrt(1 + mu^2) where the ball slides throughout.
+// If the hit is off-centre by s, the normal is at angle a with sin a = s / (r1 + r2). With friction
+// inside its cone: J = J_n sqrt(1 + mu^2) if the ball slides throughout.
 TEST(BallFlight, GlancingHitObeysCoulombFriction) {
   const double angle = 1.2;
   const double offset = 0.205 * std::sin(angle);
@@ -192,19 +193,19 @@ TEST(BallFlight, DoesNotTunnelThroughThinObjects) {
   }
 }
 
-// After a fall of 1 m to e^2 = 0.49 m.
+// After a fall of 1 m the ball rises to e^2 = 0.49 m.
 TEST(BallFlight, BouncesOffTheGround) {
   BodyState far;
   far.position = {50, 0, 1};
   FreeSphere scene(ball_at({0, 0, 1.105 - kAboveGround_m}, Eigen::Vector3d::Zero()), far, 0.1, 1,
                    {});
   const double fall_s = std::sqrt(2 / 9.81);
-  scene.run(fall_s * 1.7);  // to the top of the first bounce
+  scene.run(fall_s * 1.7);  // until the top of the first bounce
   EXPECT_NEAR(scene.ball().position.z(), 0.105 + 0.49, 0.005);
   EXPECT_NEAR(scene.ball().velocity.z(), 0, 0.05);
   EXPECT_EQ(scene.impulse(), 0);
   scene.run(20);
-  EXPECT_NEAR(scene.ball().position.z(), 0.105, 0.002);  // come to rest, on the ground
+  EXPECT_NEAR(scene.ball().position.z(), 0.105, 0.002);  // at rest on the ground
 }
 
 TEST(BallFlight, ResultsDoNotDependOnTheSteps) {

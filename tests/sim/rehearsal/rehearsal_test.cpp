@@ -21,7 +21,7 @@ double total(const SimulationResult& result) {
   return sum(result.impulse);
 }
 
-/// sum over the bodies |J - J'|, over the greater whole.
+/// sum over the bodies |J - J'|, divided by the greater total.
 double change(const SimulationResult& first, const SimulationResult& second) {
   double sum = 0;
   for (Body body : motion::kBodies) sum += std::abs(first.impulse[body] - second.impulse[body]);
@@ -42,7 +42,7 @@ class RehearsalTest : public testing::Test {
     }
     return result;
   }
-  /// Aimed at the figure, and turned aside so that many just miss it or glance off.
+  /// Balls aimed at the figure and then turned aside, so that many just miss it or glance off.
   std::vector<scenes::Hit> balls(std::size_t count, unsigned seed) const {
     auto hits = scenes::random_hits(character_, motions_, count, seed);
     std::mt19937 generator(seed);
@@ -79,7 +79,7 @@ TEST_F(RehearsalTest, ImpulsesMatchTheFullSimulation) {
   EXPECT_LE(other, 2);
 }
 
-// The ball falls before the shins, bounces off the ground and meets them on its way up.
+// The ball falls before the shins, bounces off the ground and hits them on its way up.
 TEST_F(RehearsalTest, FindsHitsAfterABounceOffTheGround) {
   const Rehearsal standing = simulator_.rehearse(motions_[0].motion, 0, 1);
   int hits = 0;
@@ -94,7 +94,7 @@ TEST_F(RehearsalTest, FindsHitsAfterABounceOffTheGround) {
   EXPECT_GT(hits, 6);
 }
 
-// Against the figure's way and the ball's sampled so finely that a gap changes by 2 mm at most.
+// Compares with the paths of figure and ball sampled so finely that a gap changes by at most 2 mm.
 TEST_F(RehearsalTest, NothingTouchesBeforeTheFirstPossibleContact) {
   const FigureModel figure_model(character_);
   const SimulationOptions options;
@@ -105,7 +105,7 @@ TEST_F(RehearsalTest, NothingTouchesBeforeTheFirstPossibleContact) {
   int met = 0;
   std::size_t steps = 0;
   for (const scenes::Hit& hit : balls(120, 12)) {
-    if (hit.ball.position.z() < hit.ball.radius) continue;  // thrown from under the ground
+    if (hit.ball.position.z() < hit.ball.radius) continue;  // thrown from below the ground
     const Rehearsal::Track& track = *tracks[hit.motion];
     const auto contact_step = first_possible_contact(figure_model, options, track, hit.ball);
     if (contact_step) ++met;
@@ -173,7 +173,7 @@ TEST_F(RehearsalTest, LaterStartGivesTheSameBitsInLessMemory) {
     try {
       scenes::expect_same_bits(expected, simulator_.simulate(late[hit.motion], hit.ball));
       ++hits;
-    } catch (const Error&) {  // near the figure before 0.25 s, if only near
+    } catch (const Error&) {  // came near the figure before 0.25 s, or hit it
     }
   }
   EXPECT_GT(hits, 10);

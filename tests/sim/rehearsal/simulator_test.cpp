@@ -89,8 +89,8 @@ TEST(Simulator, AMissGivesNoImpulse) {
   }
 }
 
-// (1 + e) m v, what a wall would take, is the most that one hit gives; a chest that 75 kg stand
-// behind gives way little.
+// One hit gives at most (1 + e) m v, the impulse on a wall. A chest with 75 kg behind it gives way
+// little.
 TEST(Simulator, ImpulseOnTheChestIsNearlyThatOnAWall) {
   const motion::Motion motion = standing_still();
   for (double speed_mps : {10.0, 20.0, 30.0}) {
@@ -104,7 +104,7 @@ TEST(Simulator, ImpulseOnTheChestIsNearlyThatOnAWall) {
   }
 }
 
-// A head on a neck takes at least what a free head would, and less than a wall.
+// A head on a neck takes at least the impulse on a free head and less than that on a wall.
 TEST(Simulator, ImpulseOnTheHeadIsBetweenThoseOnAFreeHeadAndOnAWall) {
   const motion::Motion motion = standing_still();
   const features::Ball ball =
@@ -127,7 +127,7 @@ TEST(Simulator, FirstContactTimeMatchesTheBallsFlight) {
                                            box.centre.x() + box.half_extents.x());
   EXPECT_NEAR(result.first_contact_s, 0.3 - (front + ball.radius - chest.x()) / 20, 5e-4);
 
-  // Nothing is charged before it.
+  // No impulse is charged before the contact.
   EXPECT_EQ(total(simulate(motion, &ball, result.first_contact_s - 0.001)), 0);
   EXPECT_GT(total(simulate(motion, &ball, result.first_contact_s + 0.003)), 0);
 }
@@ -176,7 +176,7 @@ TEST(Simulator, ContactOfTheMotionItselfGivesNoImpulse) {
   EXPECT_GT(hits, 6);
 }
 
-// docs/simulation.md has the study; this keeps what it found.
+// Guards the results of the study in docs/simulation.md.
 TEST(Simulator, ImpulsesConvergeWhenBothStepsAreHalved) {
   const auto motions = scenes::motions_by_rule(character().skeleton);
   const auto hits = scenes::random_hits(character(), motions, 48, 7);

@@ -11,7 +11,7 @@
 namespace flinch::sim {
 namespace {
 
-/// By trying every choice of rows that are low, high or between.
+/// Solves by trying every choice of rows that are low, high or between.
 std::optional<Eigen::VectorXd> by_exhaustion(const Eigen::MatrixXd& matrix,
                                              const Eigen::VectorXd& right_hand_side,
                                              const Eigen::VectorXd& lower,
@@ -63,7 +63,7 @@ TEST(BoxLcp, MatchesBruteForce) {
       right_hand_side[k] = uniform(generator);
       const bool normal = k % 3 == 0;
       upper[k] = normal ? std::numeric_limits<double>::infinity()
-                        : std::max(0.0, uniform(generator));  // some bounds have no room
+                        : std::max(0.0, uniform(generator));  // some bounds are equal
       lower[k] = normal ? 0 : -upper[k];
     }
     Eigen::VectorXd found;

@@ -27,7 +27,7 @@ class RandomStep {
   Eigen::Vector3d vector(double size) {
     return {uniform(-size, size), uniform(-size, size), uniform(-size, size)};
   }
-  /// A pose bent everywhere by up to `turn` radians, often beyond the joints' limits.
+  /// A pose with all joints bent by up to `turn` radians, often beyond their limits.
   ReferenceState state(double turn) {
     motion::Pose pose = scenes::standing(figure_model_.skeleton);
     for (motion::Role role : motion::kRoles) {
@@ -41,7 +41,7 @@ class RandomStep {
     }
     return result;
   }
-  /// Off the motion, and pulled apart a little at the joints.
+  /// Displaced from the motion, with the joints pulled apart a little.
   ReferenceState disturbed(const ReferenceState& from) {
     ReferenceState result = from;
     for (BodyState& body : result.body) {
@@ -61,7 +61,7 @@ class TreeSceneTest : public testing::Test {
  protected:
   FigureModel figure_model_{motion::default_character()};
 
-  /// The greatest difference of a velocity after the step, over the greatest velocity.
+  /// Largest difference of a velocity after the step, divided by the largest velocity.
   double difference(const OdeScene& ode, const TreeScene& tree) {
     double most = 0;
     double greatest = 1;
@@ -88,7 +88,8 @@ TEST_F(TreeSceneTest, FreeFiguresMatchOde) {
     ReferenceState start = random.disturbed(random.state(i % 2 ? 0.3 : 1.2));
     const ReferenceState target = random.state(i % 2 ? 0.3 : 1.2);
     const double step_s = i % 3 ? random.uniform(1e-5, 1.0 / 60) : 1.0 / 60;
-    // ODE takes the joints' places on the children from the start, as it must not.
+    // ODE takes the joints' positions on the children from the starting state, which must not be
+    // displaced.
     for (Body body : motion::kBodies) {
       if (const auto parent = parent_of(body)) {
         const BodyState& parent_state = start.body[*parent];

@@ -39,8 +39,8 @@ TEST(Bootstrap, ResampledMeanIsTheMeanOfItsIndices) {
   EXPECT_DOUBLE_EQ(mean.resampled[1], 70);
 }
 
-// Two rows that differ by a constant differ by it in every resample: pairing takes the scenarios'
-// own spread out.
+// Two rows that differ by a constant differ by it in every resample: pairing removes the variation
+// between scenarios.
 TEST(Bootstrap, IntervalOfAConstantPairedDifferenceHasZeroWidth) {
   std::vector<double> low;
   std::vector<double> high;

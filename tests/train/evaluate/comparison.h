@@ -23,7 +23,7 @@ inline CostModel default_cost(const StoreHeader& header) {
   return make_cost_model(header, vulnerability_profiles()[0].vulnerability, 0.1);
 }
 
-/// All that a comparison is made of. Its clock goes on by `tick_s` each time that it is asked.
+/// Inputs of a comparison. Its clock advances by `tick_s` per call.
 struct Comparison {
   explicit Comparison(TrainTestSplit made, double tick_s = 1)
       : split(std::move(made)), cost_model(default_cost(split.header)) {

@@ -49,7 +49,7 @@ TEST(Evaluation, RowsMatchTheirDefinitions) {
       const Observation& observation = comparison.split.tested[i];
       EXPECT_EQ(observation.number % 4, 3U);
       const Trial& trial = observation.trials[trial_of(observation, r.chosen[i])];
-      // The formula of the design, by hand: head 1, left hand 0.2, brawn 0.1.
+      // The cost formula by hand: head 1, left hand 0.2, brawn 0.1.
       const double damage = double{trial.impulse[motion::Body::head]} + 0.2 * 0.125;
       EXPECT_NEAR(r.cost_ns[i], 0.9 * damage + 0.1 * double{trial.work_j} * 13.77 / 250, 1e-12);
       sum += r.cost_ns[i];
@@ -86,7 +86,7 @@ TEST(Evaluation, TopThreeCountsTheLabelAmongTheFirstThreeCandidates) {
   }
 }
 
-// The slow twin: every resample's mean of the scenarios' differences.
+// Reference implementation: the mean of the scenarios' differences in every resample.
 TEST(Evaluation, DifferencesArePairedByScenario) {
   const Comparison comparison(split_of(made_up_store(120)));
   const Evaluation& evaluation = comparison.evaluation;
@@ -156,7 +156,7 @@ TEST(Groups, HoldEveryScenarioOncePerKindWithTheirOwnMeans) {
     for (const EvaluationRow& r : comparison.evaluation.rows)
       EXPECT_NEAR((costs[{kind, r.name}]), 100 * r.mean_cost_ns.value, 1e-9) << kind;
   }
-  // One by hand: the head's.
+  // The head's row by hand.
   double sum = 0;
   double count = 0;
   const EvaluationRow& idle = row(comparison.evaluation, "idle");

@@ -14,7 +14,7 @@ const EvaluationRow& row(const Comparison& comparison, const std::string& name) 
   return *row_named(comparison.evaluation, name);
 }
 
-// The neighbours' majority is as coarse as the made-up directions, and smooths the noise away.
+// The neighbours' majority is as coarse as the made-up directions and averages the noise out.
 TEST(Noise, OfZeroChangesNothingAndLargeNoiseHurtsAnAccurateSelector) {
   const Comparison comparison(split_of(made_up_store(400)));
   const std::vector<NoiseRow> rows = noise_rows(comparison.plan(), comparison.fitted);

@@ -13,8 +13,8 @@
 namespace flinch::train {
 namespace {
 
-// What a character in a game is told of a scenario and what its selector learned from are the same
-// bits, whatever the layout; and so it chooses what the trainer would.
+// The features that a character in a game computes for a scenario and those that its selector was
+// trained on have the same bits, for every layout, so it chooses what the trainer would choose.
 TEST(FeatureDerivation, MatchesTheRunTimeBitForBit) {
   for (const features::FeatureSet& set : features::feature_sets()) {
     Store store = made_up_store(60);

@@ -24,7 +24,7 @@ std::string svm_train_options(const models::SvmModel& svm) {
   return options.str();
 }
 
-// Fitted to one store and asked about another, from the exported files alone.
+// Fitted to one store and tested on another, from the exported files alone.
 TEST(LibsvmExport, LibsvmToolsChooseAsTheSelectorDoes) {
   if (!succeeds("command -v svm-train svm-predict > /dev/null")) {
     GTEST_SKIP() << "libsvm's programs are not installed (libsvm-tools)";

@@ -10,7 +10,8 @@
 namespace flinch::train {
 namespace {
 
-// What a game computes from position and velocity alone is what selectors are trained on.
+// The features that a game computes from position and velocity alone are those that selectors are
+// trained on.
 TEST(PredictImpact, FindsTheTargetAndTimeOfScenarios) {
   constexpr int kScenarios = 3000;
   const database::ClipLibrary library = scenes::synthetic_library();
@@ -31,7 +32,7 @@ TEST(PredictImpact, FindsTheTargetAndTimeOfScenarios) {
     EXPECT_LT(impact.touch_s, scenario.time_to_impact_s);
     if (impact.aimed_at != scenario.target) continue;
     ++aimed;
-    // The aim is up to 0.1 m off the centre, the speed at least 8 m/s.
+    // The aim is up to 0.1 m off the centre, and the speed at least 8 m/s.
     EXPECT_NEAR(impact.time_to_impact_s, scenario.time_to_impact_s, 0.1 / 8 + 1e-3);
   }
   EXPECT_GT(impacts, 0.98 * kScenarios);

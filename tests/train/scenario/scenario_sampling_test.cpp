@@ -32,7 +32,7 @@ TEST_F(ScenarioSampling, ThreatsPassNearTheTargetsCentreAtTheTimeOfImpact) {
   double farthest = 0;
   for (int number = 0; number < kScenarios; ++number) {
     const features::Scenario scenario = sample(static_cast<std::uint64_t>(number));
-    // Free fall, written out: p + v t - g t^2 / 2.
+    // Free fall, p + v t - g t^2 / 2.
     const double t = double{scenario.time_to_impact_s};
     Eigen::Vector3d at_impact =
         scenario.threat.position.cast<double>() + t * scenario.threat.velocity.cast<double>();
@@ -85,7 +85,7 @@ TEST_F(ScenarioSampling, TimesAndIdlePhasesAreOnTheirGrid) {
     const features::Scenario scenario = sample(static_cast<std::uint64_t>(number));
     const float steps = (scenario.time_to_impact_s - 0.25F) / 0.05F;
     EXPECT_NEAR(steps, std::round(steps), 1e-4F);
-    // Where the idle clip is at the impact, in quarters of its way to and fro.
+    // Phase of the idle clip at the impact, in quarters of its period.
     const float quarters = 4 * (scenario.state.idle_time_s + scenario.time_to_impact_s) / period_s;
     EXPECT_NEAR(quarters, std::round(quarters), 1e-4F);
     EXPECT_GE(scenario.state.idle_time_s, 0);
@@ -135,11 +135,11 @@ TEST_F(ScenarioSampling, ADescribedThreatHasTheFeaturesOfACharacterStandingStill
   threat.time_to_impact_s = 0.5F;
   const features::FeatureVector x =
       described_features(features::feature_set_named("paper")->layout, threat, centres);
-  EXPECT_NEAR(x[0], 0.1F, 1e-4F);       // from the left: no way along X
+  EXPECT_NEAR(x[0], 0.1F, 1e-4F);       // from the left: no motion along X
   EXPECT_NEAR(x[1], 20 * 0.5F, 1e-4F);  // starts 10 m to the left
   EXPECT_EQ(x[7], 0.5F);
   EXPECT_EQ(x[8], 1.0F);
-  EXPECT_EQ(x[12], 0.0F);  // look-ahead: stays, facing the front
+  EXPECT_EQ(x[12], 0.0F);  // look-ahead: the character stays, facing the front
   EXPECT_EQ(x[15], 1.0F);
 }
 

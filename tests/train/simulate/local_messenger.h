@@ -10,7 +10,7 @@
 
 namespace flinch::train {
 
-/// Carries messages between threads that stand for the processes of a run.
+/// Carries messages between threads that represent the processes of a run.
 class LocalExchange {
  public:
   explicit LocalExchange(int size) : boxes_(static_cast<std::size_t>(size)) {}

@@ -13,7 +13,7 @@
 namespace flinch::train {
 namespace {
 
-/// The default library with what knows which of its responses are one.
+/// The default library, and its SharedResponses.
 class SharedResponse : public testing::Test {
  protected:
   static void SetUpTestSuite() {
@@ -33,8 +33,8 @@ class SharedResponse : public testing::Test {
                                   time_to_impact_s(kDistribution, cell.time));
   }
 
-  /// The farthest that a joint of the two is apart, both seen from the impact, m, from when the
-  /// first begins until the second has long ended.
+  /// Largest distance of a joint between the two, both relative to the impact, from when the first
+  /// starts until the second has long ended, m.
   static float apart(const runtime::Response& early, float early_s, const runtime::Response& late,
                      float late_s) {
     float most = 0;

@@ -72,7 +72,7 @@ TEST(Trials, ABallGivesAnIdlingCharacterAPlausibleImpulse) {
     for (const float i : trial.impulse) impulse += double{i};
     hits += impulse > 1 ? 1 : 0;
     EXPECT_EQ(trial.work_j, 0);
-    // Two hits of the hardest ball, with parts driven into each other, bound it.
+    // The bound is two hits of the hardest ball, with parts driven into each other.
     EXPECT_LT(impulse, 4 * 13.77);
   }
   EXPECT_GE(hits, 14) << "most aimed balls hit one who stands still";
@@ -144,7 +144,7 @@ TEST(MemoryPlan, RejectsTooLittleMemoryNamingTheMinimum) {
   EXPECT_NO_THROW(plan_memory(setup, 96 << 20, 2));
 }
 
-/// Shares against the whole of both, of the bodies' differences.
+/// The sum of the bodies' differences, divided by the total of both.
 double difference(const Trial& a, const Trial& b) {
   double whole = 0;
   double change = 0;
@@ -158,7 +158,7 @@ double difference(const Trial& a, const Trial& b) {
 TEST(SharedTrials, MatchFullSimulations) {
   const database::ClipLibrary library = scenes::synthetic_library();
   SimulationPlan plan;
-  plan.distribution.min_time_to_impact_s = 0.5;  // so that many responses are begun later
+  plan.distribution.min_time_to_impact_s = 0.5;  // so that many responses start later
   const SimulationSetup setup(library, plan);
   int compared = 0;
   int close = 0;
@@ -177,7 +177,7 @@ TEST(SharedTrials, MatchFullSimulations) {
   EXPECT_GE(close, compared - 1);
 }
 
-/// A run of the whole, as the program asks for it.
+/// A run of the whole range, as the program sets it up.
 SimulationRun run_of(const SimulationSetup& setup, ScenarioRange wanted, int threads) {
   SimulationRun run;
   run.wanted = wanted;
@@ -199,7 +199,7 @@ class SimulateStore : public testing::Test {
     return read_file(folder_ / "whole");
   }
 
-  /// Works as process `rank` until process 0 sends it home.
+  /// Works as process `rank` until process 0 ends the run.
   void help(LocalExchange& exchange, int rank) {
     LocalMessenger messenger(exchange, rank);
     SimulationRun run = run_of(setup_, kWanted, 1);

@@ -23,9 +23,9 @@ RangeResult done_of(ScenarioRange range) {
   return done;
 }
 
-/// A run of workers that do nothing, and of a writer that only hands out.
+/// Result of a run with workers that do nothing and a writer that only hands out ranges.
 struct Outcome {
-  std::vector<int> times_done;  ///< of each scenario
+  std::vector<int> times_done;  ///< by scenario
   std::uint64_t simulations = 0;
 };
 
@@ -59,7 +59,7 @@ Outcome run(std::uint64_t scenarios, int workers,
       pool.poll();
       pool.wait();
     }
-  } catch (...) {  // where processes would end with the job, threads must be sent home
+  } catch (...) {  // processes would end with the job, but threads must be told to end
     for (int worker = 1; worker <= workers; ++worker) messenger.send(worker, encode(Assignment{}));
     throw;
   }

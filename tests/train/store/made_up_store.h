@@ -19,7 +19,7 @@ namespace flinch::train {
 using database::read_file;
 using tests::TemporaryFolder;
 
-/// Says what a store of the synthetic library would, with round numbers.
+/// The header of a store of the synthetic library, with round numbers.
 inline StoreHeader made_up_header() {
   const database::ClipLibrary library = scenes::synthetic_library();
   StoreHeader header;
@@ -42,8 +42,8 @@ inline StoreHeader made_up_header() {
   return header;
 }
 
-/// A scenario whose best clip follows from where the threat comes from, without simulation: the
-/// impulse that a clip lets through grows with the angle between its direction and the threat's.
+/// A scenario whose best clip follows from the threat's direction, without simulation: the impulse
+/// of a clip grows with the angle between its direction and the threat's.
 inline Observation made_up_observation(const StoreHeader& header, std::uint64_t number) {
   static const database::ClipLibrary kLibrary = scenes::synthetic_library();
   static const motion::BodyModel kModel = motion::make_body_model(kLibrary.character);

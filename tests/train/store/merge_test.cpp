@@ -31,7 +31,8 @@ class Merge : public testing::Test {
     return path;
   }
 
-  /// What a merge that must fail says; it leaves nothing under the name.
+  /// Returns the message of a merge that must fail, and checks that it leaves no file under the
+  /// name.
   std::string refusal(const std::vector<std::string>& paths) {
     const std::string message = tests::error_of([&] { merge_stores(paths, folder_ / "out"); });
     EXPECT_FALSE(std::filesystem::exists(folder_ / "out"));

@@ -22,7 +22,7 @@ using testing::HasSubstr;
 using testing::Not;
 using tests::error_of;
 
-constexpr ScenarioRange kWanted{0, 200};  // more than any test appends
+constexpr ScenarioRange kWanted{0, 200};  // more scenarios than any test appends
 
 void write_store(const std::string& path, const StoreHeader& header, std::uint64_t count) {
   StoreWriter writer(path, header, {0, count});
@@ -97,7 +97,7 @@ TEST(Store, KeepsCommittedScenariosWhenKilledDuringATransaction) {
   if (child == 0) {
     StoreWriter writer(path, header, kWanted);
     writer.append(made_up_observations(header, 0, 16));
-    // The next transaction reaches the file, its journal is hot, and then the lights go out.
+    // The next transaction is in the file and its journal is hot when the process is killed.
     raise(SIGSTOP);
     writer.append(made_up_observations(header, 16, 32));
     _exit(0);
@@ -205,7 +205,8 @@ TEST(Store, NamesAMissingScenario) {
               HasSubstr("a: the store lacks scenarios 2 to 3"));
 }
 
-/// All that a reader makes of a store, as bytes; of a damaged one, that it says so in one line.
+/// Everything that a reader gets from a store, as bytes; for a damaged store, the error in one
+/// line.
 std::string content_of(const std::string& path) {
   std::string content;
   const auto add = [&content](const auto& values) {
@@ -234,8 +235,8 @@ TEST(Store, AChangedByteIsDetectedOrWithoutEffect) {
   const std::string content = content_of(folder / "whole");
   ASSERT_NE(content, "refused");
   features::Random random(3, features::RandomStream::baseline, 0);
-  // The library has tests of its own: half of the flips hit the file's ends, and half an
-  // observation, of which the trials and some hundred bytes before them are.
+  // The library has its own tests, so half of the flips hit the file's ends, and half an
+  // observation, which ends with the trials and some hundred bytes before them.
   const std::size_t ends = 50'000;
   ASSERT_GT(whole.size(), 2 * ends);
   std::vector<tests::Flip> flips;
@@ -376,7 +377,7 @@ TEST(Store, ReportsAFullDiskAndKeepsCommittedScenarios) {
   {
     StoreWriter writer(path, header, kWanted);
     writer.append(made_up_observations(header, 0, 16));
-    // No file of this process may grow any more: the same as a full disk to whoever writes.
+    // Files of this process cannot grow any more, which looks like a full disk to the writer.
     signal(SIGXFSZ, SIG_IGN);
     rlimit before{};
     getrlimit(RLIMIT_FSIZE, &before);
