@@ -19,7 +19,7 @@ namespace flinch::program {
 
 namespace {
 
-struct Options {
+struct RespondOptions {
   std::string selector;
   std::string out;
   ThreatOptions threat;
@@ -38,7 +38,7 @@ Kind kind_of(const std::string& path) {
 
 // The recording as a clip that protects where the threat comes from, for its arrow.
 void write_filmstrip(const runtime::Library& library, const ResponseRecording& recording,
-                     const Options& options) {
+                     const RespondOptions& options) {
   motion::Clip clip = library.clip_library().clips[static_cast<std::size_t>(recording.clip)];
   clip.motion = recording.motion;
   if (clip.annotation) {
@@ -54,7 +54,7 @@ void write_filmstrip(const runtime::Library& library, const ResponseRecording& r
 }
 
 void write(const runtime::Library& library, const ResponseRecording& recording,
-           const Options& options) {
+           const RespondOptions& options) {
   const motion::Physique& character = library.clip_library().character;
   switch (kind_of(options.out)) {
     case Kind::glb:
@@ -73,7 +73,7 @@ const std::string& clip_name(const runtime::Library& library, int clip) {
   return library.clip_library().clips[static_cast<std::size_t>(clip)].name;
 }
 
-void run(const Options& options) {
+void run_respond(const RespondOptions& options) {
   kind_of(options.out);  // before any work
   const runtime::Library library = load_runtime_library(options.selector);
   const features::TargetCentres& centres = library.selector().target_centres;
@@ -120,7 +120,7 @@ void run(const Options& options) {
 }  // namespace
 
 Command respond_command() {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<RespondOptions>();
   return {.name = "respond",
           .summary = "Write the whole animation that answers a threat, ball included",
           .required = {{"SELECTOR", "selector that flinch train made", &options->selector},
@@ -135,7 +135,7 @@ Command respond_command() {
               "hit by it as the simulation has it.\n\n"
               "Example:\n  flinch respond default.flinch --azimuth 40 --speed 24 --target head "
               "--out hit.glb",
-          .run = [options] { run(*options); }};
+          .run = [options] { run_respond(*options); }};
 }
 
 }  // namespace flinch::program

@@ -13,7 +13,6 @@ namespace {
 
 using motion::Body;
 
-constexpr double kGravity_mps2 = 9.81;
 constexpr double kOnGround_m = 0.05;
 constexpr double kStepTime_s = 0.2;
 

@@ -7,6 +7,8 @@
 
 namespace flinch::reaction {
 
+inline constexpr double kGravity_mps2 = 9.81;
+
 /// How far a point on the ground is outside the convex hull of others, m; 0 within it. At least one
 /// other point. Allocates nothing.
 double distance_outside(std::span<const Eigen::Vector2d> points, const Eigen::Vector2d& point);

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "motion/rotation.h"
+#include "reaction/balance.h"
 
 namespace flinch::reaction {
 namespace {
@@ -13,7 +14,6 @@ using motion::Body;
 // Rad/s, natural frequency of the hold, the same as in training.
 constexpr double kFootFrequency = 60;
 constexpr double kSoleFriction = 0.8;  // friction coefficient of a sole
-constexpr double kGravity_mps2 = 9.81;
 constexpr double kMaxStandingHeight_m = 0.02;
 constexpr double kMaxStandingSpeed_mps = 0.15;
 

@@ -5,19 +5,20 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <thread>
 
 #include "motion/error.h"
 #include "sim/ode/ode_world.h"
 #include "tests/scenes/error_of.h"
 #include "tests/sim/random_hits.h"
+#include "tests/sim/rehearsal/total_impulse.h"
 #include "tests/sim/same_bits.h"
 
 namespace flinch::sim {
 namespace {
 
 using motion::Body;
+using tests::total_impulse;
 
 constexpr double kRestitution = 0.7;
 constexpr double kVolleyball_kg = 0.27;
@@ -39,10 +40,6 @@ Eigen::Vector3d middle_of(Body body, const motion::Pose& pose) {
   return centre_of_mass(make_body_model(character()), frames, body).cast<double>();
 }
 
-double total(const SimulationResult& result) {
-  return std::accumulate(result.impulse.begin(), result.impulse.end(), 0.0);
-}
-
 SimulationResult simulate(const motion::Motion& motion, const Ball* ball, double duration_s = 1) {
   return Simulator(character(), {}).simulate(motion, ball, duration_s);
 }
@@ -62,7 +59,7 @@ std::vector<Ball> many_balls(const motion::Pose& pose) {
 TEST(Simulator, StandsForTwoSecondsWithinACentimetre) {
   const auto result = simulate(standing_still(2), nullptr, 2);
   EXPECT_LT(result.tracking_error_m, 0.01);
-  EXPECT_EQ(total(result), 0);
+  EXPECT_EQ(total_impulse(result), 0);
   EXPECT_TRUE(std::isinf(result.first_contact_s));
 }
 
@@ -85,7 +82,7 @@ TEST(Simulator, AMissGivesNoImpulse) {
   const Ball late = scenes::aimed_ball({0, 0, 1.2}, {-20, 0, 0}, 1.5);
   for (const Ball& ball : {wide, late}) {
     const auto result = simulate(motion, &ball);
-    EXPECT_EQ(total(result), 0);
+    EXPECT_EQ(total_impulse(result), 0);
     EXPECT_TRUE(std::isinf(result.first_contact_s));
   }
 }
@@ -101,7 +98,7 @@ TEST(Simulator, ImpulseOnTheChestIsNearlyThatOnAWall) {
     const double wall = (1 + kRestitution) * kVolleyball_kg * speed_mps;
     EXPECT_LT(result.impulse[Body::chest], 1.01 * wall);
     EXPECT_GT(result.impulse[Body::chest], 0.85 * wall);
-    EXPECT_NEAR(total(result), result.impulse[Body::chest], 1e-12);
+    EXPECT_NEAR(total_impulse(result), result.impulse[Body::chest], 1e-12);
   }
 }
 
@@ -129,8 +126,8 @@ TEST(Simulator, FirstContactTimeMatchesTheBallsFlight) {
   EXPECT_NEAR(result.first_contact_s, 0.3 - (front + ball.radius - chest.x()) / 20, 5e-4);
 
   // Nothing is charged before it.
-  EXPECT_EQ(total(simulate(motion, &ball, result.first_contact_s - 0.001)), 0);
-  EXPECT_GT(total(simulate(motion, &ball, result.first_contact_s + 0.003)), 0);
+  EXPECT_EQ(total_impulse(simulate(motion, &ball, result.first_contact_s - 0.001)), 0);
+  EXPECT_GT(total_impulse(simulate(motion, &ball, result.first_contact_s + 0.003)), 0);
 }
 
 TEST(Simulator, HandDrivenIntoTheFaceGivesBothAnImpulse) {
@@ -171,8 +168,8 @@ TEST(Simulator, ContactOfTheMotionItselfGivesNoImpulse) {
     const SimulationResult result = simulate(kick, &ball);
     const double bounce = (1 + kRestitution) * kVolleyball_kg * (kSpeed + kBodySpeed);
     // The ball may hit twice, and each hit may be charged to a body and to the one behind it.
-    EXPECT_LT(total(result), 4 * bounce) << "ball at " << time_s << " s";
-    if (total(result) > 1) ++hits;
+    EXPECT_LT(total_impulse(result), 4 * bounce) << "ball at " << time_s << " s";
+    if (total_impulse(result) > 1) ++hits;
   }
   EXPECT_GT(hits, 6);
 }
@@ -189,8 +186,8 @@ TEST(Simulator, ImpulsesConvergeWhenBothStepsAreHalved) {
   std::vector<double> changes;
   for (const scenes::Hit& hit : hits) {
     const motion::Motion& motion = motions[hit.motion].motion;
-    const double coarse = total(shipped.simulate(motion, &hit.ball, 1));
-    const double fine = total(halved.simulate(motion, &hit.ball, 1));
+    const double coarse = total_impulse(shipped.simulate(motion, &hit.ball, 1));
+    const double fine = total_impulse(halved.simulate(motion, &hit.ball, 1));
     if (fine > 0) changes.push_back(std::abs(coarse - fine) / fine);
   }
   ASSERT_GT(changes.size(), hits.size() / 2);
@@ -224,7 +221,7 @@ TEST(Simulator, MirroredScenesGiveMirroredImpulses) {
       const auto other = simulate(mirrored, &ball);
       for (Body body : motion::kBodies) {
         const Body twin = body_of(motion::mirrored(role_of(body)));
-        EXPECT_NEAR(result.impulse[body], other.impulse[twin], 0.02 * total(result) + 1e-3)
+        EXPECT_NEAR(result.impulse[body], other.impulse[twin], 0.02 * total_impulse(result) + 1e-3)
             << motions[index].name << ", " << name_of(body);
       }
     }
