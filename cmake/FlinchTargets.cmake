@@ -19,6 +19,9 @@ endif()
 # What tests are compiled with beside: they wait for the compiler longer than they run.
 add_library(flinch_test_flags INTERFACE)
 target_compile_options(flinch_test_flags INTERFACE $<$<CONFIG:Release>:-O1>)
+if(FLINCH_SANITIZE)
+  target_compile_definitions(flinch_test_flags INTERFACE FLINCH_SANITIZED)
+endif()
 
 # flinch_precompile(TARGET KIND [dependency...])
 # Precompiles for TARGET the headers that almost every file includes, which halves the compiler's
@@ -132,11 +135,12 @@ function(flinch_use_schema target owner)
     $<TARGET_PROPERTY:flatbuffers::flatbuffers,INTERFACE_INCLUDE_DIRECTORIES>)
 endfunction()
 
-# flinch_test(NAME SOURCES file... DEPENDS target...)
+# flinch_test(NAME SOURCES file... DEPENDS target... [LONG])
 # A GoogleTest program; every test of it is a CTest test named NAME.Suite.Test. Under sanitizers the
-# program is one test: what its tests share is then made once, which takes seconds there.
+# program is one test: what its tests share is then made once, which takes seconds there. LONG says
+# that it is among the longest there and should start first.
 function(flinch_test name)
-  cmake_parse_arguments(arg "" "" "SOURCES;DEPENDS" ${ARGN})
+  cmake_parse_arguments(arg "LONG" "" "SOURCES;DEPENDS" ${ARGN})
   add_executable(${name} ${arg_SOURCES})
   target_link_libraries(${name} PRIVATE ${arg_DEPENDS} flinch_flags flinch_test_flags GTest::gtest
     GTest::gmock GTest::gtest_main)
@@ -147,6 +151,9 @@ function(flinch_test name)
   if(FLINCH_SANITIZE)
     add_test(NAME ${name} COMMAND ${name} --gtest_brief=1)
     set_tests_properties(${name} PROPERTIES TIMEOUT 600)
+    if(arg_LONG)
+      set_tests_properties(${name} PROPERTIES COST 100)
+    endif()
     return()
   endif()
   gtest_discover_tests(${name} TEST_PREFIX ${name}. DISCOVERY_TIMEOUT 60
