@@ -11,6 +11,7 @@
 #include <set>
 #include <span>
 
+#include "models/pair_index.h"
 #include "runtime/selector_file.h"
 
 namespace flinch::runtime {
@@ -65,7 +66,7 @@ bool are_machines_sound(const models::SvmModel& model) {
   std::size_t coefficients = 0;
   for (std::size_t i = 0; i < classes; ++i) {
     for (std::size_t j = i + 1; j < classes; ++j) {
-      const models::SvmMachine& machine = model.machines[model.machine_of(i, j)];
+      const models::SvmMachine& machine = model.machines[models::pair_index(i, j, classes)];
       for (std::size_t list = 0; list < machine.count.size(); ++list) {
         const int vectors = model.vectors_of_class[list < 2 ? i : j];
         if (!is_list(model, next, machine.count[list], vectors)) return false;
