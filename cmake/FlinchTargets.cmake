@@ -19,6 +19,9 @@ endif()
 # What tests are compiled with beside: they wait for the compiler longer than they run.
 add_library(flinch_test_flags INTERFACE)
 target_compile_options(flinch_test_flags INTERFACE $<$<CONFIG:Release>:-O1>)
+if(FLINCH_SANITIZE)
+  target_compile_definitions(flinch_test_flags INTERFACE FLINCH_SANITIZED)
+endif()
 
 # flinch_precompile(TARGET KIND [dependency...])
 # Precompiles for TARGET the headers that almost every file includes, which halves the compiler's
@@ -50,6 +53,22 @@ function(flinch_precompile target kind)
   target_precompile_headers(${target} REUSE_FROM ${precompiled})
 endfunction()
 
+# flinch_unite(TARGET)
+# Compiles up to eight source files of TARGET as one, in batches of equal size, so that the compiler
+# reads what they include and instantiates what they share once. The preset `debug` does not: it
+# finds includes that a file forgot.
+function(flinch_unite target)
+  get_target_property(sources ${target} SOURCES)
+  list(FILTER sources INCLUDE REGEX "\\.cpp$")
+  list(LENGTH sources count)
+  math(EXPR batches "(${count} + 7) / 8")
+  if(NOT FLINCH_UNITY_BUILD OR count LESS 2)
+    return()
+  endif()
+  math(EXPR size "(${count} + ${batches} - 1) / ${batches}")
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${size})
+endfunction()
+
 # flinch_library(NAME SOURCES file... [DEPENDS target...] [PRIVATE_DEPENDS target...])
 # A static library, flinch::NAME without its `flinch_`: DEPENDS are what its headers
 # need too, PRIVATE_DEPENDS only its sources.
@@ -66,6 +85,7 @@ function(flinch_library name)
     PRIVATE ${arg_PRIVATE_DEPENDS} $<BUILD_INTERFACE:flinch_flags>)
   set_property(GLOBAL APPEND PROPERTY FLINCH_LIBRARIES ${name})
   flinch_precompile(${name} library ${arg_DEPENDS} ${arg_PRIVATE_DEPENDS})
+  flinch_unite(${name})
 endfunction()
 
 # flinch_link_closure(VARIABLE TARGET)
@@ -115,20 +135,25 @@ function(flinch_use_schema target owner)
     $<TARGET_PROPERTY:flatbuffers::flatbuffers,INTERFACE_INCLUDE_DIRECTORIES>)
 endfunction()
 
-# flinch_test(NAME SOURCES file... DEPENDS target...)
+# flinch_test(NAME SOURCES file... DEPENDS target... [LONG])
 # A GoogleTest program; every test of it is a CTest test named NAME.Suite.Test. Under sanitizers the
-# program is one test: what its tests share is then made once, which takes seconds there.
+# program is one test: what its tests share is then made once, which takes seconds there. LONG says
+# that it is among the longest there and should start first.
 function(flinch_test name)
-  cmake_parse_arguments(arg "" "" "SOURCES;DEPENDS" ${ARGN})
+  cmake_parse_arguments(arg "LONG" "" "SOURCES;DEPENDS" ${ARGN})
   add_executable(${name} ${arg_SOURCES})
   target_link_libraries(${name} PRIVATE ${arg_DEPENDS} flinch_flags flinch_test_flags GTest::gtest
     GTest::gmock GTest::gtest_main)
   target_compile_definitions(${name} PRIVATE
     FLINCH_SOURCE_DIR="${PROJECT_SOURCE_DIR}" FLINCH_MOCAP_DIR="${PROJECT_SOURCE_DIR}/../shared/mocap")
   flinch_precompile(${name} test ${arg_DEPENDS})
+  flinch_unite(${name})
   if(FLINCH_SANITIZE)
     add_test(NAME ${name} COMMAND ${name} --gtest_brief=1)
     set_tests_properties(${name} PROPERTIES TIMEOUT 600)
+    if(arg_LONG)
+      set_tests_properties(${name} PROPERTIES COST 100)
+    endif()
     return()
   endif()
   gtest_discover_tests(${name} TEST_PREFIX ${name}. DISCOVERY_TIMEOUT 60

@@ -10,7 +10,6 @@
 namespace flinch::models {
 namespace {
 
-constexpr auto kLeaf = static_cast<std::size_t>(KnnLeaves::kLeafSize);
 using Lanes = Eigen::Array<float, KnnLeaves::kLeafSize, 1>;
 
 /// Computes distances to kLeafSize points or boxes, four at a time so that the sums stay in
@@ -23,7 +22,7 @@ Lanes sums_of_squares(std::size_t feature_count, const Difference& difference) {
   Four c = a;
   Four d = a;
   for (std::size_t feature = 0; feature < feature_count; ++feature) {
-    const std::size_t at = feature * kLeaf;
+    const std::size_t at = feature * KnnLeaves::kLeafSize;
     a += difference(feature, at).square();
     b += difference(feature, at + 4).square();
     c += difference(feature, at + 8).square();
@@ -58,10 +57,11 @@ std::pmr::vector<float> distances_to_leaves(const KnnLeaves& leaves, std::span<c
   std::pmr::vector<float> distances(memory);
   const std::size_t count = leaves.leaf_count();
   distances.reserve(count);
-  for (std::size_t first = 0; first < count; first += kLeaf) {
+  for (std::size_t first = 0; first < count; first += KnnLeaves::kLeafSize) {
     const std::size_t at = first * query.size();
     const Lanes group = distances_to_boxes(query, &leaves.lower[at], &leaves.upper[at]);
-    distances.insert(distances.end(), group.data(), group.data() + std::min(kLeaf, count - first));
+    distances.insert(distances.end(), group.data(),
+                     group.data() + std::min(KnnLeaves::kLeafSize, count - first));
   }
   return distances;
 }
@@ -110,12 +110,12 @@ std::pmr::vector<Neighbour> nearest(const KnnModel& model, std::span<const doubl
     return found.size() == max_count && distance > found.front().squared_distance;
   };
   const auto visit = [&](std::size_t leaf) {
-    const std::size_t first = leaf * kLeaf;
+    const std::size_t first = leaf * KnnLeaves::kLeafSize;
     const Lanes distances = distances_to_points(query, &model.leaves.points[first * query.size()]);
     if (is_too_far(distances.minCoeff())) {
       return;
     }
-    for (std::size_t i = 0; i < kLeaf; ++i) {
+    for (std::size_t i = 0; i < KnnLeaves::kLeafSize; ++i) {
       const float distance = distances[static_cast<Eigen::Index>(i)];
       const int observation = model.leaves.observation[first + i];
       if (observation >= 0 && !is_too_far(distance) &&

@@ -20,7 +20,7 @@ enum class KnnVote : std::uint8_t {
 /// The points in search order: leaves of kLeafSize nearby points each; the last leaf is padded with
 /// points at infinity. build_leaves() makes them from the rest of the model.
 struct KnnLeaves {
-  static constexpr int kLeafSize = 16;
+  static constexpr std::size_t kLeafSize = 16;
   std::vector<int> observation;  ///< kLeafSize per leaf; -1 for padding
   /// leaf by leaf; in each, all points' values of the first feature, then of the second, …
   std::vector<float> points;

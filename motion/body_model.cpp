@@ -15,7 +15,7 @@ namespace {
 // Widths and depths that bone lengths do not determine, as fractions of the stature. Breadths of
 // chest and hips, head height and foot breadth are from Drillis and Contini (1966), "Body segment
 // parameters". The others are estimates for mean adults.
-constexpr float kHeadHeight = 0.130F;  // chin to crown
+constexpr float kChinToCrown = 0.130F;
 constexpr float kChestBreadth = 0.174F;
 constexpr float kChestDepth = 0.140F;
 constexpr float kAbdomenBreadth = 0.174F;
@@ -141,7 +141,7 @@ Shape head_capsule(const RestGeometry& rest) {
   const Eigen::Vector3f& joint = rest.joint[Role::head];
   const float above_neck =
       rest.crown.z() - rest.joint[Role::neck].z() - kChinAboveNeck * rest.stature;
-  const float height = std::max(std::min(kHeadHeight * rest.stature, above_neck), 2 * kMinExtent);
+  const float height = std::max(std::min(kChinToCrown * rest.stature, above_neck), 2 * kMinExtent);
   Shape shape;
   shape.kind = Shape::Kind::capsule;
   shape.centre = {kHeadForward * height, 0, rest.crown.z() - 0.5F * height - joint.z()};

@@ -18,7 +18,7 @@ namespace flinch::program {
 
 namespace {
 
-struct Options {
+struct AuthorOptions {
   std::string library;
   std::optional<std::string> character;
   std::optional<std::string> gallery;
@@ -26,7 +26,7 @@ struct Options {
   bool json = false;
 };
 
-motion::Physique character_of(const Options& options) {
+motion::Physique character_of(const AuthorOptions& options) {
   if (!options.character) return motion::default_character();
   if (train::file_kind_at(*options.character) == database::FileKind::library)
     return database::load_library(*options.character).character;
@@ -54,7 +54,7 @@ void draw_gallery(const database::ClipLibrary& library, const std::string& folde
   database::write_file_atomically((std::filesystem::path(folder) / "README.md").string(), index);
 }
 
-void run(const Options& options) {
+void run_author(const AuthorOptions& options) {
   database::ClipLibrary library =
       database::authored_library(character_of(options), options.startle);
   library.hash = database::write_library(library, options.library);
@@ -78,7 +78,7 @@ void run(const Options& options) {
 }  // namespace
 
 Command author_command() {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<AuthorOptions>();
   return {.name = "author",
           .summary = "Make the default library by rule, without motion capture",
           .required = {{"--out", "library file to write", &options->library}},
@@ -90,7 +90,7 @@ Command author_command() {
                        {"--gallery", "folder for filmstrips of all clips", &options->gallery},
                        json_option(options->json)},
           .notes = "Example:\n  flinch author --out default.flinchlib",
-          .run = [options] { run(*options); }};
+          .run = [options] { run_author(*options); }};
 }
 
 }  // namespace flinch::program

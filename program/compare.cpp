@@ -12,7 +12,7 @@ namespace flinch::program {
 
 namespace {
 
-struct Options {
+struct CompareOptions {
   std::string store;
   std::string test;
   std::string report;
@@ -40,14 +40,14 @@ train::Store read_with_features(const std::string& path, const std::string& set)
   return store;
 }
 
-train::TrainTestSplit read_split(const Options& options, train::Store store) {
+train::TrainTestSplit read_split(const CompareOptions& options, train::Store store) {
   if (options.test.empty()) return split_of(std::move(store));
   train::Store test = read_with_features(options.test, options.features);
   require_independent(store, test, options.test);
   return split_of(std::move(store), std::move(test));
 }
 
-std::vector<train::Method> methods_of(const Options& options) {
+std::vector<train::Method> methods_of(const CompareOptions& options) {
   std::vector<train::Method> chosen;
   for (const train::Method method : train::methods()) {
     const bool wanted =
@@ -58,7 +58,7 @@ std::vector<train::Method> methods_of(const Options& options) {
   return chosen;
 }
 
-void run(const Options& options) {
+void run_compare(const CompareOptions& options) {
   train::Store store = read_with_features(options.store, options.features);
   const std::uint64_t seed = store.header.seed;
   const train::CostModel cost_model =
@@ -100,7 +100,7 @@ void run(const Options& options) {
 }  // namespace
 
 Command compare_command() {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<CompareOptions>();
   return {
       .name = "compare",
       .summary = "Fit selectors to a store and compare them on the same scenarios",
@@ -120,7 +120,7 @@ Command compare_command() {
           "Protection is 0 for standing still and 1 for the exhaustive choice; intervals are\n"
           "bootstrapped over the test scenarios.\n\n"
           "Example:\n  flinch compare real.flinchobs --test test.flinchobs --report report",
-      .run = [options] { run(*options); }};
+      .run = [options] { run_compare(*options); }};
 }
 
 }  // namespace flinch::program

@@ -15,7 +15,7 @@ namespace flinch::program {
 
 namespace {
 
-struct Options {
+struct ExportOptions {
   std::string store;
   std::string file;
   std::string scaling;
@@ -25,14 +25,14 @@ struct Options {
 };
 
 /// Returns the scaling of the store itself, or of the training store that is given.
-features::Scaling scaling_for(const Options& options, const train::Store& store) {
+features::Scaling scaling_for(const ExportOptions& options, const train::Store& store) {
   if (options.scaling.empty()) return scaling_of(store.header, store.observations);
   train::Store fitted = train::read_store(options.scaling);
   derive_features(store.header.layout, fitted);
   return scaling_of(fitted.header, fitted.observations);
 }
 
-void run(const Options& options) {
+void run_export(const ExportOptions& options) {
   const bool libsvm = options.file.ends_with(".libsvm");
   if (!libsvm && !options.file.ends_with(".csv"))
     throw Error(options.file, "unknown kind of file; use a name that ends in .libsvm or .csv");
@@ -57,7 +57,7 @@ void run(const Options& options) {
 }  // namespace
 
 Command export_command() {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ExportOptions>();
   return {
       .name = "export",
       .summary = "Write a store's data for other tools",
@@ -72,7 +72,7 @@ Command export_command() {
                         cost_options(options->cost),
                         {json_option(options->json)}}),
       .notes = "Example:\n  flinch export real.flinchobs --out real.libsvm",
-      .run = [options] { run(*options); }};
+      .run = [options] { run_export(*options); }};
 }
 
 }  // namespace flinch::program

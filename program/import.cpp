@@ -16,7 +16,7 @@ namespace {
 
 using enum Table::Align;
 
-struct Options {
+struct ImportOptions {
   std::vector<std::string> paths;
   std::string library;
   std::optional<std::string> manifest;
@@ -33,7 +33,7 @@ std::size_t mirrored_count(const database::ClipLibrary& library) {
   return count;
 }
 
-Json document_of(const Options& options, const database::ImportResult& result) {
+Json document_of(const ImportOptions& options, const database::ImportResult& result) {
   Json clips = Json::array();
   for (const database::ClipReport& clip : result.report.clips) {
     clips.push_back({{"name", clip.name},
@@ -74,7 +74,7 @@ std::string clip_table(const database::ImportReport& report) {
   return table.text();
 }
 
-void print_text(const Options& options, const database::ImportResult& result) {
+void print_text(const ImportOptions& options, const database::ImportResult& result) {
   if (options.verbose) {
     for (const database::SourceReport& source : result.report.sources)
       std::cout << source_text(source) << '\n';
@@ -99,7 +99,7 @@ void print_text(const Options& options, const database::ImportResult& result) {
               << "a manifest\n";
 }
 
-void run(const Options& options) {
+void run_import(const ImportOptions& options) {
   database::ImportOptions import;
   import.rate_hz = options.rate_hz;
   import.skeleton = options.skeleton;
@@ -116,7 +116,7 @@ void run(const Options& options) {
 }  // namespace
 
 Command import_command() {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ImportOptions>();
   return {.name = "import",
           .summary = "Make a library from motion capture",
           .required = {{"PATH", "BVH files, or folders of them", &options->paths},
@@ -136,7 +136,7 @@ Command import_command() {
           .notes =
               "Example:\n  flinch import mocap --manifest mocap/manifest.toml --out "
               "real.flinchlib",
-          .run = [options] { run(*options); }};
+          .run = [options] { run_import(*options); }};
 }
 
 }  // namespace flinch::program

@@ -21,7 +21,7 @@ namespace {
 
 using enum Table::Align;
 
-struct Options {
+struct InfoOptions {
   std::string file;
   BvhOptions bvh;
   bool quality = false;
@@ -232,7 +232,7 @@ void print_source(const database::SourceReport& source) {
 }
 
 template <class Content, class Document, class Print>
-void show(const Options& options, const Content& content, Document document, Print print_text) {
+void show(const InfoOptions& options, const Content& content, Document document, Print print_text) {
   if (options.json) {
     print(document(content));
   } else {
@@ -246,7 +246,7 @@ Json document_with_quality(const database::ClipLibrary& library) {
   return document;
 }
 
-void run(const Options& options) {
+void run_info(const InfoOptions& options) {
   using database::FileKind;
   const FileKind kind = train::file_kind_at(options.file);
   if (options.bvh.given() && kind != FileKind::bvh)
@@ -279,7 +279,7 @@ void run(const Options& options) {
 }  // namespace
 
 Command info_command() {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<InfoOptions>();
   return {
       .name = "info",
       .summary =
@@ -290,7 +290,7 @@ Command info_command() {
            {{"--quality", "measure how human-like each clip of a library is", &options->quality},
             json_option(options->json)}}),
       .notes = "Example:\n  flinch info real.flinchlib\n  flinch info default.flinchlib --quality",
-      .run = [options] { run(*options); }};
+      .run = [options] { run_info(*options); }};
 }
 
 }  // namespace flinch::program

@@ -12,13 +12,13 @@ namespace flinch::program {
 
 namespace {
 
-struct Options {
+struct MergeOptions {
   std::vector<std::string> stores;
   std::string out;
   bool json = false;
 };
 
-void run(const Options& options) {
+void run_merge(const MergeOptions& options) {
   train::merge_stores(options.stores, options.out);
   const train::StoreSummary store = train::summarise_store(options.out);
   if (options.json) {
@@ -37,7 +37,7 @@ void run(const Options& options) {
 }  // namespace
 
 Command merge_command() {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<MergeOptions>();
   return {
       .name = "merge",
       .summary = "Join stores that each hold a range of the scenarios of one run",
@@ -50,7 +50,7 @@ Command merge_command() {
           "gap between their scenarios. A scenario in several stores must be the same in all. The\n"
           "result is byte for byte the store that a single simulation would have made.\n\n"
           "Example:\n  flinch merge part-*.flinchobs --out all.flinchobs",
-      .run = [options] { run(*options); }};
+      .run = [options] { run_merge(*options); }};
 }
 
 }  // namespace flinch::program

@@ -20,7 +20,7 @@ namespace flinch::program {
 
 namespace {
 
-struct Options {
+struct RespondOptions {
   std::string selector;
   std::string out;
   ThreatOptions threat;
@@ -40,7 +40,7 @@ Kind kind_of(const std::string& path) {
 // Draws the recording as a clip that protects the side that the threat comes from, so that the
 // filmstrip shows its arrow.
 void write_filmstrip(const runtime::Library& library, const ResponseRecording& recording,
-                     const Options& options) {
+                     const RespondOptions& options) {
   motion::Clip clip = library.clip_library().clip(recording.clip);
   clip.motion = recording.motion;
   if (clip.annotation) {
@@ -55,7 +55,7 @@ void write_filmstrip(const runtime::Library& library, const ResponseRecording& r
 }
 
 void write(const runtime::Library& library, const ResponseRecording& recording,
-           const Options& options) {
+           const RespondOptions& options) {
   const motion::Physique& character = library.clip_library().character;
   switch (kind_of(options.out)) {
     case Kind::glb:
@@ -74,7 +74,7 @@ const std::string& clip_name(const runtime::Library& library, int clip) {
   return library.clip_library().clip(clip).name;
 }
 
-void run(const Options& options) {
+void run_respond(const RespondOptions& options) {
   kind_of(options.out);  // throws before any work
   const runtime::Library library = load_runtime_library(options.selector);
   const motion::PerTarget<Eigen::Vector3f>& centres = library.selector().target_centres;
@@ -119,7 +119,7 @@ void run(const Options& options) {
 }  // namespace
 
 Command respond_command() {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<RespondOptions>();
   return {.name = "respond",
           .summary = "Write the whole response to a threat as an animation, ball included",
           .required = {{"SELECTOR", "selector made by flinch train", &options->selector},
@@ -134,7 +134,7 @@ Command respond_command() {
               "hit by it as in the simulation.\n\n"
               "Example:\n  flinch respond default.flinch --azimuth 40 --speed 24 --target head "
               "--out hit.glb",
-          .run = [options] { run(*options); }};
+          .run = [options] { run_respond(*options); }};
 }
 
 }  // namespace flinch::program

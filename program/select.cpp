@@ -17,7 +17,7 @@ namespace flinch::program {
 
 namespace {
 
-struct Options {
+struct SelectOptions {
   std::string selector;
   ThreatOptions threat;
   bool json = false;
@@ -76,7 +76,7 @@ void print_text(const models::Selector& selector, const ThreatOptions& threat,
     std::cout << "and " << candidates.size() - kMaxShown << " more (--json lists all)\n";
 }
 
-void run(const Options& options) {
+void run_select(const SelectOptions& options) {
   const models::Selector selector = load_selector_file(options.selector).selector;
   const features::ThreatDescription threat = described(options.threat, selector.target_centres);
   const std::pmr::vector<models::Candidate> candidates = models::candidates(
@@ -92,7 +92,7 @@ void run(const Options& options) {
 }  // namespace
 
 Command select_command() {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<SelectOptions>();
   return {.name = "select",
           .summary = "Ask a selector for the clip to answer a threat with",
           .required = {{"SELECTOR", "selector made by flinch train", &options->selector}},
@@ -101,7 +101,7 @@ Command select_command() {
               "The character stands still, facing the front, until the impact.\n\n"
               "Example:\n  flinch select real.flinch --azimuth 40 --speed 24 --target head "
               "--time-to-impact 0.5",
-          .run = [options] { run(*options); }};
+          .run = [options] { run_select(*options); }};
 }
 
 }  // namespace flinch::program

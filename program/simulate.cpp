@@ -23,7 +23,7 @@ namespace flinch::program {
 
 namespace {
 
-struct Options {
+struct SimulateOptions {
   std::string library;
   std::string store;
   std::uint64_t scenarios = 0;
@@ -37,7 +37,7 @@ struct Options {
 
 /// Returns the number of processors for this process: those that it may use, shared with the run's
 /// other processes on this machine.
-int thread_count(const Options& options, const train::Messenger& messenger) {
+int thread_count(const SimulateOptions& options, const train::Messenger& messenger) {
   if (options.threads) return *options.threads;
   const auto share = static_cast<int>(std::thread::hardware_concurrency()) / messenger.local_size();
   return std::clamp(share, 1, std::max(1, omp_get_num_procs()));
@@ -57,7 +57,7 @@ void print_plan(const train::SimulationRun& run) {
             << " is kept" << std::endl;
 }
 
-Json summary_document(const Options& options, const train::StoreSummary& store,
+Json summary_document(const SimulateOptions& options, const train::StoreSummary& store,
                       const train::SimulationProgress& done) {
   const train::SimulationCounts& counts = done.counts;
   return {{"kind", "store"},
@@ -102,7 +102,7 @@ void print_summary(const train::SimulationProgress& done) {
             << fixed(ratio(simulations, cpu.total_s()), 0) << " simulations per CPU second\n";
 }
 
-void print_result(const Options& options, const train::SimulationProgress& done) {
+void print_result(const SimulateOptions& options, const train::SimulationProgress& done) {
   const train::StoreSummary store = train::summarise_store(options.store);
   if (options.json) {
     print_line(summary_document(options, store, done));
@@ -115,7 +115,7 @@ void print_result(const Options& options, const train::SimulationProgress& done)
   if (done.counts.simulations > 0) print_summary(done);
 }
 
-void write_store(const Options& options, const train::SimulationSetup& setup,
+void write_store(const SimulateOptions& options, const train::SimulationSetup& setup,
                  train::SimulationRun& run) {
   train::SimulationProgress last;
   {
@@ -136,7 +136,7 @@ void write_store(const Options& options, const train::SimulationSetup& setup,
                                  " scenarios are kept, run the same command again to continue");
 }
 
-void simulate(const Options& options, train::Messenger& messenger) {
+void simulate(const SimulateOptions& options, train::Messenger& messenger) {
   const database::ClipLibrary library = database::load_library(options.library);
   train::SimulationPlan plan;
   plan.seed = options.seed;
@@ -156,7 +156,7 @@ void simulate(const Options& options, train::Messenger& messenger) {
   }
 }
 
-void run(const Options& options) {
+void run_simulate(const SimulateOptions& options) {
   const std::unique_ptr<train::Messenger> messenger = train::make_messenger();
   if (messenger->rank() == 0) {
     simulate(options, *messenger);
@@ -173,7 +173,7 @@ void run(const Options& options) {
 }  // namespace
 
 Command simulate_command() {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<SimulateOptions>();
   return {
       .name = "simulate",
       .summary = "Try every allowed clip of a library on random scenarios",
@@ -201,7 +201,7 @@ Command simulate_command() {
           "Example:\n  flinch simulate real.flinchlib --out real.flinchobs -n 2000 --seed 1\n\n"
           "On a cluster:\n"
           "  mpirun -n 64 flinch simulate real.flinchlib --out real.flinchobs -n 1000000",
-      .run = [options] { run(*options); }};
+      .run = [options] { run_simulate(*options); }};
 }
 
 }  // namespace flinch::program

@@ -14,7 +14,7 @@ namespace flinch::program {
 
 namespace {
 
-struct Options {
+struct TrainOptions {
   std::string store;
   std::string selector;
   std::string model{train::name_of(train::kDefaultMethod)};
@@ -30,7 +30,7 @@ Json parameters_of(const train::Training& training) {
   return parameters;
 }
 
-Json summary_of(const Options& options, const train::Store& store,
+Json summary_of(const TrainOptions& options, const train::Store& store,
                 const train::Training& training) {
   Json summary{{"kind", "selector"},
                {"file", options.selector},
@@ -49,7 +49,7 @@ Json summary_of(const Options& options, const train::Store& store,
   return summary;
 }
 
-void run(const Options& options) {
+void run_train(const TrainOptions& options) {
   train::Store store = train::read_store(options.store);
   derive_features(features::feature_set_named(options.features)->layout, store);
   const train::CostModel cost_model =
@@ -73,7 +73,7 @@ void run(const Options& options) {
 }  // namespace
 
 Command train_command() {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<TrainOptions>();
   return {.name = "train",
           .summary = "Fit a selector to a store; cross-validation chooses the parameters",
           .required = {{"STORE", "store made by flinch simulate", &options->store},
@@ -83,7 +83,7 @@ Command train_command() {
                             cost_options(options->cost),
                             {json_option(options->json)}}),
           .notes = "Example:\n  flinch train real.flinchobs --out real.flinch",
-          .run = [options] { run(*options); }};
+          .run = [options] { run_train(*options); }};
 }
 
 }  // namespace flinch::program

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "motion/rotation.h"
+#include "reaction/balance.h"
 
 namespace flinch::reaction {
 namespace {

@@ -32,7 +32,7 @@ bool are_rising_clips(std::span<const int> clips, std::size_t clip_count) {
          std::adjacent_find(clips.begin(), clips.end(), std::greater_equal<>()) == clips.end();
 }
 
-bool is_sound(const models::ClipSummary& clip) {
+bool is_part_sound(const models::ClipSummary& clip) {
   if (!clip.annotation) return true;
   const motion::Annotation& annotation = *clip.annotation;
   return static_cast<int>(annotation.target) < motion::kTargetCount &&
@@ -41,7 +41,7 @@ bool is_sound(const models::ClipSummary& clip) {
          std::isfinite(annotation.end_s);
 }
 
-bool is_sound(const features::Scaling& scaling, std::size_t feature_count) {
+bool is_part_sound(const features::Scaling& scaling, std::size_t feature_count) {
   return scaling.min.size() == feature_count && scaling.max.size() == feature_count &&
          all_finite(scaling.min) && all_finite(scaling.max) &&
          std::equal(scaling.min.begin(), scaling.min.end(), scaling.max.begin(),
@@ -88,7 +88,8 @@ bool are_rows_sound(const models::SvmModel& model) {
   return true;
 }
 
-bool is_sound(const models::SvmModel& model, std::size_t clip_count, std::size_t feature_count) {
+bool is_part_sound(const models::SvmModel& model, std::size_t clip_count,
+                   std::size_t feature_count) {
   const std::size_t classes = model.label.size();
   const std::set<int> different(model.label.begin(), model.label.end());
   const std::vector<int>& counts = model.vectors_of_class;
@@ -113,7 +114,8 @@ bool is_sound(const models::SvmModel& model, std::size_t clip_count, std::size_t
 }
 
 // The sums of costs have room for 65535 neighbours.
-bool is_sound(const models::KnnModel& model, std::size_t clip_count, std::size_t feature_count) {
+bool is_part_sound(const models::KnnModel& model, std::size_t clip_count,
+                   std::size_t feature_count) {
   const bool has_costs = model.vote == models::KnnVote::cost;
   return model.k >= 1 && model.k <= 0xFFFF && model.vote <= models::KnnVote::cost &&
          static_cast<std::size_t>(model.feature_count) == feature_count && !model.label.empty() &&
@@ -127,8 +129,8 @@ bool is_sound(const models::KnnModel& model, std::size_t clip_count, std::size_t
 
 // An extra unit or member would be read beyond the weights; sizes above a few thousand would
 // overflow their product.
-bool is_sound(const models::NetworkModel& model, std::size_t clip_count,
-              std::size_t feature_count) {
+bool is_part_sound(const models::NetworkModel& model, std::size_t clip_count,
+                   std::size_t feature_count) {
   constexpr int kMaxCount = 1 << 12;
   const auto is_weight = [](float weight) {
     return std::abs(weight) <= models::kMaxNetworkWeight;  // false for not-a-number
@@ -146,8 +148,8 @@ bool is_sound(const models::NetworkModel& model, std::size_t clip_count,
 }
 
 // A sum beyond the bound would overflow; an extra machine would be read beyond the weights.
-bool is_sound(const models::PairwiseModel& model, std::size_t clip_count,
-              std::size_t feature_count) {
+bool is_part_sound(const models::PairwiseModel& model, std::size_t clip_count,
+                   std::size_t feature_count) {
   const std::size_t classes = model.clip.size();
   const std::size_t row_size = models::PairwiseModel::row_size(feature_count);
   const std::size_t machines = model.weights.size() / row_size;
@@ -173,15 +175,16 @@ bool is_sound(const models::PairwiseModel& model, std::size_t clip_count,
 bool is_sound(const models::Selector& selector) {
   const std::size_t clip_count = selector.clips.size();
   const auto feature_count = static_cast<std::size_t>(selector.layout.size());
-  const auto is_clip_sound = [](const models::ClipSummary& clip) { return is_sound(clip); };
+  const auto is_clip_sound = [](const models::ClipSummary& clip) { return is_part_sound(clip); };
   const auto is_finite = [](const Eigen::Vector3f& vector) { return vector.allFinite(); };
   return selector.idle >= 0 && static_cast<std::size_t>(selector.idle) < clip_count &&
          std::all_of(selector.clips.begin(), selector.clips.end(), is_clip_sound) &&
-         feature_count > 0 && is_sound(selector.scaling, feature_count) && selector.brawn >= 0 &&
-         selector.brawn <= 1 &&
+         feature_count > 0 && is_part_sound(selector.scaling, feature_count) &&
+         selector.brawn >= 0 && selector.brawn <= 1 &&
          std::all_of(selector.target_centres.begin(), selector.target_centres.end(), is_finite) &&
-         std::visit([&](const auto& model) { return is_sound(model, clip_count, feature_count); },
-                    selector.model);
+         std::visit(
+             [&](const auto& model) { return is_part_sound(model, clip_count, feature_count); },
+             selector.model);
 }
 
 bool is_compatible(const models::Selector& selector, const database::ClipLibrary& library) {

@@ -25,10 +25,10 @@ struct ArmRoles {
 struct LegRoles {
   Role thigh, shin, foot, toes;
 };
-constexpr std::array<ArmRoles, 2> kArms{
+constexpr std::array<ArmRoles, 2> kArmRoles{
     {{Role::left_upper_arm, Role::left_forearm, Role::left_hand},
      {Role::right_upper_arm, Role::right_forearm, Role::right_hand}}};
-constexpr std::array<LegRoles, 2> kLegs{
+constexpr std::array<LegRoles, 2> kLegRoles{
     {{Role::left_thigh, Role::left_shin, Role::left_foot, Role::left_toes},
      {Role::right_thigh, Role::right_shin, Role::right_foot, Role::right_toes}}};
 
@@ -49,11 +49,11 @@ double doubt_of(const FigureFrame& frame) {
       frame.position[Role::left_upper_arm] - frame.position[Role::right_upper_arm];
   double doubt = 1 - cosine_between(frame.position[Role::head] - hip_centre(frame), up);
   doubt += 1 - cosine_between(hips, shoulders);
-  for (const LegRoles& leg : kLegs) {
+  for (const LegRoles& leg : kLegRoles) {
     doubt += 1 + bone(frame, leg.thigh).dot(up);
     doubt += 1 + bone(frame, leg.shin).dot(up);
   }
-  for (const ArmRoles& arm : kArms) {
+  for (const ArmRoles& arm : kArmRoles) {
     doubt += 0.25 * (1 - bone(frame, arm.upper_arm).dot(bone(frame, arm.forearm)));
   }
   const Vector3d feet = frame.position[Role::left_foot] - frame.position[Role::right_foot];
@@ -70,8 +70,8 @@ class Straightener {
     for (Quaterniond& turn : turn_) turn.setIdentity();
     if (!is_rest) straighten_trunk();
     for (std::size_t side = 0; side < 2; ++side) {
-      straighten_arm(kArms[side], side == 0 ? Vector3d(0, 1, 0) : Vector3d(0, -1, 0));
-      straighten_leg(kLegs[side]);
+      straighten_arm(kArmRoles[side], side == 0 ? Vector3d(0, 1, 0) : Vector3d(0, -1, 0));
+      straighten_leg(kLegRoles[side]);
     }
   }
 
@@ -172,11 +172,11 @@ bool stands_like_human(const SourceFigure& figure, const FigureFrame& frame) {
   const Vector3d hips = frame.position[Role::left_thigh] - frame.position[Role::right_thigh];
   if (hips.norm() == 0 || std::abs(cosine_between(hips, up)) > 0.5) return false;
   if (cosine_between(frame.position[Role::head] - hip_centre(frame), up) < kStraight) return false;
-  for (const LegRoles& leg : kLegs) {
+  for (const LegRoles& leg : kLegRoles) {
     if (bone(frame, leg.thigh).dot(up) > -kStraight) return false;
     if (bone(frame, leg.shin).dot(up) > -kStraight) return false;
   }
-  return std::all_of(kArms.begin(), kArms.end(), [&](const ArmRoles& arm) {
+  return std::all_of(kArmRoles.begin(), kArmRoles.end(), [&](const ArmRoles& arm) {
     const Vector3d upper_arm = bone(frame, arm.upper_arm);
     if (upper_arm.dot(up) > 0.5) return false;
     return !figure.end[arm.forearm] || upper_arm.dot(bone(frame, arm.forearm)) > kStraight;

@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: MIT
 """Runs the program for the end-to-end tests. Environment variables give its path."""
 
+import functools
 import json
 import os
 import pathlib
+import shutil
 import subprocess
 import tempfile
 import unittest
@@ -20,6 +22,14 @@ def run(*arguments, **options):
 
 def make_library(path, name="synthetic"):
     subprocess.run([os.environ["FLINCH_MAKE_LIBRARY"], str(path), name], check=True)
+
+
+@functools.cache
+def shared_folder():
+    """A folder for what several tests of a file read, which goes when they are done."""
+    folder = tempfile.TemporaryDirectory()
+    unittest.addModuleCleanup(folder.cleanup)
+    return pathlib.Path(folder.name)
 
 
 class ProgramTest(unittest.TestCase):
@@ -56,3 +66,28 @@ class ProgramTest(unittest.TestCase):
         self.assertEqual(len(lines), 1, f"{arguments}: {done.stderr}")
         self.assertTrue(lines[0].startswith("flinch: "), lines[0])
         return lines[0]
+
+
+class StoreTest(ProgramTest):
+    """A test with a library, and stores of its first `scenarios` to compare with."""
+    scenarios = 0
+
+    def setUp(self):
+        super().setUp()
+        self.library = shared_folder() / "a.flinchlib"
+        if not self.library.exists():
+            make_library(self.library)
+        self.whole = self.folder / "whole"
+
+    def command(self, store, *options, scenarios=None):
+        return [str(part) for part in ("simulate", self.library, "--out", store, "-n",
+                                       self.scenarios if scenarios is None else scenarios,
+                                       *options)]
+
+    def make_whole(self, *options):
+        """Writes `whole`, a store of one thread; returns its bytes. Simulated once per file."""
+        made = shared_folder() / " ".join(("whole", *options))
+        if not made.exists():
+            self.succeed(*self.command(made, "--threads", 1, *options))
+        shutil.copy(made, self.whole)
+        return self.whole.read_bytes()

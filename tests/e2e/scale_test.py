@@ -12,7 +12,7 @@ import signal
 import subprocess
 import unittest
 
-from flinch_program import FLINCH, ProgramTest, make_library
+from flinch_program import FLINCH, StoreTest
 
 SCENARIOS = 70
 MPIRUN = shutil.which("mpirun")
@@ -27,22 +27,8 @@ def wait_for_commit(process):
     raise AssertionError("it ended without any progress")
 
 
-class RunTest(ProgramTest):
-    """A test with a library and, for comparison, a store of it."""
-
-    def setUp(self):
-        super().setUp()
-        self.library = self.folder / "a.flinchlib"
-        make_library(self.library)
-
-    def command(self, store, *options, scenarios=SCENARIOS):
-        return [str(part) for part in ("simulate", self.library, "--out", store, "-n", scenarios,
-                                       *options)]
-
-    def make_whole(self, *options):
-        whole = self.folder / "whole"
-        self.succeed(*self.command(whole, "--threads", 1, *options))
-        return whole.read_bytes()
+class RunTest(StoreTest):
+    scenarios = SCENARIOS
 
 
 class Alone(RunTest):

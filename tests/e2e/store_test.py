@@ -8,30 +8,19 @@ import sqlite3
 import subprocess
 import unittest
 
-from flinch_program import FLINCH, ProgramTest, make_library
+from flinch_program import FLINCH, StoreTest, make_library
 from store_costs import trials_of
 
 SCENARIOS = 40
 SLOW = "--reference"  # makes a run slow enough to be stopped midway
 
 
-class Store(ProgramTest):
-    def setUp(self):
-        super().setUp()
-        self.library = self.folder / "a.flinchlib"
-        self.whole = self.folder / "whole"
-        make_library(self.library)
-
-    def command(self, store, *options, scenarios=SCENARIOS):
-        return ["simulate", self.library, "--out", store, "-n", scenarios, *options]
-
-    def make_whole(self, *options):
-        self.succeed(*self.command(self.whole, "--threads", 1, *options))
-        return self.whole.read_bytes()
+class Store(StoreTest):
+    scenarios = SCENARIOS
 
     def stop_midway(self, store, how):
         """Signals a run after its first commit; returns its exit code and line on stderr."""
-        process = subprocess.Popen([FLINCH, *map(str, self.command(store, "--threads", 1, SLOW))],
+        process = subprocess.Popen([FLINCH, *self.command(store, "--threads", 1, SLOW)],
                                    stderr=subprocess.PIPE, text=True)
         self.wait_for_commit(process)
         process.send_signal(how)
@@ -97,7 +86,7 @@ class Store(ProgramTest):
 
     def test_two_writers_do_not_mix(self):
         store = self.folder / "shared"
-        first = subprocess.Popen([FLINCH, *map(str, self.command(store, "--threads", 1, SLOW))],
+        first = subprocess.Popen([FLINCH, *self.command(store, "--threads", 1, SLOW)],
                                  stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
         self.wait_for_commit(first)
         line = self.fail_with(1, *self.command(store, SLOW))
@@ -120,7 +109,7 @@ class Store(ProgramTest):
     def test_a_full_disk_is_told_and_loses_nothing(self):
         self.make_whole()
         room = self.whole.stat().st_size  # size of a store of fewer scenarios
-        many = 5 * SCENARIOS
+        many = 3 * SCENARIOS
         whole = self.folder / "many"
         self.succeed(*self.command(whole, scenarios=many))
         store = self.folder / "full"

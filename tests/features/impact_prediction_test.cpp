@@ -12,6 +12,7 @@
 #include "tests/features/moving_figure.h"
 #include "tests/motion/random_motion.h"
 #include "tests/scenes/not_finite.h"
+#include "tests/scenes/sample_count.h"
 
 namespace flinch::features {
 namespace {
@@ -20,6 +21,7 @@ using motion::Body;
 using motion::Target;
 using tests::kInfinity;
 using tests::kNan;
+using tests::samples;
 using tests::uniform;
 
 constexpr double kContactTolerance_m = 1e-3;
@@ -143,7 +145,7 @@ TEST(PredictImpact, MatchesDenseSamplingForAnIdlingFigure) {
   const PredictionOptions options{.horizon_s = 1.5F};
   int impacts = 0;
   int misses = 0;
-  for (int i = 0; i < 400; ++i) {
+  for (int i = 0; i < samples(400); ++i) {
     const CharacterState state{.idle_time_s = uniform(random, 0, 9),
                                .position = tests::random_vector(random, 3).head<2>(),
                                .facing = uniform(random, -3, 3)};
@@ -152,15 +154,15 @@ TEST(PredictImpact, MatchesDenseSamplingForAnIdlingFigure) {
     SCOPED_TRACE(i);
     expect_as_sampled(threat, predicted(threat, state, options), pose_at, options, impacts, misses);
   }
-  EXPECT_GT(impacts, 100);
-  EXPECT_GT(misses, 80);
+  EXPECT_GT(impacts, samples(100));
+  EXPECT_GT(misses, samples(80));
 }
 
 TEST(PredictImpact, MatchesDenseSamplingForAHeldPose) {
   std::mt19937 random(2);
   int impacts = 0;
   int misses = 0;
-  for (int i = 0; i < 400; ++i) {
+  for (int i = 0; i < samples(400); ++i) {
     motion::Pose pose = tests::random_pose(random, 0.8F);
     pose.root_position = {uniform(random, -1, 1), uniform(random, -1, 1), 1};
     const PredictionOptions options{.horizon_s = 1.5F, .gravity_mps2 = i % 3 == 0 ? 0 : kGravity};
@@ -170,8 +172,8 @@ TEST(PredictImpact, MatchesDenseSamplingForAHeldPose) {
         threat, predict_impact(threat, figure().collision_figure, pose, options),
         [&](float) { return pose; }, options, impacts, misses);
   }
-  EXPECT_GT(impacts, 100);
-  EXPECT_GT(misses, 80);
+  EXPECT_GT(impacts, samples(100));
+  EXPECT_GT(misses, samples(80));
 }
 
 // A horizontal throw at the middle of the head, without gravity: the head is an upright capsule.
@@ -284,7 +286,7 @@ TEST(PredictImpact, BallInsideABodyIsTouching) {
 TEST(PredictImpact, IsInvariantToRigidMotionOfTheWorld) {
   std::mt19937 random(3);
   int impacts = 0;
-  for (int i = 0; i < 300; ++i) {
+  for (int i = 0; i < samples(300); ++i) {
     const CharacterState state{.idle_time_s = uniform(random, 0, 9)};
     const Threat threat = hard_threat(random, figure().standing);
     CharacterState moved = state;
@@ -304,7 +306,7 @@ TEST(PredictImpact, IsInvariantToRigidMotionOfTheWorld) {
     EXPECT_EQ(here.aimed_at, there.aimed_at);
     EXPECT_NEAR(here.time_to_impact_s, there.time_to_impact_s, 1e-3F);
   }
-  EXPECT_GT(impacts, 80);
+  EXPECT_GT(impacts, samples(80));
 }
 
 TEST(PredictImpact, HeldPoseEqualsASinglePoseIdleClip) {
@@ -313,7 +315,7 @@ TEST(PredictImpact, HeldPoseEqualsASinglePoseIdleClip) {
   still.poses.push_back(figure().standing);
   const MotionBounds motion_bounds =
       motion_bounds_of(figure().character.skeleton, figure().model, still);
-  for (int i = 0; i < 200; ++i) {
+  for (int i = 0; i < samples(200); ++i) {
     const Threat threat = hard_threat(random, figure().standing);
     const PredictedImpact held =
         predict_impact(threat, figure().collision_figure, figure().standing);
@@ -399,7 +401,7 @@ TEST(PredictImpact, TerminatesWithFiniteResultsForAnyInput) {
   std::mt19937 random(5);
   int usable = 0;
   int impacts = 0;
-  for (int i = 0; i < 20000; ++i) {
+  for (int i = 0; i < samples(20000); ++i) {
     Threat threat;
     for (int k = 0; k < 3; ++k) {
       threat.position[k] = any_float(random);
@@ -420,8 +422,8 @@ TEST(PredictImpact, TerminatesWithFiniteResultsForAnyInput) {
     EXPECT_LE(0, impact.touch_s);
     EXPECT_LE(impact.touch_s, impact.time_to_impact_s);
   }
-  EXPECT_GT(usable, 2000);
-  EXPECT_GT(impacts, 200);
+  EXPECT_GT(usable, samples(2000));
+  EXPECT_GT(impacts, samples(200));
 }
 
 }  // namespace

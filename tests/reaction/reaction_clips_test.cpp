@@ -12,7 +12,7 @@
 namespace flinch::reaction {
 namespace {
 
-constexpr float kFrame_s = 1.0F / 60;
+constexpr float kBetweenPoses_s = 1.0F / 60;
 
 const motion::Physique& character() {
   static const motion::Physique man = motion::default_character();
@@ -44,7 +44,7 @@ TEST(ReactionClips, MatchDoesNotDependOnPositionAndFacing) {
     const auto posed = [&](float at_s) {
       return motion::placed(sample(all[i].motion, at_s), yaw, place);
     };
-    const auto match = index.find(posed(time_s - kFrame_s), posed(time_s), kFrame_s);
+    const auto match = index.find(posed(time_s - kBetweenPoses_s), posed(time_s), kBetweenPoses_s);
     ASSERT_TRUE(match) << all[i].name;
     // The two ducks are nearly the same motion.
     if (all[i].name != "squat" && all[i].name != "fast duck") {
@@ -69,13 +69,13 @@ TEST(ReactionClips, DistanceMatchesItsFormula) {
   motion::Pose above = standing;
   above.root_position.z() += 0.03F;
   motion::Pose below = above;
-  below.root_position.z() -= 0.4F * kFrame_s;
-  const auto match = index.find(below, above, kFrame_s);
+  below.root_position.z() -= 0.4F * kBetweenPoses_s;
+  const auto match = index.find(below, above, kBetweenPoses_s);
   ASSERT_TRUE(match);
   // All bodies are 0.03 m off and 0.4 m/s too fast: D = sqrt(0.03^2 + (0.1 x 0.4)^2).
   EXPECT_NEAR(match->distance_m, 0.05F, 1e-4F);
-  EXPECT_FALSE(index.find(below, above, kFrame_s, 0.049F));
-  EXPECT_TRUE(index.find(below, above, kFrame_s, 0.051F));
+  EXPECT_FALSE(index.find(below, above, kBetweenPoses_s, 0.049F));
+  EXPECT_TRUE(index.find(below, above, kBetweenPoses_s, 0.051F));
 }
 
 TEST(ReactionClips, FindNothingBeyondTheMaximumDistance) {
@@ -84,8 +84,8 @@ TEST(ReactionClips, FindNothingBeyondTheMaximumDistance) {
   motion::Pose lying = scenes::standing(character().skeleton);
   scenes::turn(lying, motion::Role::pelvis, Eigen::Vector3f::UnitY(), 90);
   lying.root_position.z() = 0.15F;
-  EXPECT_FALSE(index.find(lying, lying, kFrame_s));
-  EXPECT_FALSE(ReactionClips(character(), {}).find(lying, lying, kFrame_s));
+  EXPECT_FALSE(index.find(lying, lying, kBetweenPoses_s));
+  EXPECT_FALSE(ReactionClips(character(), {}).find(lying, lying, kBetweenPoses_s));
   const ReactionClips none(character(), all, motion::Purpose::idle);
   EXPECT_EQ(none.size(), 0U);
 }
@@ -96,9 +96,9 @@ TEST(ReactionClips, RejectNonFiniteInput) {
   const motion::Pose good = scenes::standing(character().skeleton);
   motion::Pose bad = good;
   bad.rotation[motion::Role::head].x() = tests::kNan;
-  EXPECT_TRUE(index.find(good, good, kFrame_s));
-  EXPECT_FALSE(index.find(bad, good, kFrame_s));
-  EXPECT_FALSE(index.find(good, bad, kFrame_s));
+  EXPECT_TRUE(index.find(good, good, kBetweenPoses_s));
+  EXPECT_FALSE(index.find(bad, good, kBetweenPoses_s));
+  EXPECT_FALSE(index.find(good, bad, kBetweenPoses_s));
   for (float dt_s : {0.0F, -1.0F, tests::kNan}) EXPECT_FALSE(index.find(good, good, dt_s));
 }
 
@@ -106,7 +106,8 @@ TEST(ReactionClips, MatchLeavesTimeToPlay) {
   const auto all = clips();
   const ReactionClips index(character(), all);
   for (const motion::Clip& clip : all) {
-    const auto match = index.find(clip.motion.poses.back(), clip.motion.poses.back(), kFrame_s);
+    const auto match =
+        index.find(clip.motion.poses.back(), clip.motion.poses.back(), kBetweenPoses_s);
     ASSERT_TRUE(match);
     const motion::Clip& found = all[static_cast<std::size_t>(match->clip)];
     EXPECT_LE(match->time_s, found.motion.duration_s() - 0.3F + 1e-5F);

@@ -3,13 +3,16 @@
 
 #include <gmock/gmock.h>
 
+#include <array>
 #include <set>
+#include <span>
 
 #include "author_scene.h"
 #include "database/author/character_toml.h"
 #include "database/import/library_writer.h"
 #include "database/quality/quality.h"
 #include "motion/body_distance.h"
+#include "tests/scenes/sample_count.h"
 
 namespace flinch::database {
 namespace {
@@ -42,6 +45,7 @@ TEST(AuthoredLibrary, CoversEveryTargetDirectionAndDegree) {
 }
 
 TEST(AuthoredLibrary, IsReproducibleBitForBit) {
+  if (tests::draws_fewer_samples()) GTEST_SKIP() << "twice the same code";
   const std::string once = library_bytes(default_library());
   EXPECT_EQ(once, library_bytes(authored_library(motion::default_character())));
 }
@@ -120,9 +124,11 @@ TEST(AuthoredLibrary, WorksForOtherPeople) {
   Proportions long_legs;
   long_legs.legs = 1.15F;
   long_legs.arms = 0.9F;
-  for (const Person& person :
-       {Person{1.2F, 25, motion::Sex::female, {}}, Person{1.63F, 58, motion::Sex::female, {}},
-        Person{2.0F, 110, motion::Sex::male, long_legs}}) {
+  const std::array people{Person{2.0F, 110, motion::Sex::male, long_legs},
+                          Person{1.2F, 25, motion::Sex::female, {}},
+                          Person{1.63F, 58, motion::Sex::female, {}}};
+  const auto count = static_cast<std::size_t>(tests::samples(static_cast<int>(people.size())));
+  for (const Person& person : std::span(people).first(count)) {
     const ClipLibrary library = authored_library(
         make_character(person.height_m, person.mass_kg, person.sex, person.proportions));
     EXPECT_NO_THROW(library_bytes(library));

@@ -13,8 +13,6 @@ namespace {
 
 using Eigen::Vector3f;
 
-constexpr float kPi = std::numbers::pi_v<float>;
-
 const Vector3f kCores[] = {
     {0, 0, 0}, {0, 0, 0.3F}, {0, 0.2F, 0}, {0.1F, 0.2F, 0}, {0.1F, 0.2F, 0.3F}};
 
@@ -32,8 +30,8 @@ double volume_within(const Vector3f& core, float r) {
   const double a = core.x();
   const double b = core.y();
   const double c = core.z();
-  return 8 * a * b * c + 8 * r * (a * b + b * c + c * a) + 2 * kPi * r * r * (a + b + c) +
-         4.0 / 3 * kPi * r * r * r;
+  return 8 * a * b * c + 8 * r * (a * b + b * c + c * a) +
+         2 * std::numbers::pi * r * r * (a + b + c) + 4.0 / 3 * std::numbers::pi * r * r * r;
 }
 
 TEST(SolidMesh, IsClosedWithoutDegenerateTriangles) {

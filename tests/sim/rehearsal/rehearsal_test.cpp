@@ -10,22 +10,20 @@
 #include "sim/figure/figure_rows.h"
 #include "sim/rehearsal/rehearsal_run.h"
 #include "tests/sim/random_hits.h"
+#include "tests/sim/rehearsal/total_impulse.h"
 #include "tests/sim/same_bits.h"
 
 namespace flinch::sim {
 namespace {
 
 using motion::Body;
-
-double total(const SimulationResult& result) {
-  return sum(result.impulse);
-}
+using tests::total_impulse;
 
 /// sum over the bodies |J - J'|, divided by the greater total.
 double change(const SimulationResult& first, const SimulationResult& second) {
   double sum = 0;
   for (Body body : motion::kBodies) sum += std::abs(first.impulse[body] - second.impulse[body]);
-  const double whole = std::max(total(first), total(second));
+  const double whole = std::max(total_impulse(first), total_impulse(second));
   return whole > 0 ? sum / whole : 0;
 }
 
@@ -62,8 +60,8 @@ TEST_F(RehearsalTest, ImpulsesMatchTheFullSimulation) {
   for (const scenes::Hit& hit : balls(150, 11)) {
     const auto slow = simulator_.simulate(motions_[hit.motion].motion, &hit.ball, 1);
     const auto fast = simulator_.simulate(rehearsed[hit.motion], hit.ball);
-    EXPECT_EQ(total(slow) > 0, total(fast) > 0);
-    if (total(slow) == 0) {
+    EXPECT_EQ(total_impulse(slow) > 0, total_impulse(fast) > 0);
+    if (total_impulse(slow) == 0) {
       ++misses;
       EXPECT_TRUE(std::isinf(fast.first_contact_s));
       continue;
@@ -89,7 +87,7 @@ TEST_F(RehearsalTest, FindsHitsAfterABounceOffTheGround) {
     const auto slow = simulator_.simulate(motions_[0].motion, &ball, 1);
     const auto fast = simulator_.simulate(standing, ball);
     EXPECT_LT(change(slow, fast), 0.005);
-    if (total(slow) > 0 && slow.first_contact_s > 0.3) ++hits;
+    if (total_impulse(slow) > 0 && slow.first_contact_s > 0.3) ++hits;
   }
   EXPECT_GT(hits, 6);
 }
@@ -141,11 +139,11 @@ TEST_F(RehearsalTest, SkipsBallsThatCannotTouch) {
   const auto missed = simulator_.simulate(standing, wide);
   EXPECT_TRUE(missed.skipped);
   EXPECT_EQ(missed.steps, 0);
-  EXPECT_EQ(total(missed), 0);
+  EXPECT_EQ(total_impulse(missed), 0);
   const features::Ball aimed = scenes::aimed_ball({0, 0, 1.2}, {-20, 0, 0}, 0.4);
   const auto hit = simulator_.simulate(standing, aimed);
   EXPECT_FALSE(hit.skipped);
-  EXPECT_GT(total(hit), 1);
+  EXPECT_GT(total_impulse(hit), 1);
 }
 
 TEST_F(RehearsalTest, IsDeterministicOnConcurrentThreads) {

@@ -11,12 +11,14 @@
 #include "sim/ode/ode_world.h"
 #include "tests/scenes/error_of.h"
 #include "tests/sim/random_hits.h"
+#include "tests/sim/rehearsal/total_impulse.h"
 #include "tests/sim/same_bits.h"
 
 namespace flinch::sim {
 namespace {
 
 using motion::Body;
+using tests::total_impulse;
 
 constexpr double kRestitution = 0.7;
 
@@ -35,10 +37,6 @@ motion::Motion standing_still(float duration_s = 1) {
 Eigen::Vector3d middle_of(Body body, const motion::Pose& pose) {
   const auto frames = forward_kinematics(character().skeleton, pose);
   return centre_of_mass(make_body_model(character()), frames, body).cast<double>();
-}
-
-double total(const SimulationResult& result) {
-  return sum(result.impulse);
 }
 
 SimulationResult simulate(const motion::Motion& motion, const features::Ball* ball,
@@ -61,7 +59,7 @@ std::vector<features::Ball> many_balls(const motion::Pose& pose) {
 TEST(Simulator, StandsForTwoSecondsWithinACentimetre) {
   const auto result = simulate(standing_still(2), nullptr, 2);
   EXPECT_LT(result.tracking_error_m, 0.01);
-  EXPECT_EQ(total(result), 0);
+  EXPECT_EQ(total_impulse(result), 0);
   EXPECT_TRUE(std::isinf(result.first_contact_s));
 }
 
@@ -84,7 +82,7 @@ TEST(Simulator, AMissGivesNoImpulse) {
   const features::Ball late = scenes::aimed_ball({0, 0, 1.2}, {-20, 0, 0}, 1.5);
   for (const features::Ball& ball : {wide, late}) {
     const auto result = simulate(motion, &ball);
-    EXPECT_EQ(total(result), 0);
+    EXPECT_EQ(total_impulse(result), 0);
     EXPECT_TRUE(std::isinf(result.first_contact_s));
   }
 }
@@ -100,7 +98,7 @@ TEST(Simulator, ImpulseOnTheChestIsNearlyThatOnAWall) {
     const double wall = (1 + kRestitution) * features::kVolleyballMass_kg * speed_mps;
     EXPECT_LT(result.impulse[Body::chest], 1.01 * wall);
     EXPECT_GT(result.impulse[Body::chest], 0.85 * wall);
-    EXPECT_NEAR(total(result), result.impulse[Body::chest], 1e-12);
+    EXPECT_NEAR(total_impulse(result), result.impulse[Body::chest], 1e-12);
   }
 }
 
@@ -128,8 +126,8 @@ TEST(Simulator, FirstContactTimeMatchesTheBallsFlight) {
   EXPECT_NEAR(result.first_contact_s, 0.3 - (front + ball.radius - chest.x()) / 20, 5e-4);
 
   // No impulse is charged before the contact.
-  EXPECT_EQ(total(simulate(motion, &ball, result.first_contact_s - 0.001)), 0);
-  EXPECT_GT(total(simulate(motion, &ball, result.first_contact_s + 0.003)), 0);
+  EXPECT_EQ(total_impulse(simulate(motion, &ball, result.first_contact_s - 0.001)), 0);
+  EXPECT_GT(total_impulse(simulate(motion, &ball, result.first_contact_s + 0.003)), 0);
 }
 
 TEST(Simulator, HandDrivenIntoTheFaceGivesBothAnImpulse) {
@@ -170,8 +168,8 @@ TEST(Simulator, ContactOfTheMotionItselfGivesNoImpulse) {
     const SimulationResult result = simulate(kick, &ball);
     const double bounce = (1 + kRestitution) * features::kVolleyballMass_kg * (kSpeed + kBodySpeed);
     // The ball may hit twice, and each hit may be charged to a body and to the one behind it.
-    EXPECT_LT(total(result), 4 * bounce) << "ball at " << time_s << " s";
-    if (total(result) > 1) ++hits;
+    EXPECT_LT(total_impulse(result), 4 * bounce) << "ball at " << time_s << " s";
+    if (total_impulse(result) > 1) ++hits;
   }
   EXPECT_GT(hits, 6);
 }
@@ -188,8 +186,8 @@ TEST(Simulator, ImpulsesConvergeWhenBothStepsAreHalved) {
   std::vector<double> changes;
   for (const scenes::Hit& hit : hits) {
     const motion::Motion& motion = motions[hit.motion].motion;
-    const double coarse = total(shipped.simulate(motion, &hit.ball, 1));
-    const double fine = total(halved.simulate(motion, &hit.ball, 1));
+    const double coarse = total_impulse(shipped.simulate(motion, &hit.ball, 1));
+    const double fine = total_impulse(halved.simulate(motion, &hit.ball, 1));
     if (fine > 0) changes.push_back(std::abs(coarse - fine) / fine);
   }
   ASSERT_GT(changes.size(), hits.size() / 2);
@@ -223,7 +221,7 @@ TEST(Simulator, MirroredScenesGiveMirroredImpulses) {
       const auto other = simulate(mirrored, &ball);
       for (Body body : motion::kBodies) {
         const Body twin = body_of(motion::mirrored(role_of(body)));
-        EXPECT_NEAR(result.impulse[body], other.impulse[twin], 0.02 * total(result) + 1e-3)
+        EXPECT_NEAR(result.impulse[body], other.impulse[twin], 0.02 * total_impulse(result) + 1e-3)
             << motions[index].name << ", " << name_of(body);
       }
     }
