@@ -12,8 +12,9 @@ inline constexpr double kGravity_mps2 = 9.81;
 /// The same as a float.
 inline constexpr float kGravity = static_cast<float>(kGravity_mps2);
 
-/// A volleyball, which threats are by default: its radius, m, and its mass.
+/// The radius of a volleyball, which threats are by default.
 inline constexpr double kVolleyballRadius_m = 0.105;
+/// The mass of a volleyball.
 inline constexpr double kVolleyballMass_kg = 0.27;
 
 /// Something that approaches in free fall, at the moment of perception: a ball as a character
