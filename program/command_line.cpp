@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <iostream>
 #include <sstream>
 #include <type_traits>
@@ -41,6 +42,18 @@ CLI::Validator number_in(const Range& range) {
     return real_number_in(range);
 }
 
+/// Digits alone: CLI11 takes -3 for the number that 3 below 0 wraps round to. Not part of help
+/// texts.
+CLI::Validator natural_number() {
+  const auto refusal = [](const std::string& input) {
+    const bool is_natural = !input.empty() && std::ranges::all_of(input, [](char character) {
+      return character >= '0' && character <= '9';
+    });
+    return is_natural ? std::string() : "Value " + input + " is not a whole number from 0 on";
+  };
+  return {refusal, ""};
+}
+
 /// Returns the number with the largest unit that leaves no remainder: 1G.
 std::string byte_text(std::uint64_t bytes) {
   constexpr std::array kUnits{"", "K", "M", "G"};
@@ -58,6 +71,9 @@ CLI::Option* add_option(CLI::App& command, const Option& option, Value* value) {
   CLI::Option* added = command.add_option(option.name, *value, option.help);
   if constexpr (std::is_same_v<Value, std::vector<std::string>>) {
     if (std::holds_alternative<OneOf>(option.accepted)) added->delimiter(',');
+  }
+  if constexpr (std::is_same_v<Value, std::uint64_t>) {
+    if (!std::holds_alternative<ByteCount>(option.accepted)) added->check(natural_number());
   }
   if (const auto* range = std::get_if<Range>(&option.accepted)) {
     added->check(number_in<typename OneValue<Value>::Type>(*range));

@@ -52,6 +52,7 @@ class Alone(RunTest):
         line = self.fail_with(1, *self.command(self.folder / "x", "--first", 2**63 - 5))
         self.assertIn("past the last", line)
         self.fail_with(2, *self.command(self.folder / "x", "--first", "-3"))
+        self.fail_with(2, *self.command(self.folder / "x", "--seed", "-1"))
         self.fail_with(2, *self.command(self.folder / "x", scenarios=0))
 
     def test_lines_for_machines(self):
