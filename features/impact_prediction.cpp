@@ -106,16 +106,22 @@ class Sweep {
   /// Finds the nearest body. Returns how long none can be touched; NaN for a pose that is none.
   double look_at_bodies(double time_s) {
     const Sway& sway = ahead_.sway();
-    if (!has_outlines_ || sway.most_speed_mps > 0) place_bodies(time_s);
+    if (!has_frames_ || sway.most_speed_mps > 0) frames_ = frames_at(time_s);
+    has_frames_ = true;
     const Eigen::Vector3d centre = ball_.position_at(time_s);
     const Eigen::Vector3d velocity = ball_.velocity_at(time_s);
+    const double most_closing_mps = static_cast<double>(sway.most_speed_mps) + velocity.norm();
     nearest_.gap = kInfinity;
     double step_s = kInfinity;
     double sum = 0;
-    for (Body body : motion::kBodies) {
-      const Clearance near = clearance(centre, ball_.radius, outlines_[body]);
+    const auto look_at = [&](Body body) {
+      const double least_gap = least_gap_of(body, centre);
+      sum += static_cast<double>(frames_.orientation[role_of(body)].squaredNorm());
+      if (least_gap > kTouch + way_in(step_s, most_closing_mps)) return;
+      const Clearance near =
+          clearance(centre, ball_.radius, outline_of(*figure_.model, frames_, body));
       sum += near.gap;
-      if (near.gap < nearest_.gap) {
+      if (near.gap < nearest_.gap || (near.gap == nearest_.gap && body < nearest_body_)) {
         nearest_ = near;
         nearest_body_ = body;
       }
@@ -124,18 +130,29 @@ class Sweep {
           static_cast<double>(sway.most_speed_mps) - near.normal.dot(velocity);
       step_s = std::min(step_s, safe_step(std::max(near.gap - 0.5 * kTouch, 0.0), closing_mps,
                                           ball_.gravity_mps2));
+    };
+    // What was the nearest is likely to be, and others are then seen to be far.
+    const Body likely = nearest_body_;
+    look_at(likely);
+    for (Body body : motion::kBodies) {
+      if (body != likely) look_at(body);
     }
     return std::isfinite(sum) ? step_s : std::numeric_limits<double>::quiet_NaN();
   }
 
-  motion::JointFrames frames_at(double time_s) const {
-    return forward_kinematics(*figure_.skeleton, ahead_.at(static_cast<float>(time_s)));
+  /// The gap to a body is no less, wherever it points.
+  double least_gap_of(Body body, const Eigen::Vector3d& centre) const {
+    const Eigen::Vector3d joint = frames_.position[role_of(body)].cast<double>();
+    return (centre - joint).norm() - ball_.radius - static_cast<double>(figure_.body_reach_m[body]);
   }
 
-  void place_bodies(double time_s) {
-    frames_ = frames_at(time_s);
-    outlines_ = outlines_of(*figure_.model, frames_);
-    has_outlines_ = true;
+  /// The most by which a gap closes in this time: the inverse of safe_step.
+  double way_in(double time_s, double closing_mps) const {
+    return (closing_mps + 0.5 * ball_.gravity_mps2 * time_s) * time_s;
+  }
+
+  motion::JointFrames frames_at(double time_s) const {
+    return forward_kinematics(*figure_.skeleton, ahead_.at(static_cast<float>(time_s)));
   }
 
   PredictedImpact impact_at(double time_s) const {
@@ -180,14 +197,25 @@ class Sweep {
   const PosesAhead& ahead_;
   Eigen::Vector3d middle_;
   motion::JointFrames frames_;
-  motion::PerBody<Outline> outlines_;
-  bool has_outlines_ = false;
+  bool has_frames_ = false;
   Clearance nearest_;
   Body nearest_body_{};
 };
 
+/// The farthest that a body's surface can be from its joint.
+motion::PerBody<float> body_reach_of(const motion::BodyModel& model) {
+  motion::PerBody<float> reach_m;
+  for (Body body : motion::kBodies) {
+    const motion::Shape& shape = model[body].shape;
+    const bool capsule = shape.kind == motion::Shape::Kind::capsule;
+    const float extent = capsule ? shape.half_length + shape.radius : shape.half_extents.norm();
+    reach_m[body] = shape.centre.norm() + extent;
+  }
+  return reach_m;
+}
+
 /// The farthest that the surface can be from the pelvis' joint: all bones in one line.
-float reach_of(const motion::Skeleton& skeleton, const motion::BodyModel& model) {
+float reach_of(const motion::Skeleton& skeleton, const motion::PerBody<float>& body_reach_m) {
   motion::PerRole<float> from_pelvis;
   for (motion::Role role : motion::kRoles) {
     const auto parent = parent_of(role);
@@ -195,10 +223,7 @@ float reach_of(const motion::Skeleton& skeleton, const motion::BodyModel& model)
   }
   float reach_m = 0;
   for (Body body : motion::kBodies) {
-    const motion::Shape& shape = model[body].shape;
-    const bool capsule = shape.kind == motion::Shape::Kind::capsule;
-    const float extent = capsule ? shape.half_length + shape.radius : shape.half_extents.norm();
-    reach_m = std::max(reach_m, from_pelvis[role_of(body)] + shape.centre.norm() + extent);
+    reach_m = std::max(reach_m, from_pelvis[role_of(body)] + body_reach_m[body]);
   }
   return reach_m;
 }
@@ -210,7 +235,8 @@ std::string_view name_of(Outcome outcome) {
 }
 
 SweptFigure make_swept_figure(const motion::Skeleton& skeleton, const motion::BodyModel& model) {
-  return {&skeleton, &model, reach_of(skeleton, model)};
+  const motion::PerBody<float> body_reach_m = body_reach_of(model);
+  return {&skeleton, &model, reach_of(skeleton, body_reach_m), body_reach_m};
 }
 
 PredictedImpact predict_impact(const Threat& threat, const SweptFigure& figure,

@@ -40,6 +40,7 @@ struct SweptFigure {
   const motion::Skeleton* skeleton = nullptr;
   const motion::BodyModel* model = nullptr;
   float reach_m = 0;  ///< no pose has a point of the surface farther from the pelvis' joint
+  motion::PerBody<float> body_reach_m{};  ///< of each body's surface, from its own joint
 };
 SweptFigure make_swept_figure(const motion::Skeleton& skeleton, const motion::BodyModel& model);
 

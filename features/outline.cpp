@@ -87,17 +87,20 @@ Outline outline_of(const motion::Shape& shape) {
           .orientation = shape.orientation.cast<double>().normalized()};
 }
 
+Outline outline_of(const motion::BodyModel& model, const motion::JointFrames& frames,
+                   motion::Body body) {
+  const motion::Role role = role_of(body);
+  const Eigen::Quaterniond orientation = frames.orientation[role].cast<double>();
+  Outline outline = outline_of(model[body].shape);
+  outline.centre = frames.position[role].cast<double>() + orientation * outline.centre;
+  outline.orientation = orientation * outline.orientation;
+  return outline;
+}
+
 motion::PerBody<Outline> outlines_of(const motion::BodyModel& model,
                                      const motion::JointFrames& frames) {
   motion::PerBody<Outline> outlines;
-  for (motion::Body body : motion::kBodies) {
-    const motion::Role role = role_of(body);
-    const Eigen::Quaterniond orientation = frames.orientation[role].cast<double>();
-    Outline& outline = outlines[body];
-    outline = outline_of(model[body].shape);
-    outline.centre = frames.position[role].cast<double>() + orientation * outline.centre;
-    outline.orientation = orientation * outline.orientation;
-  }
+  for (motion::Body body : motion::kBodies) outlines[body] = outline_of(model, frames, body);
   return outlines;
 }
 

@@ -21,7 +21,10 @@ struct Outline {
 /// In the frame of the shape: of its body's joint.
 Outline outline_of(const motion::Shape& shape);
 
-/// Those of a figure's bodies where its joints are, world.
+/// That of one body where the figure's joints are, world.
+Outline outline_of(const motion::BodyModel& model, const motion::JointFrames& frames,
+                   motion::Body body);
+/// Those of all its bodies.
 motion::PerBody<Outline> outlines_of(const motion::BodyModel& model,
                                      const motion::JointFrames& frames);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <limits>
 
 namespace flinch::models {
@@ -14,5 +15,8 @@ struct Candidate {
   /// expects none.
   float expected_cost_ns = std::numeric_limits<float>::quiet_NaN();
 };
+
+/// As many candidates as there are.
+inline constexpr std::size_t kAll = std::numeric_limits<std::size_t>::max();
 
 }  // namespace flinch::models

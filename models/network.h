@@ -60,11 +60,13 @@ inline float network_input(double scaled) {
   return scaled > -2 ? (scaled < 2 ? static_cast<float>(scaled) : 2.0F) : -2.0F;
 }
 
-/// The allowed clips that the model knows, by rising expected cost; ties by the lower index.
+/// The first `most` of the allowed clips that the model knows, by rising expected cost; ties by the
+/// lower index.
 /// `scaled` has feature_count values.
 std::pmr::vector<Candidate> expected_costs(const NetworkModel& model,
                                            std::span<const double> scaled,
                                            const ClipMask& allowed_clips,
-                                           Memory memory = std::pmr::get_default_resource());
+                                           Memory memory = std::pmr::get_default_resource(),
+                                           std::size_t most = kAll);
 
 }  // namespace flinch::models

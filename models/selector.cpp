@@ -55,8 +55,10 @@ std::pmr::vector<Candidate> candidates(const KnnModel& model, std::span<const do
 }
 
 std::pmr::vector<Candidate> candidates(const NetworkModel& model, std::span<const double> scaled,
-                                       const ClipMask& allowed_clips, int idle, Memory memory) {
-  auto expected = expected_costs(model, scaled, allowed_clips, memory);
+                                       const ClipMask& allowed_clips, int idle, Memory memory,
+                                       std::size_t most) {
+  auto expected =
+      expected_costs(model, scaled, allowed_clips, memory, std::max(most, std::size_t{1}));
   return expected.empty() ? only({.clip = idle}, memory) : std::move(expected);
 }
 
@@ -76,7 +78,7 @@ std::pmr::vector<Candidate> candidates(const Selector& selector, const features:
   return std::visit(
       [&](const auto& model) {
         using Model = std::remove_cvref_t<decltype(model)>;
-        if constexpr (std::is_same_v<Model, SvmModel> || std::is_same_v<Model, PairwiseModel>) {
+        if constexpr (!std::is_same_v<Model, KnnModel>) {
           return candidates(model, scaled, allowed, selector.idle, memory, most);
         } else {
           auto ranked = candidates(model, scaled, allowed, selector.idle, memory);

@@ -47,10 +47,11 @@ struct Selector {
 /// The allowed clips that the model votes among, best first. An SVM's are all its classes, ranked
 /// by votes, ties by the model's class order; those of pairwise machines the first `most` of all
 /// their clips, ranked by votes, ties by the lower index; a KNN's are its neighbours' labels,
-/// ranked by votes, ties by the nearer neighbour. None of these expects a cost. A network's are all
-/// its clips, and those of a KNN that averages costs all that were tried on its neighbours, ranked
-/// by expected cost, with no votes. Where the model knows no allowed clip the idle clip is the last
-/// resort, with neither: never empty. `scaled` has the model's feature_count values.
+/// ranked by votes, ties by the nearer neighbour. None of these expects a cost. A network's are the
+/// first `most` of all its clips, and those of a KNN that averages costs all that were tried on its
+/// neighbours, ranked by expected cost, with no votes. Where the model knows no allowed clip the
+/// idle clip is the last resort, with neither: never empty. `scaled` has the model's feature_count
+/// values.
 std::pmr::vector<Candidate> candidates(const SvmModel& model, std::span<const double> scaled,
                                        const ClipMask& allowed_clips, int idle,
                                        Memory memory = std::pmr::get_default_resource(),
@@ -60,7 +61,8 @@ std::pmr::vector<Candidate> candidates(const KnnModel& model, std::span<const do
                                        Memory memory = std::pmr::get_default_resource());
 std::pmr::vector<Candidate> candidates(const NetworkModel& model, std::span<const double> scaled,
                                        const ClipMask& allowed_clips, int idle,
-                                       Memory memory = std::pmr::get_default_resource());
+                                       Memory memory = std::pmr::get_default_resource(),
+                                       std::size_t most = kAll);
 std::pmr::vector<Candidate> candidates(const PairwiseModel& model, std::span<const double> scaled,
                                        const ClipMask& allowed_clips, int idle,
                                        Memory memory = std::pmr::get_default_resource(),

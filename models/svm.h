@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "models/candidate.h"
 #include "models/clip_mask.h"
 
 namespace flinch::models {
@@ -90,8 +91,6 @@ struct RankedClass {
   std::size_t index = 0;  ///< in the model's order
   int votes = 0;
 };
-
-inline constexpr std::size_t kAll = std::numeric_limits<std::size_t>::max();
 
 /// The allowed classes by the votes of the machines of pairs of allowed classes, most votes first,
 /// ties by the lower index (svm_predict's rule): the first `most` of them. Machines are asked only

@@ -16,6 +16,26 @@ constexpr std::array<std::string_view, kTargetCount> kTargetNames{"head", "trunk
 constexpr std::array<std::string_view, 2> kDegreeNames{"mild", "exaggerated"};
 constexpr std::array<std::string_view, 3> kPurposeNames{"anticipation", "idle", "push"};
 
+/// A time of a motion: past the pose of this index by a part of the way to the next.
+struct Place {
+  std::size_t index;
+  float weight;
+};
+
+Place place_at(const Motion& motion, float time_s) {
+  const float last = static_cast<float>(motion.poses.size() - 1);
+  const float position = std::clamp(time_s * motion.rate_hz, 0.0F, last);
+  const auto index = static_cast<std::size_t>(position);
+  return {index, position - static_cast<float>(index)};
+}
+
+float ping_pong_time(const Motion& motion, float time_s) {
+  const float duration = motion.duration_s();
+  if (duration <= 0) return 0;
+  const float phase = std::fmod(std::abs(time_s), 2 * duration);
+  return phase <= duration ? phase : 2 * duration - phase;
+}
+
 }  // namespace
 
 std::string_view name_of(Target target) {
@@ -37,20 +57,21 @@ std::string_view name_of(Purpose purpose) {
 }
 
 Pose sample(const Motion& motion, float time_s, std::span<const Role> roles) {
-  const float last = static_cast<float>(motion.poses.size() - 1);
-  const float position = std::clamp(time_s * motion.rate_hz, 0.0F, last);
-  const float floor = std::floor(position);
-  const auto index = static_cast<std::size_t>(floor);
-  const float weight = position - floor;
-  if (weight == 0) return motion.poses[index];
-  return blend(motion.poses[index], motion.poses[index + 1], weight, roles);
+  const Place place = place_at(motion, time_s);
+  if (place.weight == 0) return motion.poses[place.index];
+  return blend(motion.poses[place.index], motion.poses[place.index + 1], place.weight, roles);
 }
 
 Pose sample_ping_pong(const Motion& motion, float time_s, std::span<const Role> roles) {
-  const float duration = motion.duration_s();
-  if (duration <= 0) return motion.poses.front();
-  const float phase = std::fmod(std::abs(time_s), 2 * duration);
-  return sample(motion, phase <= duration ? phase : 2 * duration - phase, roles);
+  return sample(motion, ping_pong_time(motion, time_s), roles);
+}
+
+const Pose& pose_before(const Motion& motion, float time_s) {
+  return motion.poses[place_at(motion, time_s).index];
+}
+
+const Pose& pose_before_ping_pong(const Motion& motion, float time_s) {
+  return pose_before(motion, ping_pong_time(motion, time_s));
 }
 
 }  // namespace flinch::motion

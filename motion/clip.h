@@ -62,6 +62,11 @@ Pose sample(const Motion& motion, float time_s, std::span<const Role> roles = kR
 /// end, so it never jumps. `roles` as in sample().
 Pose sample_ping_pong(const Motion& motion, float time_s, std::span<const Role> roles = kRoles);
 
+/// The stored pose at or before the time: sample() and sample_ping_pong() take the signs of its
+/// rotations, of the two that quaternions have.
+const Pose& pose_before(const Motion& motion, float time_s);
+const Pose& pose_before_ping_pong(const Motion& motion, float time_s);
+
 /// A recorded or authored motion with what is known about it.
 struct Clip {
   std::string name;

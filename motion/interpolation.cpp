@@ -56,23 +56,38 @@ Pose blend(const Pose& from, const Pose& to, float weight, std::span<const Role>
   return result;
 }
 
-Pose blend_on_first_arc(const Pose& from, const Pose& to, float weight, const Pose& from_at_start,
-                        const Pose& to_at_start) {
+Signs shorter_arcs(const Pose& from, const Pose& to) {
+  Signs signs;
+  for (Role role : kRoles) signs[role] = shorter_sign(from.rotation[role], to.rotation[role]);
+  return signs;
+}
+
+void change_signs(const Pose& a, const Pose& b, std::span<const Role> roles, Signs& signs) {
+  for (Role role : roles) signs[role] *= shorter_sign(a.rotation[role], b.rotation[role]);
+}
+
+Pose blend_along(const Pose& from, const Pose& to, float weight, const Signs& signs,
+                 std::span<const Role> roles) {
   constexpr float kWholeTurn = -0.95F;  // cosine of half the arc: beyond, the arc has no direction
   Pose result;
   result.root_position = (1 - weight) * from.root_position + weight * to.root_position;
-  for (Role role : kRoles) {
+  for (Role role : roles) {
     const Eigen::Quaternionf& p = from.rotation[role];
     const Eigen::Quaternionf& q = to.rotation[role];
-    const Eigen::Quaternionf& p_at_start = from_at_start.rotation[role];
-    const Eigen::Quaternionf& q_at_start = to_at_start.rotation[role];
-    // The stored signs mean nothing, so each rotation takes the sign nearest to its own start.
-    const float sign = shorter_sign(p, p_at_start) * shorter_sign(p_at_start, q_at_start) *
-                       shorter_sign(q_at_start, q);
-    result.rotation[role] =
-        sign * p.dot(q) < kWholeTurn ? slerp(p, q, weight) : slerp_to(p, q, sign, weight);
+    result.rotation[role] = signs[role] * p.dot(q) < kWholeTurn
+                                ? slerp(p, q, weight)
+                                : slerp_to(p, q, signs[role], weight);
   }
   return result;
+}
+
+// The stored signs mean nothing, so each rotation takes the sign nearest to its own start.
+Pose blend_on_first_arc(const Pose& from, const Pose& to, float weight, const Pose& from_at_start,
+                        const Pose& to_at_start) {
+  Signs signs = shorter_arcs(from_at_start, to_at_start);
+  change_signs(from, from_at_start, kRoles, signs);
+  change_signs(to, to_at_start, kRoles, signs);
+  return blend_along(from, to, weight, signs);
 }
 
 }  // namespace flinch::motion

@@ -24,6 +24,18 @@ Eigen::Quaternionf slerp(const Eigen::Quaternionf& from, const Eigen::Quaternion
 /// Of `roles` only: the rotations of others are not set.
 Pose blend(const Pose& from, const Pose& to, float weight, std::span<const Role> roles = kRoles);
 
+/// One sign for each joint, 1 or -1: q and -q are the same rotation.
+using Signs = PerRole<float>;
+/// The signs with which the rotations of `to` are on the shorter arcs from those of `from`.
+Signs shorter_arcs(const Pose& from, const Pose& to);
+/// Changes the signs of those of `roles` whose rotations in `a` and `b` have signs that differ.
+void change_signs(const Pose& a, const Pose& b, std::span<const Role> roles, Signs& signs);
+
+/// The same along the arcs that the signs of `to` choose. Where such an arc is nearly a whole turn,
+/// which has no direction, the joint takes the shorter one.
+Pose blend_along(const Pose& from, const Pose& to, float weight, const Signs& signs,
+                 std::span<const Role> roles = kRoles);
+
 /// The same between two poses that move while the weight changes, without the jump to the other
 /// side that a joint would make when the shorter arc between its two rotations changes sides: every
 /// joint keeps to the arc that is the shorter one between `from_at_start` and `to_at_start`, the

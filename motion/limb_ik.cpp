@@ -66,26 +66,26 @@ float bend_of(const Eigen::Vector3f& a, const Eigen::Vector3f& b, const Eigen::V
 // beta the angle from the square part of a to that of the turned b,
 //     d^2 = |a|^2 + |b|^2 + 2 a_h b_h + 2 |a_s| |b_s| cos(beta).
 // beta is 0 for a straight limb and beta = angle + beta_rest, where beta_rest is what the bones
-// already make at rest.
+// already make at rest. Where beta need not be clamped, the end is at the distance.
 struct HingeBend {
   float angle;    // of the lower joint's rotation
   bool in_reach;  // false: beta had to be clamped to the limits
 };
 
 HingeBend bend_for_distance(const Eigen::Vector3f& a, const Eigen::Vector3f& b,
-                            const Eigen::Vector3f& hinge, float distance,
+                            const Eigen::Vector3f& hinge, float rest_bend, float distance,
                             const HingeLimits& limits) {
   const Eigen::Vector3f a_square = without_part_along(a, hinge);
   const Eigen::Vector3f b_square = without_part_along(b, hinge);
   const float along = a.dot(hinge) * b.dot(hinge);
   const float product = a_square.norm() * b_square.norm();
-  const float rest_bend = bend_of(a, b, hinge);
   if (product <= 0) return {0, false};  // a bone of no length bends nothing
 
   const float rigid = a.squaredNorm() + b.squaredNorm() + 2 * along;
   const float cosine = (distance * distance - rigid) / (2 * product);
-  const float bend =
-      std::clamp(std::acos(std::clamp(cosine, -1.0F, 1.0F)), limits.least, limits.most);
+  const float wanted = std::acos(std::clamp(cosine, -1.0F, 1.0F));
+  const float bend = std::clamp(wanted, limits.least, limits.most);
+  if (std::abs(cosine) <= 1 && bend == wanted) return {bend - rest_bend, true};
   constexpr float kReachTolerance = 1e-4F;  // m
   const float found = std::sqrt(std::max(rigid + 2 * product * std::cos(bend), 0.0F));
   return {bend - rest_bend, std::abs(found - distance) <= kReachTolerance};
@@ -157,7 +157,8 @@ LimbSolution solve_limb(const Skeleton& skeleton, Limb limb, const Eigen::Vector
   const Eigen::Vector3f to_target = end_position - upper_position;
   const float distance = to_target.norm();
 
-  const HingeBend bend = bend_for_distance(upper_bone, lower_bone, hinge, distance, limits);
+  const HingeBend bend = bend_for_distance(
+      upper_bone, lower_bone, hinge, bend_of(upper_bone, lower_bone, hinge), distance, limits);
   const Eigen::Quaternionf lower_local = turn_about(hinge, bend.angle);
   const Eigen::Vector3f to_end = upper_bone + lower_local * lower_bone;  // in the upper frame
 
@@ -193,10 +194,10 @@ bool move_limb_end(const JointFrames& frames, Limb limb, const Eigen::Vector3f& 
   const Eigen::Vector3f lower_bone = frames.position[roles.end] - frames.position[roles.lower];
   const Eigen::Vector3f axis =
       bending_axis(upper_bone, lower_bone, frames.orientation[roles.upper] * hinge_axis(limb));
+  const float now = bend_of(upper_bone, lower_bone, axis);
   const HingeBend bend =
-      bend_for_distance(upper_bone, lower_bone, axis, (end_position - root).norm(),
-                        {std::min(limits.least, bend_of(upper_bone, lower_bone, axis)),
-                         std::max(limits.most, bend_of(upper_bone, lower_bone, axis))});
+      bend_for_distance(upper_bone, lower_bone, axis, now, (end_position - root).norm(),
+                        {std::min(limits.least, now), std::max(limits.most, now)});
   const Eigen::Quaternionf flex = turn_about(axis, bend.angle);
   const Eigen::Quaternionf swing =
       rotation_between<float>(upper_bone + flex * lower_bone, end_position - root);

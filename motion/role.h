@@ -58,8 +58,20 @@ class PerRole {
   std::array<T, kRoleCount> values_{};
 };
 
+/// What each role hangs from, in their order; the pelvis names itself.
+inline constexpr std::array<Role, kRoleCount> kParents{
+    Role::pelvis,        Role::pelvis, Role::abdomen,        Role::chest,
+    Role::neck,          Role::chest,  Role::left_clavicle,  Role::left_upper_arm,
+    Role::left_forearm,  Role::chest,  Role::right_clavicle, Role::right_upper_arm,
+    Role::right_forearm, Role::pelvis, Role::left_thigh,     Role::left_shin,
+    Role::left_foot,     Role::pelvis, Role::right_thigh,    Role::right_shin,
+    Role::right_foot};
+
 /// The role that `role` hangs from; nothing for the pelvis, which is the root.
-std::optional<Role> parent_of(Role role);
+constexpr std::optional<Role> parent_of(Role role) {
+  if (role == Role::pelvis) return std::nullopt;
+  return kParents[static_cast<std::size_t>(role)];
+}
 
 /// The same role on the other side; roles in the middle are their own.
 Role mirrored(Role role);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -33,6 +34,20 @@ inline float yaw_of(const Eigen::Quaternionf& orientation) {
 /// The rotation by `angle` radians about a unit axis.
 inline Eigen::Quaternionf turn_about(const Eigen::Vector3f& axis, float angle) {
   return Eigen::Quaternionf(Eigen::AngleAxisf(angle, axis));
+}
+
+/// v + 2 w (u x v) + 2 u x (u x v) of q = (w, u): Eigen's product, to the bit, without a call.
+inline Eigen::Vector3f turned(const Eigen::Vector3f& vector, const Eigen::Quaternionf& by) {
+  const float x = by.x(), y = by.y(), z = by.z(), w = by.w();
+  const auto cross = [=](float a, float b, float c) {
+    return std::array{y * c - z * b, z * a - x * c, x * b - y * a};
+  };
+  auto [a, b, c] = cross(vector.x(), vector.y(), vector.z());
+  a += a;
+  b += b;
+  c += c;
+  const auto [d, e, f] = cross(a, b, c);
+  return {vector.x() + w * a + d, vector.y() + w * b + e, vector.z() + w * c + f};
 }
 
 /// The rotation by the shortest way that takes one direction to the other; they need not be unit.

@@ -29,7 +29,9 @@ struct Pose {
   PerRole<Eigen::Quaternionf> rotation;
 
   /// All rotations identity: the rest pose at the world's origin.
-  Pose();
+  Pose() {
+    for (Eigen::Quaternionf& rotation_of_joint : rotation) rotation_of_joint.setIdentity();
+  }
 };
 
 /// Where every joint is, in the world.
@@ -60,7 +62,8 @@ float facing(const Pose& pose);
 /// Whether a pose is finite and its rotations are unit ones to `unit_tolerance`.
 bool is_sound(const Pose& pose, float unit_tolerance = 1e-3F) noexcept;
 
-/// The pose turned by `yaw` radians about the world's vertical through the origin, then moved.
+/// Turns the pose by `yaw` radians about the world's vertical through the origin, then moves it.
+void place(float yaw, const Eigen::Vector3f& translation, Pose& pose);
 Pose placed(const Pose& pose, float yaw, const Eigen::Vector3f& translation);
 
 }  // namespace flinch::motion

@@ -56,13 +56,17 @@ bool before(const Eigen::Vector2f& a, const Eigen::Vector2f& b) {
   return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y());
 }
 
-float distance_to_segment(const Eigen::Vector2f& from, const Eigen::Vector2f& to,
-                          const Eigen::Vector2f& point) {
+const Eigen::Vector2f& next_corner(const std::vector<Eigen::Vector2f>& polygon, std::size_t i) {
+  return polygon[i + 1 < polygon.size() ? i + 1 : 0];
+}
+
+float squared_distance_to_segment(const Eigen::Vector2f& from, const Eigen::Vector2f& to,
+                                  const Eigen::Vector2f& point) {
   const Eigen::Vector2f edge = to - from;
   const float squared_length = edge.squaredNorm();
   const float along =
       squared_length > 0 ? std::clamp(edge.dot(point - from) / squared_length, 0.0F, 1.0F) : 0;
-  return (from + along * edge - point).norm();
+  return (from + along * edge - point).squaredNorm();
 }
 
 }  // namespace
@@ -112,15 +116,27 @@ std::vector<Eigen::Vector2f> support_polygon(const Skeleton& skeleton, const Joi
 
 float signed_distance_inside(const std::vector<Eigen::Vector2f>& polygon,
                              const Eigen::Vector2f& point) {
-  float distance = std::numeric_limits<float>::infinity();
+  float squared_distance = std::numeric_limits<float>::infinity();
   bool inside = polygon.size() > 2;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Eigen::Vector2f& from = polygon[i];
-    const Eigen::Vector2f& to = polygon[(i + 1) % polygon.size()];
-    distance = std::min(distance, distance_to_segment(from, to, point));
+    const Eigen::Vector2f& to = next_corner(polygon, i);
+    squared_distance = std::min(squared_distance, squared_distance_to_segment(from, to, point));
     inside = inside && turn(from, to, point) >= 0;
   }
+  const float distance = std::sqrt(squared_distance);
   return inside ? distance : -distance;
+}
+
+bool is_inside_by(float margin, const std::vector<Eigen::Vector2f>& polygon,
+                  const Eigen::Vector2f& point) {
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Eigen::Vector2f& from = polygon[i];
+    const Eigen::Vector2f& to = next_corner(polygon, i);
+    if (!(turn(from, to, point) >= 0)) return false;
+    if (std::sqrt(squared_distance_to_segment(from, to, point)) < margin) return false;
+  }
+  return polygon.size() > 2;
 }
 
 }  // namespace flinch::motion

@@ -30,5 +30,8 @@ std::vector<Eigen::Vector2f> support_polygon(const Skeleton& skeleton, const Joi
 /// inside, negative outside, also of a polygon of one or two points; minus infinity for none.
 float signed_distance_inside(const std::vector<Eigen::Vector2f>& polygon,
                              const Eigen::Vector2f& point);
+/// Whether that is at least `margin`, 0 or above: the first edge that is nearer will do.
+bool is_inside_by(float margin, const std::vector<Eigen::Vector2f>& polygon,
+                  const Eigen::Vector2f& point);
 
 }  // namespace flinch::motion

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "motion/limb_ik.h"
+#include "motion/rotation.h"
 #include "motion/support_polygon.h"
 
 namespace flinch::runtime {
@@ -101,7 +102,11 @@ Sole make_sole(const motion::Skeleton& skeleton, Side side) {
   for (const Eigen::Vector3f& point : outline.toes) {
     points.push_back((skeleton.offset[roles.toes] + point).head<2>());
   }
-  return {outline.foot, outline.toes, motion::convex_hull(std::move(points))};
+  Sole sole{outline.foot, outline.toes, motion::convex_hull(std::move(points)),
+            Eigen::Vector2f::Zero()};
+  for (const Eigen::Vector2f& corner : sole.hull)
+    sole.middle += corner / static_cast<float>(sole.hull.size());
+  return sole;
 }
 
 std::span<const Role> roles_to_foot(Side side) {
@@ -115,7 +120,7 @@ std::span<const Role> roles_to_foot(Side side) {
 FootPlace foot_of(const motion::Skeleton& skeleton, const motion::Pose& pose, Side side) {
   FootPlace place{pose.root_position, pose.rotation[Role::pelvis]};
   for (Role role : roles_to_foot(side).subspan(1)) {
-    place.ankle += place.orientation * skeleton.offset[role];
+    place.ankle += motion::turned(skeleton.offset[role], place.orientation);
     place.orientation = place.orientation * pose.rotation[role];
   }
   return place;

@@ -30,6 +30,7 @@ struct Sole {
   std::vector<Eigen::Vector3f> toes;
   /// The whole sole's hull on flat ground, counter-clockwise, in the foot's frame seen from above.
   std::vector<Eigen::Vector2f> hull;
+  Eigen::Vector2f middle;  ///< of the hull's corners
 };
 
 Sole make_sole(const motion::Skeleton& skeleton, motion::Side side);

@@ -11,7 +11,9 @@ PreparedLibrary prepare(const database::Library& library) {
   for (motion::Side side : motion::kSides) {
     prepared.soles[motion::index_of(side)] = make_sole(skeleton, side);
   }
-  prepared.reach_m = features::make_swept_figure(skeleton, prepared.bodies).reach_m;
+  const features::SweptFigure figure = features::make_swept_figure(skeleton, prepared.bodies);
+  prepared.reach_m = figure.reach_m;
+  prepared.body_reach_m = figure.body_reach_m;
   const auto idle = static_cast<std::size_t>(library.idle);
   if (idle < library.clips.size() && !library.clips[idle].motion.poses.empty()) {
     prepared.sway = features::sway_of(skeleton, prepared.bodies, library.clips[idle].motion);

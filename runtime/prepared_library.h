@@ -19,13 +19,14 @@ struct PreparedLibrary {
   std::vector<Footwork> footwork;  ///< one a clip
   features::Sway sway;             ///< of the idle clip
   float reach_m = 0;               ///< see features::SweptFigure
+  motion::PerBody<float> body_reach_m{};
 
   const motion::Skeleton& skeleton() const { return library->character.skeleton; }
   const motion::Clip& clip(int index) const {
     return library->clips[static_cast<std::size_t>(index)];
   }
   const motion::Motion& idle() const { return clip(library->idle).motion; }
-  features::SweptFigure figure() const { return {&skeleton(), &bodies, reach_m}; }
+  features::SweptFigure figure() const { return {&skeleton(), &bodies, reach_m, body_reach_m}; }
   features::IdlingFigure idling() const { return {&skeleton(), &bodies, &idle()}; }
 };
 

@@ -46,11 +46,9 @@ FootPlace step_between(const FootPlace& from, const FootPlace& to, float u, floa
 // A foot that goes its clip's way from where it was, not where the clip had it, which differ in
 // height and tilt alone: what differs is taken back by weight. Blending the places themselves would
 // drag a foot over the ground that the clip lifts.
-FootPlace without_jump(const FootPlace& from, const FootPlace& clip_from, const FootPlace& clip_now,
-                       float weight) {
-  const Eigen::Quaternionf tilt = from.orientation * clip_from.orientation.conjugate();
-  return {clip_now.ankle + (1 - weight) * (from.ankle - clip_from.ankle),
-          motion::slerp(tilt, Eigen::Quaternionf::Identity(), weight) * clip_now.orientation};
+FootPlace without_jump(const FootPlan& plan, const FootPlace& clip, float weight) {
+  return {clip.ankle + (1 - weight) * plan.rise,
+          motion::slerp(plan.tilt, Eigen::Quaternionf::Identity(), weight) * clip.orientation};
 }
 
 FootPlace moved(const FootPlace& place, const GroundMove& move) {
@@ -66,18 +64,32 @@ float return_weight(const Response& r, float time_s) {
   return motion::minimum_jerk((time_s - r.end_s) / r.return_s);
 }
 
-// Every joint by itself.
-Pose body_at(const Response& r, float t) {
-  if (is_idle(r))
-    return motion::blend(source_pose_at(r, t), home_pose_at(r, t), return_weight(r, t));
-  if (t <= r.begin_s) return source_pose_at(r, t);
-  if (t < r.begin_s + r.blend_s) {
-    return motion::blend_on_first_arc(source_pose_at(r, t), clip_pose_at(r, t), blend_weight(r, t),
-                                      source_pose_at(r, r.begin_s), clip_pose_at(r, r.begin_s));
-  }
-  if (t <= r.end_s) return clip_pose_at(r, t);
-  return motion::blend_on_first_arc(clip_pose_at(r, t), home_pose_at(r, t), return_weight(r, t),
-                                    clip_pose_at(r, r.end_s), home_pose_at(r, r.end_s));
+float clip_time_at(const Response& r, float time_s) {
+  return r.library->clip(r.clip).annotation->onset_s + r.playback_rate * (time_s - r.begin_s);
+}
+
+// The arcs of a blend that began at `start_s` with these. They go by the signs that the rotations
+// had then; a sample has those of the pose stored before it, which mean nothing else.
+motion::Signs arcs_at(const Response& r, motion::Signs arcs, float start_s, float time_s,
+                      std::span<const Role> roles) {
+  const auto idle_at = [&r](float at_s) -> const Pose& {
+    return motion::pose_before_ping_pong(r.library->idle(), r.state.idle_time_s + at_s);
+  };
+  const auto clip_at = [&r](float at_s) -> const Pose& {
+    return motion::pose_before(r.library->clip(r.clip).motion, clip_time_at(r, at_s));
+  };
+  motion::change_signs(idle_at(start_s), idle_at(time_s), roles, arcs);
+  motion::change_signs(clip_at(start_s), clip_at(time_s), roles, arcs);
+  return arcs;
+}
+
+Samples::Of motions_at(const Response& r, float t) {
+  if (t <= r.start_s && r.origin.idles) return Samples::Of::source_untouched;
+  if (t >= duration_s(r)) return Samples::Of::home;
+  if (is_idle(r)) return Samples::Of::source_and_home;
+  if (t <= r.begin_s) return Samples::Of::source;
+  if (t < r.begin_s + r.blend_s) return Samples::Of::source_and_clip;
+  return t <= r.end_s ? Samples::Of::clip : Samples::Of::clip_and_home;
 }
 
 // Where clip and source differ much, a foot on its way from one to the other may dip.
@@ -90,41 +102,28 @@ FootPlace above_ground(const Response& r, Side side, FootPlace place,
   return place;
 }
 
-FootPlace foot_at(const Response& r, Side side, float t) {
+// Where a foot goes, whatever the pelvis does.
+FootPlace foot_at(const Response& r, Side side, const Samples& samples) {
   const FootPlan& plan = r.feet[motion::index_of(side)];
-  if (!is_idle(r) && t <= r.begin_s) return source_foot_at(r, side, t);
-  if (!is_idle(r) && t < r.begin_s + r.blend_s) {
-    return without_jump(source_foot_at(r, side, r.begin_s), clip_foot_at(r, side, r.begin_s),
-                        clip_foot_at(r, side, t), blend_weight(r, t));
-  }
-  const FootPlace away = is_idle(r) ? source_foot_at(r, side, t) : clip_foot_at(r, side, t);
+  const float t = samples.time_s;
+  if (samples.of == Samples::Of::source) return source_foot_in(r, side, samples.from);
+  if (samples.of == Samples::Of::source_and_clip)
+    return without_jump(plan, clip_foot_in(r, side, *samples.to, t), blend_weight(r, t));
+  const FootPlace away =
+      is_idle(r) ? source_foot_in(r, side, samples.from) : clip_foot_in(r, side, samples.from, t);
   if (t <= plan.home.begin_s) return away;
+  const FootPlace home = foot_of(r.library->skeleton(), *samples.to, side);
   const float u = part_of(plan.home, t);
-  if (plan.home_lift_m > 0)
-    return step_between(away, home_foot_at(r, side, t), u, plan.home_lift_m);
-  return blend(away, home_foot_at(r, side, t), motion::minimum_jerk(u));
+  if (plan.home_lift_m > 0) return step_between(away, home, u, plan.home_lift_m);
+  return blend(away, home, motion::minimum_jerk(u));
 }
 
-Eigen::Vector3f weight_shift_at(const Response& r, float t) {
-  Eigen::Vector3f shift = Eigen::Vector3f::Zero();
-  for (const WeightShift& part : r.shifts) {
-    const Window up{part.window.begin_s, part.held.begin_s};
-    const Window down{part.held.end_s, part.window.end_s};
-    const float weight =
-        motion::minimum_jerk(part_of(up, t)) - motion::minimum_jerk(part_of(down, t));
-    if (weight > 0) shift += weight * part.pelvis;
-  }
-  return shift;
-}
-
-// Whether the clip plays as it is, feet and all.
-bool is_untouched_clip(const Response& r, float t) {
-  if (is_idle(r) || t < r.begin_s + r.blend_s || t > r.end_s) return false;
-  for (const FootPlan& plan : r.feet) {
+// Whether the clip's feet are where the clip has them.
+bool has_clips_feet(const Response& r, float t) {
+  return std::ranges::none_of(r.feet, [t](const FootPlan& plan) {
     const bool is_offset = plan.offset.yaw != 0 || !plan.offset.translation.isZero(0);
-    if (is_offset && t < plan.change.end_s) return false;
-  }
-  return true;
+    return is_offset && t < plan.change.end_s;
+  });
 }
 
 // By how much the pelvis must come down for both legs to reach their feet, m: 0 or below. Legs may
@@ -162,30 +161,21 @@ Pose home_pose_at(const Response& r, float time_s, std::span<const Role> roles) 
   return pose;
 }
 
-// Clip time is onset + rate (t - begin).
 Pose clip_pose_at(const Response& r, float time_s, std::span<const Role> roles) {
-  const motion::Clip& clip = r.library->clip(r.clip);
-  const float clip_time_s = clip.annotation->onset_s + r.playback_rate * (time_s - r.begin_s);
-  return motion::placed(motion::sample(clip.motion, clip_time_s, roles), r.yaw, r.translation);
+  Pose pose = motion::sample(r.library->clip(r.clip).motion, clip_time_at(r, time_s), roles);
+  motion::place(r.yaw, r.translation, pose);
+  return pose;
 }
 
-FootPlace source_foot_at(const Response& r, Side side, float time_s) {
+FootPlace source_foot_in(const Response& r, Side side, const Pose& source) {
   const std::size_t i = motion::index_of(side);
   if (!r.origin.idles && r.origin.stands[i]) return r.origin.foot[i];
-  return foot_of(r.library->skeleton(), source_pose_at(r, time_s, roles_to_foot(side)), side);
+  return foot_of(r.library->skeleton(), source, side);
 }
 
-FootPlace home_foot_at(const Response& r, Side side, float time_s) {
-  return foot_of(r.library->skeleton(), home_pose_at(r, time_s, roles_to_foot(side)), side);
-}
-
-FootPlace uncorrected_clip_foot_at(const Response& r, Side side, float time_s) {
-  return foot_of(r.library->skeleton(), clip_pose_at(r, time_s, roles_to_foot(side)), side);
-}
-
-FootPlace clip_foot_at(const Response& r, Side side, float time_s) {
+FootPlace clip_foot_in(const Response& r, Side side, const Pose& clip, float time_s) {
   const FootPlan& plan = r.feet[motion::index_of(side)];
-  const FootPlace own = uncorrected_clip_foot_at(r, side, time_s);
+  const FootPlace own = foot_of(r.library->skeleton(), clip, side);
   const float u = part_of(plan.change, time_s);
   if (u >= 1) return own;
   const FootPlace offset = moved(own, plan.offset);
@@ -194,31 +184,103 @@ FootPlace clip_foot_at(const Response& r, Side side, float time_s) {
   return blend(offset, own, motion::minimum_jerk(u));
 }
 
-Pose pose_at(const Response& response, float time_s) noexcept {
-  if (!is_valid(response)) return {};
-  const Response& r = response;
-  const float t = std::isfinite(time_s) ? std::max(time_s, 0.0F) : 0.0F;
-  if (t <= r.start_s && r.origin.idles) return source_pose_at(r, t);
-  if (t >= duration_s(r)) return home_pose_at(r, t);
-  Pose pose = body_at(r, t);
-  const Eigen::Vector3f shift = weight_shift_at(r, t);
-  if (shift.isZero(0) && is_untouched_clip(r, t)) return pose;
+FootPlace source_foot_at(const Response& r, Side side, float time_s) {
+  return source_foot_in(r, side, source_pose_at(r, time_s, roles_to_foot(side)));
+}
 
-  const motion::Skeleton& skeleton = r.library->skeleton();
-  JointFrames frames = motion::forward_kinematics(skeleton, pose, kLegs);
-  motion::PerSide<FootPlace> feet;
-  for (Side side : motion::kSides) {
-    feet[motion::index_of(side)] =
-        above_ground(r, side, foot_at(r, side, t), pose.rotation[motion::roles_of(side).toes]);
+FootPlace clip_foot_at(const Response& r, Side side, float time_s) {
+  return clip_foot_in(r, side, clip_pose_at(r, time_s, roles_to_foot(side)), time_s);
+}
+
+FootPlace home_foot_at(const Response& r, Side side, float time_s) {
+  return foot_of(r.library->skeleton(), home_pose_at(r, time_s, roles_to_foot(side)), side);
+}
+
+Eigen::Vector3f weight_shift_at(const Response& r, float t) {
+  Eigen::Vector3f shift = Eigen::Vector3f::Zero();
+  for (const WeightShift& part : r.shifts) {
+    if (t <= part.window.begin_s || t >= part.window.end_s) continue;
+    const Window up{part.window.begin_s, part.held.begin_s};
+    const Window down{part.held.end_s, part.window.end_s};
+    const float weight =
+        motion::minimum_jerk(part_of(up, t)) - motion::minimum_jerk(part_of(down, t));
+    if (weight > 0) shift += weight * part.pelvis;
   }
+  return shift;
+}
+
+Samples samples_at(const Response& r, float t, std::span<const Role> roles) {
+  const Samples::Of of = motions_at(r, t);
+  switch (of) {
+    case Samples::Of::source_untouched:
+    case Samples::Of::source:
+      return {of, t, source_pose_at(r, t, roles), std::nullopt};
+    case Samples::Of::source_and_clip:
+      return {of, t, source_pose_at(r, t, roles), clip_pose_at(r, t, roles)};
+    case Samples::Of::clip:
+      return {of, t, clip_pose_at(r, t, roles), std::nullopt};
+    case Samples::Of::clip_and_home:
+      return {of, t, clip_pose_at(r, t, roles), home_pose_at(r, t, roles)};
+    case Samples::Of::source_and_home:
+      return {of, t, source_pose_at(r, t, roles), home_pose_at(r, t, roles)};
+    case Samples::Of::home:
+      break;
+  }
+  return {of, t, home_pose_at(r, t, roles), std::nullopt};
+}
+
+Pose blended(const Response& r, const Samples& samples, std::span<const Role> roles) {
+  const float t = samples.time_s;
+  switch (samples.of) {
+    case Samples::Of::source_and_clip:
+      return motion::blend_along(samples.from, *samples.to, blend_weight(r, t),
+                                 arcs_at(r, r.arcs_in, r.begin_s, t, roles), roles);
+    case Samples::Of::clip_and_home:
+      return motion::blend_along(samples.from, *samples.to, return_weight(r, t),
+                                 arcs_at(r, r.arcs_back, r.end_s, t, roles), roles);
+    case Samples::Of::source_and_home:
+      return motion::blend(samples.from, *samples.to, return_weight(r, t), roles);
+    default:
+      return samples.from;
+  }
+}
+
+bool must_place_feet(const Response& r, const Samples& samples, const Eigen::Vector3f& shift) {
+  if (samples.of == Samples::Of::source_untouched || samples.of == Samples::Of::home) return false;
+  return samples.of != Samples::Of::clip || !shift.isZero(0) || !has_clips_feet(r, samples.time_s);
+}
+
+Legs legs_of(const Response& r, const Samples& samples, const Pose& blended) {
+  Legs legs;
+  legs.frames = motion::forward_kinematics(r.library->skeleton(), blended, kLegs);
+  for (Side side : motion::kSides) {
+    legs.feet[motion::index_of(side)] = above_ground(r, side, foot_at(r, side, samples),
+                                                     blended.rotation[motion::roles_of(side).toes]);
+  }
+  return legs;
+}
+
+void place_feet(const Response& r, const Legs& legs, const Eigen::Vector3f& shift, Pose& pose) {
   const Eigen::Vector3f move =
-      shift + way_down(skeleton, frames, shift, feet) * Eigen::Vector3f::UnitZ();
+      shift +
+      way_down(r.library->skeleton(), legs.frames, shift, legs.feet) * Eigen::Vector3f::UnitZ();
   pose.root_position += move;
+  JointFrames frames = legs.frames;
   for (Role role : kLegs) frames.position[role] += move;
   for (Side side : motion::kSides) {
-    const FootPlace& foot = feet[motion::index_of(side)];
+    const FootPlace& foot = legs.feet[motion::index_of(side)];
     motion::move_limb_end(frames, motion::leg_of(side), foot.ankle, foot.orientation, pose);
   }
+}
+
+Pose pose_at(const Response& response, float time_s) noexcept {
+  if (!is_valid(response)) return {};
+  const float t = std::isfinite(time_s) ? std::max(time_s, 0.0F) : 0.0F;
+  const Samples samples = samples_at(response, t);
+  Pose pose = blended(response, samples);
+  const Eigen::Vector3f shift = weight_shift_at(response, t);
+  if (must_place_feet(response, samples, shift))
+    place_feet(response, legs_of(response, samples, pose), shift, pose);
   return pose;
 }
 

@@ -3,6 +3,7 @@
 
 #include <limits>
 
+#include "motion/interpolation.h"
 #include "runtime/origin.h"
 #include "runtime/prepared_library.h"
 
@@ -28,6 +29,10 @@ struct FootPlan {
   float change_lift_m = 0;  ///< height of that step; 0 in the clip's own swing
   Window home;              ///< the way back to where the idle clip has the foot
   float home_lift_m = 0;
+  /// Height and tilt by which the foot differs from its clip's, offset and all, when the clip
+  /// begins: the blend takes them back.
+  Eigen::Vector3f rise = Eigen::Vector3f::Zero();
+  Eigen::Quaternionf tilt = Eigen::Quaternionf::Identity();
 };
 
 /// A shift of the weight: the pelvis moves by `pelvis` until the centre of mass is above the sole
@@ -77,6 +82,8 @@ struct Response {
   motion::Side support = motion::Side::left;
   motion::PerSide<FootPlan> feet;
   std::array<WeightShift, 3> shifts;  ///< the clip's first step and at most two on the way back
+  motion::Signs arcs_in{};            ///< of the blend into the clip when it begins
+  motion::Signs arcs_back{};          ///< of the blend back to idle when it begins
 };
 
 inline constexpr float kMostPlaybackRate = 1.4F;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Plans responses: when the clip plays, where the feet go and how the weight is shifted.
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "motion/rotation.h"
@@ -12,6 +13,7 @@ namespace flinch::runtime {
 namespace {
 
 using motion::FootPlace;
+using motion::Role;
 using motion::Side;
 
 constexpr float kShift = 0.3F;        // s, that a shift of weight takes where there is time
@@ -93,11 +95,21 @@ void set_timing(const motion::Annotation& annotation, float time_to_impact_s, fl
   r.end_s = r.begin_s + (annotation.end_s - annotation.onset_s) / r.playback_rate;
 }
 
-void align(Response& r) {
+// What is blended when the clip begins.
+struct Start {
+  motion::Pose source;
+  motion::Pose clip;
+};
+
+// Lays the clip's support foot on the character's.
+Start align(Response& r) {
   r.yaw = r.state.facing;
   r.translation = Eigen::Vector3f::Zero();
-  r.translation = level(source_foot_at(r, r.support, r.begin_s).ankle -
-                        uncorrected_clip_foot_at(r, r.support, r.begin_s).ankle);
+  Start start{source_pose_at(r, r.begin_s), clip_pose_at(r, r.begin_s)};
+  r.translation = level(source_foot_in(r, r.support, start.source).ankle -
+                        foot_of(r.library->skeleton(), start.clip, r.support).ankle);
+  start.clip.root_position += r.translation;
+  return start;
 }
 
 Window in_response(const Response& r, const Swing& swing) {
@@ -119,16 +131,9 @@ std::optional<Window> first_swing(const Response& r, Side side) {
   return window;
 }
 
-void plan_foot(Response& r, Side side) {
+// Where the foot of a clip that has it elsewhere goes there.
+void plan_change(Response& r, Side side, const FootPlace& from, const FootPlace& to) {
   FootPlan& plan = r.feet[motion::index_of(side)];
-  plan = {};
-  const FootPlace from = source_foot_at(r, side, r.begin_s);
-  const FootPlace to = uncorrected_clip_foot_at(r, side, r.begin_s);
-  if (differ(from, to, 1e-5F, 1e-4F)) {
-    plan.offset.yaw = turn_between(to, from);
-    plan.offset.translation = level(
-        from.ankle - motion::turn_about(Eigen::Vector3f::UnitZ(), plan.offset.yaw) * to.ankle);
-  }
   const std::optional<Window> swing = first_swing(r, side);
   if (swing) plan.change = *swing;
   const bool must_step = side != r.support && differ(from, to, kKept, kKeptYaw);
@@ -140,19 +145,32 @@ void plan_foot(Response& r, Side side) {
   }
 }
 
+void plan_foot(Response& r, Side side, const Start& start) {
+  FootPlan& plan = r.feet[motion::index_of(side)];
+  plan = {};
+  const FootPlace from = source_foot_in(r, side, start.source);
+  const FootPlace to = foot_of(r.library->skeleton(), start.clip, side);
+  if (differ(from, to, 1e-5F, 1e-4F)) {
+    plan.offset.yaw = turn_between(to, from);
+    plan.offset.translation = level(
+        from.ankle - motion::turn_about(Eigen::Vector3f::UnitZ(), plan.offset.yaw) * to.ankle);
+  }
+  plan_change(r, side, from, to);
+  const FootPlace clip = clip_foot_in(r, side, start.clip, r.begin_s);
+  plan.rise = from.ankle - clip.ankle;
+  plan.tilt = from.orientation * clip.orientation.conjugate();
+}
+
 // How far a point is from being kMargin inside of a sole, on the way to the sole's middle.
-Eigen::Vector2f lacking_to_sole(const std::vector<Eigen::Vector2f>& hull,
-                                const Eigen::Vector2f& point) {
+Eigen::Vector2f lacking_to_sole(const Sole& sole, const Eigen::Vector2f& point) {
   constexpr float kMargin = 0.015F;  // m
-  Eigen::Vector2f middle = Eigen::Vector2f::Zero();
-  for (const Eigen::Vector2f& corner : hull) middle += corner / static_cast<float>(hull.size());
-  const Eigen::Vector2f inward = middle - point;
-  if (motion::signed_distance_inside(hull, point) >= kMargin - 1e-4F) return {0, 0};
+  const Eigen::Vector2f inward = sole.middle - point;
+  if (motion::is_inside_by(kMargin - 1e-4F, sole.hull, point)) return {0, 0};
   float outside = 0;
   float inside = 1;
   for (int k = 0; k < 12; ++k) {
     const float half = 0.5F * (outside + inside);
-    const bool is_inside = motion::signed_distance_inside(hull, point + half * inward) >= kMargin;
+    const bool is_inside = motion::is_inside_by(kMargin, sole.hull, point + half * inward);
     (is_inside ? inside : outside) = half;
   }
   return inside * inward;
@@ -169,16 +187,20 @@ void bring_over(const Response& r, Side side, float lift_s, WeightShift& shift) 
   const PreparedLibrary& library = *r.library;
   const float most_m = kMostSpeed * (shift.held.begin_s - shift.window.begin_s);
   shift.pelvis = Eigen::Vector3f::Zero();
+  const Samples samples = samples_at(r, lift_s);
+  const motion::Pose unshifted = blended(r, samples);
+  const Legs legs = legs_of(r, samples, unshifted);
   for (int round = 0; round < kRounds; ++round) {
-    const motion::JointFrames frames =
-        motion::forward_kinematics(library.skeleton(), pose_at(r, lift_s));
+    motion::Pose pose = unshifted;
+    const Eigen::Vector3f weight_shift = weight_shift_at(r, lift_s);
+    if (must_place_feet(r, samples, weight_shift)) place_feet(r, legs, weight_shift, pose);
+    const motion::JointFrames frames = motion::forward_kinematics(library.skeleton(), pose);
     const FootPlace foot = motion::foot_place(frames, side);
     const Eigen::Quaternionf heading =
         motion::turn_about(Eigen::Vector3f::UnitZ(), motion::yaw_of(foot.orientation));
     const Eigen::Vector3f centre = motion::centre_of_mass(library.bodies, frames);
     const Eigen::Vector2f in_sole = (heading.conjugate() * level(centre - foot.ankle)).head<2>();
-    const Eigen::Vector2f lacking =
-        lacking_to_sole(library.soles[motion::index_of(side)].hull, in_sole);
+    const Eigen::Vector2f lacking = lacking_to_sole(library.soles[motion::index_of(side)], in_sole);
     if (lacking.norm() <= 0) break;
     shift.pelvis += kAlong * (heading * Eigen::Vector3f(lacking.x(), lacking.y(), 0));
     const float distance = level(shift.pelvis).norm();
@@ -209,35 +231,116 @@ std::optional<float> first_lift_s(const Response& r) {
   return lift_s;
 }
 
-// The most by which a joint's velocity changes about a time, over a frame of 1/60 s, rad/s.
-float velocity_step_at(const Response& r, float time_s) {
-  constexpr float kFrame = 1.0F / 60;
-  const motion::Pose before = pose_at(r, time_s - kFrame);
-  const motion::Pose at = pose_at(r, time_s);
-  const motion::Pose after = pose_at(r, time_s + kFrame);
-  float most = 0;
-  for (motion::Role role : motion::kRoles) {
-    const auto way = [role](const motion::Pose& from, const motion::Pose& to) {
-      return motion::rotation_vector<float>(to.rotation[role] * from.rotation[role].conjugate());
-    };
-    most = std::max(most, (way(at, after) - way(before, at)).norm() / kFrame);
+/// Joints whose velocities are compared, and all that their poses need: a stage of pose_at alone
+/// where that will do, for they are asked for at many times.
+struct Group {
+  std::span<const Role> compared;
+  std::span<const Role> needed;
+  bool is_placed;  // by the third stage
+};
+
+constexpr std::array kLegs{Role::left_thigh,  Role::left_shin,  Role::left_foot,
+                           Role::right_thigh, Role::right_shin, Role::right_foot};
+constexpr std::array kLegsAndToes{Role::pelvis,     Role::left_thigh, Role::left_shin,
+                                  Role::left_foot,  Role::left_toes,  Role::right_thigh,
+                                  Role::right_shin, Role::right_foot, Role::right_toes};
+constexpr bool is_of_legs(Role role) {
+  return std::ranges::count(kLegs, role) > 0;
+}
+constexpr auto kOthers = [] {
+  std::array<Role, motion::kRoleCount - kLegs.size()> others{};
+  std::ranges::copy_if(motion::kRoles, others.begin(), [](Role role) { return !is_of_legs(role); });
+  return others;
+}();
+
+// A turn between two poses with a positive scalar part, so that its vector part v points along its
+// rotation vector, 2 asin(|v|) v / |v|.
+Eigen::Quaternionf turn_of(Role role, const motion::Pose& from, const motion::Pose& to) {
+  Eigen::Quaternionf turn = to.rotation[role] * from.rotation[role].conjugate();
+  if (turn.w() < 0) turn.coeffs() = -turn.coeffs();
+  return turn;
+}
+
+// A cheap bound of the difference of two turns' rotation vectors: where both |v| are below 1/4,
+// they differ by at most 2 / sqrt(1 - 1/16) = 2.07 times what the vector parts do.
+float most_difference(const Eigen::Quaternionf& first, const Eigen::Quaternionf& second) {
+  constexpr float kSmall = 1.0F / 16;
+  constexpr float kRounding = 1e-6F;
+  if (!(first.vec().squaredNorm() < kSmall && second.vec().squaredNorm() < kSmall))
+    return std::numeric_limits<float>::infinity();
+  return 2.08F * (second.vec() - first.vec()).norm() + kRounding;
+}
+
+/// The joint whose velocity changes most, and by how much.
+struct Change {
+  float most = 0;  // rad a frame
+  Role role = Role::pelvis;
+};
+
+// The most by which the velocity of one of these joints changes from the first two poses to the
+// last two, or `change` where that is more. Most joints need not be looked at closely.
+Change most_change(const std::array<motion::Pose, 3>& poses, std::span<const Role> roles,
+                   Change change) {
+  for (Role role : roles) {
+    const Eigen::Quaternionf first = turn_of(role, poses[0], poses[1]);
+    const Eigen::Quaternionf second = turn_of(role, poses[1], poses[2]);
+    if (most_difference(first, second) < change.most) continue;
+    const float here = (motion::rotation_vector(second) - motion::rotation_vector(first)).norm();
+    if (here > change.most) change = {here, role};
   }
-  return most;
+  return change;
+}
+
+constexpr float kFrame = 1.0F / 60;  // s
+
+motion::Pose pose_of(const Response& r, float time_s, const Group& group) {
+  const Samples samples = samples_at(r, time_s, group.needed);
+  motion::Pose pose = blended(r, samples, group.needed);
+  if (!group.is_placed) return pose;
+  const Eigen::Vector3f shift = weight_shift_at(r, time_s);
+  if (must_place_feet(r, samples, shift)) place_feet(r, legs_of(r, samples, pose), shift, pose);
+  return pose;
+}
+
+// The most by which a joint's velocity changes about a time, from one frame to the next. Stops at a
+// change above `enough`: where that is likely to come, at `suspect`, it looks first.
+Change change_at(const Response& r, float time_s, const std::optional<Role>& suspect,
+                 float enough) {
+  constexpr Group kOfLegs{kLegs, kLegsAndToes, true};
+  constexpr Group kOfOthers{kOthers, kOthers, false};
+  std::array groups{kOfOthers, kOfOthers, kOfLegs};
+  auto to_look_at = std::span(groups).last(2);
+  if (suspect && is_of_legs(*suspect)) {
+    std::swap(groups[1], groups[2]);
+  } else if (suspect) {
+    groups[0] = {{&*suspect, 1}, {&*suspect, 1}, false};
+    to_look_at = groups;
+  }
+  Change change;
+  for (const Group& group : to_look_at) {
+    change = most_change({pose_of(r, time_s - kFrame, group), pose_of(r, time_s, group),
+                          pose_of(r, time_s + kFrame, group)},
+                         group.compared, change);
+    if (change.most / kFrame > enough) break;
+  }
+  return change;
 }
 
 // What is left of a blend adds to what the clip does: of the ends that it may have, the blend takes
-// the one where the motion is calmest.
+// the one where the motion is calmest, of equals the first. Those that are the calmest most often
+// are tried first, and the others left as soon as they are seen not to be.
 void end_blend(Response& r) {
-  constexpr float kLonger = 0.02F;  // s, from one to the next
-  constexpr int kEnds = 5;
-  const float most_s = std::min(r.peak_s - r.begin_s, kBlend + (kEnds - 1) * kLonger);
+  constexpr std::array kLonger{0.06F, 0.08F, 0.0F, 0.02F, 0.04F};  // s
   Response tried = r;
+  std::optional<Role> suspect;
   float least = std::numeric_limits<float>::infinity();
-  for (int k = 0; k < kEnds; ++k) {
-    tried.blend_s = kBlend + static_cast<float>(k) * kLonger;
-    if (tried.blend_s > most_s) return;
-    const float step = velocity_step_at(tried, tried.begin_s + tried.blend_s);
-    if (step < least) {
+  for (float longer_s : kLonger) {
+    tried.blend_s = kBlend + longer_s;
+    if (tried.blend_s > r.peak_s - r.begin_s) continue;
+    const Change change = change_at(tried, tried.begin_s + tried.blend_s, suspect, least);
+    suspect = change.role;
+    const float step = change.most / kFrame;
+    if (step < least || (step == least && tried.blend_s < r.blend_s)) {
       least = step;
       r.blend_s = tried.blend_s;
     }
@@ -247,8 +350,9 @@ void end_blend(Response& r) {
 void plan_clip(const motion::Annotation& annotation, float time_to_impact_s, float earliest_s,
                Response& r) {
   set_timing(annotation, time_to_impact_s, earliest_s, r);
-  align(r);
-  for (Side side : motion::kSides) plan_foot(r, side);
+  const Start start = align(r);
+  for (Side side : motion::kSides) plan_foot(r, side, start);
+  r.arcs_in = motion::shorter_arcs(start.source, start.clip);
   r.shifts[0] = {};
   const std::optional<float> lift_s = first_lift_s(r);
   const auto shift = [&] {
@@ -260,13 +364,11 @@ void plan_clip(const motion::Annotation& annotation, float time_to_impact_s, flo
   if (is_lifted_meanwhile) shift();
 }
 
-// The foot that carries more weight where the way home begins.
-Side foot_that_carries(const Response& r) {
+// The foot that carries more weight in the pose where the way home begins.
+Side foot_that_carries(const Response& r, const motion::Pose& away) {
   constexpr float kClearly = 0.02F;  // m, by which the other must be nearer
   const PreparedLibrary& library = *r.library;
-  const bool idles = r.clip == library.library->idle;
-  const motion::JointFrames frames = motion::forward_kinematics(
-      library.skeleton(), idles ? source_pose_at(r, r.end_s) : clip_pose_at(r, r.end_s));
+  const motion::JointFrames frames = motion::forward_kinematics(library.skeleton(), away);
   const Eigen::Vector3f centre = motion::centre_of_mass(library.bodies, frames);
   const auto distance = [&](Side side) {
     return level(motion::foot_place(frames, side).ankle - centre).norm();
@@ -277,8 +379,10 @@ Side foot_that_carries(const Response& r) {
 
 // The feet's way home: one after the other, the one that carries more weight last.
 void plan_return(Response& r) {
-  const Side last = foot_that_carries(r);
   const bool idles = r.clip == r.library->library->idle;
+  const motion::Pose away = idles ? source_pose_at(r, r.end_s) : clip_pose_at(r, r.end_s);
+  const Side last = foot_that_carries(r, away);
+  if (!idles) r.arcs_back = motion::shorter_arcs(away, home_pose_at(r, r.end_s));
   const auto away_foot = [&](Side side, float time_s) {
     return idles ? source_foot_at(r, side, time_s) : clip_foot_at(r, side, time_s);
   };

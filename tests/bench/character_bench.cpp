@@ -22,20 +22,26 @@ struct Loaded {
   Workspace workspace;
 };
 
-/// The authored clips with a support vector machine over made-up observations.
+/// The authored clips with a model over made-up observations.
+Loaded load(tests::Fitted model) {
+  Loaded made;
+  const std::string file =
+      tests::made_up_selector(database::authored_library(motion::default_character()), 2000, model)
+          .file();
+  if (made.library.load(std::as_bytes(std::span(file))) != database::LoadStatus::ok ||
+      made.workspace.make_room(made.library.selection_bytes()) != database::LoadStatus::ok) {
+    std::abort();
+  }
+  return made;
+}
+
 Loaded& loaded() {
-  static Loaded loaded = [] {
-    Loaded made;
-    const std::string file =
-        tests::made_up_selector(database::authored_library(motion::default_character()), 2000,
-                                tests::Fitted::svm)
-            .file();
-    if (made.library.load(std::as_bytes(std::span(file))) != database::LoadStatus::ok ||
-        made.workspace.make_room(made.library.selection_bytes()) != database::LoadStatus::ok) {
-      std::abort();
-    }
-    return made;
-  }();
+  static Loaded loaded = load(tests::Fitted::svm);
+  return loaded;
+}
+
+Loaded& loaded_with_network() {
+  static Loaded loaded = load(tests::Fitted::network);
   return loaded;
 }
 
@@ -100,22 +106,66 @@ void frame_of_shift_and_blend(benchmark::State& state) {
 }
 BENCHMARK(frame_of_shift_and_blend)->Unit(benchmark::kMicrosecond);
 
+/// The same until all joints' places are known: what a renderer takes.
+void frame_of_shift_and_blend_with_kinematics(benchmark::State& state) {
+  std::vector<Character> characters = shifting_and_blending_characters(256);
+  const motion::Skeleton& skeleton = loaded().library.prepared().skeleton();
+  std::size_t next = 0;
+  for (auto _ : state) {
+    Character& character = characters[next++ % characters.size()];
+    character.update(kInstant_s);
+    benchmark::DoNotOptimize(motion::forward_kinematics(skeleton, character.pose()));
+  }
+}
+BENCHMARK(frame_of_shift_and_blend_with_kinematics)->Unit(benchmark::kMicrosecond);
+
 /// From place and velocity to a planned response: prediction, selection, weight shift.
-void perceive_and_plan(benchmark::State& state) {
+void perceive_and_plan(benchmark::State& state, Loaded& with) {
   std::mt19937 random(3);
   std::vector<features::Threat> balls;
   for (int i = 0; i < 512; ++i) balls.push_back(random_ball(random, {0, 0}));
-  Character character(loaded().library);
+  Character character(with.library);
   std::size_t next = 0;
   double answered = 0;
   for (auto _ : state) {
     character.place({0, 0}, 0, 0.5F);
-    const Status status = character.perceive(balls[next++ % balls.size()], loaded().workspace);
+    const Status status = character.perceive(balls[next++ % balls.size()], with.workspace);
     answered += status == Status::ok ? 1 : 0;
   }
   state.counters["answered"] = answered / static_cast<double>(state.iterations());
 }
+void perceive_and_plan(benchmark::State& state) {
+  perceive_and_plan(state, loaded());
+}
 BENCHMARK(perceive_and_plan)->Unit(benchmark::kMicrosecond);
+
+void perceive_and_plan_by_network(benchmark::State& state) {
+  perceive_and_plan(state, loaded_with_network());
+}
+BENCHMARK(perceive_and_plan_by_network)->Unit(benchmark::kMicrosecond);
+
+/// The last part of that alone, for any clip at any time.
+void plan(benchmark::State& state) {
+  std::mt19937 random(5);
+  struct Answer {
+    int clip;
+    float time_to_impact_s;
+  };
+  std::vector<Answer> answers;
+  const auto clip_count = loaded().library.clips().clips.size();
+  for (int i = 0; i < 512; ++i) {
+    answers.push_back(
+        {static_cast<int>(random() % clip_count), tests::uniform(random, 0.25F, 1.2F)});
+  }
+  const features::CharacterState there{.idle_time_s = 0.5F, .position = {0, 0}, .facing = 0};
+  std::size_t next = 0;
+  for (auto _ : state) {
+    const Answer& answer = answers[next++ % answers.size()];
+    benchmark::DoNotOptimize(
+        make_response(loaded().library.prepared(), there, answer.clip, answer.time_to_impact_s));
+  }
+}
+BENCHMARK(plan)->Unit(benchmark::kMicrosecond);
 
 /// A frame of all, in which a ball comes at each every three seconds: one iteration a frame.
 void frame_of_a_thousand(benchmark::State& state) {
