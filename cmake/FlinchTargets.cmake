@@ -6,7 +6,8 @@
 add_library(flinch_flags INTERFACE)
 target_compile_features(flinch_flags INTERFACE cxx_std_20)
 target_compile_options(flinch_flags INTERFACE
-  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror -ffp-contract=off)
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror -ffp-contract=off
+  -fno-semantic-interposition)  # no one replaces a library's functions: they may be inlined
 if(FLINCH_SANITIZE)
   target_compile_options(flinch_flags INTERFACE
     -fsanitize=${FLINCH_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
