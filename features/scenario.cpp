@@ -7,8 +7,9 @@ namespace flinch::features {
 
 motion::Pose idle_pose(const motion::Motion& idle, const CharacterState& state, float time_s,
                        std::span<const motion::Role> roles) {
-  const motion::Pose pose = motion::sample_ping_pong(idle, state.idle_time_s + time_s, roles);
-  return motion::placed(pose, state.facing, {state.position.x(), state.position.y(), 0});
+  motion::Pose pose = motion::sample_ping_pong(idle, state.idle_time_s + time_s, roles);
+  motion::place(state.facing, {state.position.x(), state.position.y(), 0}, pose);
+  return pose;
 }
 
 bool is_allowed(motion::Target threatened, const std::optional<motion::Annotation>& annotation) {

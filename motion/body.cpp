@@ -5,6 +5,7 @@
 #include <span>
 
 #include "motion/enum_names.h"
+#include "motion/rotation.h"
 
 namespace flinch::motion {
 namespace {
@@ -113,7 +114,7 @@ std::optional<Sex> sex_named(std::string_view name) {
 
 Eigen::Vector3f centre_of_mass(const BodyModel& model, const JointFrames& frames, Body body) {
   const Role role = role_of(body);
-  return frames.position[role] + frames.orientation[role] * model[body].centre_of_mass;
+  return frames.position[role] + rotated(model[body].centre_of_mass, frames.orientation[role]);
 }
 
 Eigen::Vector3f centre_of_mass(const BodyModel& model, const JointFrames& frames) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <array>
 #include <cmath>
 #include <concepts>
 #include <limits>
@@ -40,6 +41,21 @@ inline float yaw_of(const Eigen::Quaternionf& orientation) {
 /// Returns the rotation by `angle` radians about a unit axis.
 inline Eigen::Quaternionf rotation_about(const Eigen::Vector3f& axis, float angle) {
   return Eigen::Quaternionf(Eigen::AngleAxisf(angle, axis));
+}
+
+/// Returns v + 2 w (u x v) + 2 u x (u x v) for the rotation (w, u): the same bits as Eigen's
+/// product, which compilers do not inline.
+inline Eigen::Vector3f rotated(const Eigen::Vector3f& vector, const Eigen::Quaternionf& by) {
+  const float x = by.x(), y = by.y(), z = by.z(), w = by.w();
+  const auto cross = [=](float a, float b, float c) {
+    return std::array{y * c - z * b, z * a - x * c, x * b - y * a};
+  };
+  auto [a, b, c] = cross(vector.x(), vector.y(), vector.z());
+  a += a;
+  b += b;
+  c += c;
+  const auto [d, e, f] = cross(a, b, c);
+  return {vector.x() + w * a + d, vector.y() + w * b + e, vector.z() + w * c + f};
 }
 
 /// Returns the shortest rotation that takes direction `from` to direction `to`; they need not be

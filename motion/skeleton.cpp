@@ -7,10 +7,6 @@
 
 namespace flinch::motion {
 
-Pose::Pose() {
-  for (Eigen::Quaternionf& rotation_of_joint : rotation) rotation_of_joint.setIdentity();
-}
-
 // p_i = p_parent + R_parent * offset_i,  R_i = R_parent * r_i,  parents first.
 JointFrames forward_kinematics(const Skeleton& skeleton, const Pose& pose,
                                std::span<const Role> roles) {
@@ -21,7 +17,8 @@ JointFrames forward_kinematics(const Skeleton& skeleton, const Pose& pose,
     const std::optional<Role> parent = parent_of(role);
     if (!parent) continue;
     const Eigen::Quaternionf& parent_orientation = frames.orientation[*parent];
-    frames.position[role] = frames.position[*parent] + parent_orientation * skeleton.offset[role];
+    frames.position[role] =
+        frames.position[*parent] + rotated(skeleton.offset[role], parent_orientation);
     frames.orientation[role] = parent_orientation * pose.rotation[role];
   }
   return frames;
@@ -63,11 +60,16 @@ bool is_sound(const Pose& pose, float unit_tolerance) noexcept {
   return sound;
 }
 
-Pose placed(const Pose& pose, float yaw, const Eigen::Vector3f& translation) {
+void place(float yaw, const Eigen::Vector3f& translation, Pose& pose) {
   const Eigen::Quaternionf turn = rotation_about(Eigen::Vector3f::UnitZ(), yaw);
+  Eigen::Quaternionf& pelvis = pose.rotation[Role::pelvis];
+  pose.root_position = turn * pose.root_position + translation;
+  pelvis = (turn * pelvis).normalized();
+}
+
+Pose placed(const Pose& pose, float yaw, const Eigen::Vector3f& translation) {
   Pose result = pose;
-  result.root_position = turn * pose.root_position + translation;
-  result.rotation[Role::pelvis] = (turn * pose.rotation[Role::pelvis]).normalized();
+  place(yaw, translation, result);
   return result;
 }
 

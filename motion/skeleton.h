@@ -29,7 +29,9 @@ struct Pose {
   PerRole<Eigen::Quaternionf> rotation;
 
   /// All rotations the identity, the pelvis at the world's origin.
-  Pose();
+  Pose() {
+    for (Eigen::Quaternionf& joint_rotation : rotation) joint_rotation.setIdentity();
+  }
 };
 
 /// Position and orientation of every joint in the world.
@@ -63,5 +65,7 @@ bool is_sound(const Pose& pose, float unit_tolerance = 1e-3F) noexcept;
 /// The pose turned by `yaw` radians about the world's vertical through the origin, then moved by
 /// `translation`, m.
 Pose placed(const Pose& pose, float yaw, const Eigen::Vector3f& translation);
+/// The same in place.
+void place(float yaw, const Eigen::Vector3f& translation, Pose& pose);
 
 }  // namespace flinch::motion

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "motion/limb_ik.h"
+#include "motion/rotation.h"
 
 namespace flinch::runtime {
 namespace {
@@ -115,7 +116,7 @@ std::span<const Role> leg_chain(Side side) {
 FootPose foot_of(const motion::Skeleton& skeleton, const motion::Pose& pose, Side side) {
   FootPose place{pose.root_position, pose.rotation[Role::pelvis]};
   for (Role role : leg_chain(side).subspan(1)) {
-    place.ankle += place.orientation * skeleton.offset[role];
+    place.ankle += motion::rotated(skeleton.offset[role], place.orientation);
     place.orientation = place.orientation * pose.rotation[role];
   }
   return place;

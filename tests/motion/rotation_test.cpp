@@ -12,6 +12,15 @@
 namespace flinch::motion {
 namespace {
 
+TEST(Rotated, HasTheBitsOfEigensProduct) {
+  std::mt19937 random(5);
+  for (int i = 0; i < 1000; ++i) {
+    const Eigen::Quaternionf rotation = tests::random_rotation(random);
+    const Eigen::Vector3f vector = tests::random_vector(random, 2);
+    EXPECT_EQ(rotated(vector, rotation), rotation * vector);
+  }
+}
+
 TEST(RotationVector, IsAtMostPiLongAndInvertible) {
   std::mt19937 generator(4);
   for (int i = 0; i < 200; ++i) {
