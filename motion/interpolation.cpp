@@ -62,10 +62,8 @@ Signs shorter_arcs(const Pose& from, const Pose& to) {
   return signs;
 }
 
-Signs operator*(const Signs& a, const Signs& b) {
-  Signs signs;
-  for (Role role : kRoles) signs[role] = a[role] * b[role];
-  return signs;
+void change_signs(const Pose& a, const Pose& b, std::span<const Role> roles, Signs& signs) {
+  for (Role role : roles) signs[role] *= shorter_sign(a.rotation[role], b.rotation[role]);
 }
 
 Pose blend_along(const Pose& from, const Pose& to, float weight, const Signs& signs,
@@ -87,9 +85,10 @@ Pose blend_along(const Pose& from, const Pose& to, float weight, const Signs& si
 // Stored signs are arbitrary, so each rotation takes the sign that is nearest to its own start.
 Pose blend_along_initial_arc(const Pose& from, const Pose& to, float weight,
                              const Pose& from_at_start, const Pose& to_at_start) {
-  return blend_along(from, to, weight,
-                     shorter_arcs(from, from_at_start) * shorter_arcs(from_at_start, to_at_start) *
-                         shorter_arcs(to_at_start, to));
+  Signs signs = shorter_arcs(from_at_start, to_at_start);
+  change_signs(from, from_at_start, kRoles, signs);
+  change_signs(to, to_at_start, kRoles, signs);
+  return blend_along(from, to, weight, signs);
 }
 
 }  // namespace flinch::motion

@@ -30,8 +30,9 @@ Pose blend(const Pose& from, const Pose& to, float weight, std::span<const Role>
 using Signs = PerRole<float>;
 /// Returns the signs that put the rotations of `to` on the shorter arcs from those of `from`.
 Signs shorter_arcs(const Pose& from, const Pose& to);
-/// The product of the signs of each joint.
-Signs operator*(const Signs& a, const Signs& b);
+/// Inverts the signs of those `roles` whose rotations are on the shorter arcs from `a` to `b` with
+/// the other sign.
+void change_signs(const Pose& a, const Pose& b, std::span<const Role> roles, Signs& signs);
 
 /// Like blend(), along the arcs that the signs of `to` select. Where such an arc is nearly a whole
 /// turn, its direction is undefined and the joint takes the shorter arc.

@@ -137,4 +137,15 @@ float signed_distance_inside(const std::vector<Eigen::Vector2f>& polygon,
   return inside ? distance : -distance;
 }
 
+bool is_inside_by(float margin, const std::vector<Eigen::Vector2f>& polygon,
+                  const Eigen::Vector2f& point) {
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Eigen::Vector2f& from = polygon[i];
+    const Eigen::Vector2f& to = polygon[i + 1 < polygon.size() ? i + 1 : 0];
+    if (!(twice_signed_area(from, to, point) >= 0)) return false;
+    if ((nearest_on_segment(from, to, point) - point).norm() < margin) return false;
+  }
+  return polygon.size() > 2;
+}
+
 }  // namespace flinch::motion

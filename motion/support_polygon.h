@@ -60,5 +60,9 @@ std::vector<Eigen::Vector2f> support_polygon(const Skeleton& skeleton, const Joi
 /// one.
 float signed_distance_inside(const std::vector<Eigen::Vector2f>& polygon,
                              const Eigen::Vector2f& point);
+/// Returns whether that distance is at least `margin`, which is 0 or more. Stops at the first edge
+/// that is nearer.
+bool is_inside_by(float margin, const std::vector<Eigen::Vector2f>& polygon,
+                  const Eigen::Vector2f& point);
 
 }  // namespace flinch::motion

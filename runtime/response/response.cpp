@@ -66,24 +66,19 @@ float clip_time_at(const Response& r, float time_s) {
   return r.library->clip(r.clip).annotation->onset_s + r.playback_rate * (time_s - r.begin_s);
 }
 
-// The arcs of a blend go by the signs that the rotations had when it began. A sample has those of
-// the pose stored before it, which mean nothing else.
-motion::Signs idle_signs(const Response& r, float first_motion_s, float time_s) {
-  const auto stored_at = [&r](float at_s) -> const Pose& {
+// The arcs of a blend that began at `start_s` along `arcs`. They go by the signs that the rotations
+// had then. A sample has those of the pose stored before it, which mean nothing else.
+motion::Signs arcs_at(const Response& r, motion::Signs arcs, float start_s, float time_s,
+                      std::span<const Role> roles) {
+  const auto idle_at = [&r](float at_s) -> const Pose& {
     return motion::pose_before_ping_pong(r.library->idle(), r.state.idle_time_s + at_s);
   };
-  return motion::shorter_arcs(stored_at(first_motion_s), stored_at(time_s));
-}
-
-motion::Signs clip_signs(const Response& r, float first_motion_s, float time_s) {
-  const motion::Motion& motion = r.library->clip(r.clip).motion;
-  return motion::shorter_arcs(motion::pose_before(motion, clip_time_at(r, first_motion_s)),
-                              motion::pose_before(motion, clip_time_at(r, time_s)));
-}
-
-motion::Signs arcs_at(const Response& r, const motion::Signs& arcs, float first_motion_s,
-                      float time_s) {
-  return arcs * idle_signs(r, first_motion_s, time_s) * clip_signs(r, first_motion_s, time_s);
+  const auto clip_at = [&r](float at_s) -> const Pose& {
+    return motion::pose_before(r.library->clip(r.clip).motion, clip_time_at(r, at_s));
+  };
+  motion::change_signs(idle_at(start_s), idle_at(time_s), roles, arcs);
+  motion::change_signs(clip_at(start_s), clip_at(time_s), roles, arcs);
+  return arcs;
 }
 
 Samples::Of motions_at(const Response& r, float t) {
@@ -111,11 +106,11 @@ FootPose foot_at(const Response& r, Side side, const Samples& samples) {
   const float t = samples.time_s;
   if (samples.of == Samples::Of::source) return source_foot_in(r, side, samples.from);
   if (samples.of == Samples::Of::source_and_clip)
-    return continuous_foot(plan, clip_foot_in(r, side, samples.to, t), blend_weight(r, t));
+    return continuous_foot(plan, clip_foot_in(r, side, *samples.to, t), blend_weight(r, t));
   const FootPose away =
       is_idle(r) ? source_foot_in(r, side, samples.from) : clip_foot_in(r, side, samples.from, t);
   if (t <= plan.return_step.begin_s) return away;
-  const FootPose home = foot_of(r.library->skeleton(), samples.to, side);
+  const FootPose home = foot_of(r.library->skeleton(), *samples.to, side);
   const float u = fraction_of(plan.return_step, t);
   if (plan.return_lift_m > 0) return step_between(away, home, u, plan.return_lift_m);
   return blend(away, home, motion::minimum_jerk(u));
@@ -169,9 +164,9 @@ Pose return_pose_at(const Response& r, float time_s, std::span<const Role> roles
 }
 
 Pose clip_pose_at(const Response& r, float time_s, std::span<const Role> roles) {
-  return motion::placed(
-      motion::sample(r.library->clip(r.clip).motion, clip_time_at(r, time_s), roles), r.yaw,
-      r.translation);
+  Pose pose = motion::sample(r.library->clip(r.clip).motion, clip_time_at(r, time_s), roles);
+  motion::place(r.yaw, r.translation, pose);
+  return pose;
 }
 
 FootPose source_foot_in(const Response& r, Side side, const Pose& source) {
@@ -206,6 +201,7 @@ FootPose return_foot_at(const Response& r, Side side, float time_s) {
 Eigen::Vector3f weight_shift_at(const Response& r, float t) {
   Eigen::Vector3f shift = Eigen::Vector3f::Zero();
   for (const WeightShift& part : r.shifts) {
+    if (t <= part.interval.begin_s || t >= part.interval.end_s) continue;
     const Interval up{part.interval.begin_s, part.hold.begin_s};
     const Interval down{part.hold.end_s, part.interval.end_s};
     const float weight =
@@ -215,37 +211,37 @@ Eigen::Vector3f weight_shift_at(const Response& r, float t) {
   return shift;
 }
 
-Samples samples_at(const Response& r, float t) {
+Samples samples_at(const Response& r, float t, std::span<const Role> roles) {
   const Samples::Of of = motions_at(r, t);
   switch (of) {
     case Samples::Of::source_untouched:
     case Samples::Of::source:
-      return {of, t, source_pose_at(r, t), {}};
+      return {of, t, source_pose_at(r, t, roles), std::nullopt};
     case Samples::Of::source_and_clip:
-      return {of, t, source_pose_at(r, t), clip_pose_at(r, t)};
+      return {of, t, source_pose_at(r, t, roles), clip_pose_at(r, t, roles)};
     case Samples::Of::clip:
-      return {of, t, clip_pose_at(r, t), {}};
+      return {of, t, clip_pose_at(r, t, roles), std::nullopt};
     case Samples::Of::clip_and_home:
-      return {of, t, clip_pose_at(r, t), return_pose_at(r, t)};
+      return {of, t, clip_pose_at(r, t, roles), return_pose_at(r, t, roles)};
     case Samples::Of::source_and_home:
-      return {of, t, source_pose_at(r, t), return_pose_at(r, t)};
+      return {of, t, source_pose_at(r, t, roles), return_pose_at(r, t, roles)};
     case Samples::Of::home:
       break;
   }
-  return {of, t, return_pose_at(r, t), {}};
+  return {of, t, return_pose_at(r, t, roles), std::nullopt};
 }
 
-Pose blended(const Response& r, const Samples& samples) {
+Pose blended(const Response& r, const Samples& samples, std::span<const Role> roles) {
   const float t = samples.time_s;
   switch (samples.of) {
     case Samples::Of::source_and_clip:
-      return motion::blend_along(samples.from, samples.to, blend_weight(r, t),
-                                 arcs_at(r, r.arcs_in, r.begin_s, t));
+      return motion::blend_along(samples.from, *samples.to, blend_weight(r, t),
+                                 arcs_at(r, r.arcs_in, r.begin_s, t, roles), roles);
     case Samples::Of::clip_and_home:
-      return motion::blend_along(samples.from, samples.to, return_weight(r, t),
-                                 arcs_at(r, r.arcs_back, r.end_s, t));
+      return motion::blend_along(samples.from, *samples.to, return_weight(r, t),
+                                 arcs_at(r, r.arcs_back, r.end_s, t, roles), roles);
     case Samples::Of::source_and_home:
-      return motion::blend(samples.from, samples.to, return_weight(r, t));
+      return motion::blend(samples.from, *samples.to, return_weight(r, t), roles);
     default:
       return samples.from;
   }

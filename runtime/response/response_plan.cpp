@@ -171,12 +171,12 @@ Eigen::Vector2f offset_to_sole(const std::vector<Eigen::Vector2f>& hull,
   Eigen::Vector2f middle = Eigen::Vector2f::Zero();
   for (const Eigen::Vector2f& corner : hull) middle += corner / static_cast<float>(hull.size());
   const Eigen::Vector2f inward = middle - point;
-  if (motion::signed_distance_inside(hull, point) >= kMargin - 1e-4F) return {0, 0};
+  if (motion::is_inside_by(kMargin - 1e-4F, hull, point)) return {0, 0};
   float outside = 0;
   float inside = 1;
   for (int k = 0; k < 12; ++k) {
     const float half = 0.5F * (outside + inside);
-    const bool is_inside = motion::signed_distance_inside(hull, point + half * inward) >= kMargin;
+    const bool is_inside = motion::is_inside_by(kMargin, hull, point + half * inward);
     (is_inside ? inside : outside) = half;
   }
   return inside * inward;
@@ -238,14 +238,26 @@ std::optional<float> first_lift_s(const Response& r) {
   return lift_s;
 }
 
-// The joints that the third stage turns, and all others.
-constexpr std::array kPlaced{Role::left_thigh,  Role::left_shin,  Role::left_foot,
-                             Role::right_thigh, Role::right_shin, Role::right_foot};
-constexpr auto kNotPlaced = [] {
-  std::array<Role, motion::kRoleCount - kPlaced.size()> roles{};
-  std::ranges::copy_if(motion::kRoles, roles.begin(),
-                       [](Role role) { return std::ranges::count(kPlaced, role) == 0; });
-  return roles;
+/// Joints whose velocities are compared, with the roles that their poses need: asked for at many
+/// times, poses of some joints cost less than whole ones.
+struct Group {
+  std::span<const Role> compared;
+  std::span<const Role> needed;
+  bool is_placed;  // by the third stage
+};
+
+constexpr std::array kLegs{Role::left_thigh,  Role::left_shin,  Role::left_foot,
+                           Role::right_thigh, Role::right_shin, Role::right_foot};
+constexpr std::array kLegsAndToes{Role::pelvis,     Role::left_thigh, Role::left_shin,
+                                  Role::left_foot,  Role::left_toes,  Role::right_thigh,
+                                  Role::right_shin, Role::right_foot, Role::right_toes};
+constexpr bool is_of_legs(Role role) {
+  return std::ranges::count(kLegs, role) > 0;
+}
+constexpr auto kOthers = [] {
+  std::array<Role, motion::kRoleCount - kLegs.size()> others{};
+  std::ranges::copy_if(motion::kRoles, others.begin(), [](Role role) { return !is_of_legs(role); });
+  return others;
 }();
 
 // A turn between two poses with a positive scalar part, so that its vector part v points along its
@@ -266,54 +278,77 @@ float max_difference(const Eigen::Quaternionf& first, const Eigen::Quaternionf& 
   return 2.08F * (second.vec() - first.vec()).norm() + kRounding;
 }
 
-// The largest change of a joint's velocity from one pair of poses to the next, rad per frame; at
-// least `min_change`. Most joints need not be looked at closely.
-float max_velocity_change(const std::array<motion::Pose, 3>& poses, std::span<const Role> roles,
-                          float min_change) {
-  float max_change = min_change;
+/// The joint whose velocity changes most, and by how much.
+struct VelocityChange {
+  float max = 0;  // rad per frame
+  Role role = Role::pelvis;
+};
+
+// The largest change of the velocity of one of these joints from one pair of poses to the next; at
+// least `change`. Most joints need not be looked at closely.
+VelocityChange max_velocity_change(const std::array<motion::Pose, 3>& poses,
+                                   std::span<const Role> roles, VelocityChange change) {
   for (Role role : roles) {
     const Eigen::Quaternionf first = turn_of(role, poses[0], poses[1]);
     const Eigen::Quaternionf second = turn_of(role, poses[1], poses[2]);
-    if (max_difference(first, second) < max_change) continue;
-    max_change = std::max(
-        max_change, (motion::rotation_vector(second) - motion::rotation_vector(first)).norm());
+    if (max_difference(first, second) < change.max) continue;
+    const float here = (motion::rotation_vector(second) - motion::rotation_vector(first)).norm();
+    if (here > change.max) change = {here, role};
   }
-  return max_change;
+  return change;
 }
 
-// The largest change of a joint's velocity about a time, over a frame of 1/60 s, rad/s. Where it is
-// at least `enough`, any number from there on.
-float velocity_change_at(const Response& r, float time_s, float enough) {
-  constexpr float kFrame_s = 1.0F / 60;
-  const std::array<Samples, 3> samples{samples_at(r, time_s - kFrame_s), samples_at(r, time_s),
-                                       samples_at(r, time_s + kFrame_s)};
-  std::array<motion::Pose, 3> poses{blended(r, samples[0]), blended(r, samples[1]),
-                                    blended(r, samples[2])};
-  const float of_trunk_and_arms = max_velocity_change(poses, kNotPlaced, 0);
-  if (of_trunk_and_arms / kFrame_s >= enough) return of_trunk_and_arms / kFrame_s;
-  for (std::size_t i = 0; i < poses.size(); ++i) {
-    const Eigen::Vector3f shift = weight_shift_at(r, samples[i].time_s);
-    if (must_place_feet(r, samples[i], shift))
-      place_feet(r, legs_of(r, samples[i], poses[i]), shift, poses[i]);
+motion::Pose pose_of(const Response& r, float time_s, const Group& group) {
+  const Samples samples = samples_at(r, time_s, group.needed);
+  motion::Pose pose = blended(r, samples, group.needed);
+  if (!group.is_placed) return pose;
+  const Eigen::Vector3f shift = weight_shift_at(r, time_s);
+  if (must_place_feet(r, samples, shift)) place_feet(r, legs_of(r, samples, pose), shift, pose);
+  return pose;
+}
+
+constexpr float kFrame_s = 1.0F / 60;
+
+// The largest change of a joint's velocity about a time, from one frame to the next. Stops at a
+// change above `enough` rad/s, and looks first where that is likely: at the joint `suspect`.
+VelocityChange velocity_change_at(const Response& r, float time_s,
+                                  const std::optional<Role>& suspect, float enough) {
+  constexpr Group kOfLegs{kLegs, kLegsAndToes, true};
+  constexpr Group kOfOthers{kOthers, kOthers, false};
+  std::array groups{kOfOthers, kOfOthers, kOfLegs};
+  auto to_look_at = std::span<const Group>(groups).last(2);
+  if (suspect && is_of_legs(*suspect)) {
+    std::swap(groups[1], groups[2]);
+  } else if (suspect) {
+    groups[0] = {{&*suspect, 1}, {&*suspect, 1}, false};
+    to_look_at = groups;
   }
-  return max_velocity_change(poses, kPlaced, of_trunk_and_arms) / kFrame_s;
+  VelocityChange change;
+  for (const Group& group : to_look_at) {
+    change = max_velocity_change({pose_of(r, time_s - kFrame_s, group), pose_of(r, time_s, group),
+                                  pose_of(r, time_s + kFrame_s, group)},
+                                 group.compared, change);
+    if (change.max / kFrame_s > enough) break;
+  }
+  return change;
 }
 
 // What is left of a blend adds to what the clip does: of the ends that it may have, the blend takes
-// the one where the motion is calmest.
+// the one where the motion is calmest, and of equals the first. The ends that are the calmest most
+// often come first; others are then soon seen not to be.
 void choose_blend_duration(Response& r) {
-  constexpr float kBlendIncrement_s = 0.02F;  // s, from one to the next
-  constexpr int kBlendCandidates = 5;
-  const float max_blend_s =
-      std::min(r.peak_s - r.begin_s, kMinBlend_s + (kBlendCandidates - 1) * kBlendIncrement_s);
+  constexpr std::array kLonger_s{0.06F, 0.08F, 0.0F, 0.02F, 0.04F};
   Response tried = r;
+  std::optional<Role> suspect;
   float min_change = std::numeric_limits<float>::infinity();
-  for (int k = 0; k < kBlendCandidates; ++k) {
-    tried.blend_duration_s = kMinBlend_s + static_cast<float>(k) * kBlendIncrement_s;
-    if (tried.blend_duration_s > max_blend_s) return;
-    const float step =
-        velocity_change_at(tried, tried.begin_s + tried.blend_duration_s, min_change);
-    if (step < min_change) {
+  for (float longer_s : kLonger_s) {
+    tried.blend_duration_s = kMinBlend_s + longer_s;
+    if (tried.blend_duration_s > r.peak_s - r.begin_s) continue;
+    const VelocityChange change =
+        velocity_change_at(tried, tried.begin_s + tried.blend_duration_s, suspect, min_change);
+    suspect = change.role;
+    const float step = change.max / kFrame_s;
+    if (step < min_change || (step == min_change && tried.blend_duration_s < r.blend_duration_s)) {
       min_change = step;
       r.blend_duration_s = tried.blend_duration_s;
     }

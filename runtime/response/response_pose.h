@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <span>
 
 #include "runtime/response/response.h"
@@ -42,16 +43,19 @@ struct Samples {
   };
   Of of = Of::source_untouched;
   float time_s = 0;
-  motion::Pose from;  ///< the first of the blended poses
-  motion::Pose to;    ///< the second; not set if there is none
+  motion::Pose from;               ///< the first of the blended poses
+  std::optional<motion::Pose> to;  ///< the second, if there is one
 };
-Samples samples_at(const Response& response, float time_s);
+Samples samples_at(const Response& response, float time_s,
+                   std::span<const motion::Role> roles = motion::kRoles);
 
 /// The second stage blends the joints, each separately.
-motion::Pose blended(const Response& response, const Samples& samples);
+motion::Pose blended(const Response& response, const Samples& samples,
+                     std::span<const motion::Role> roles = motion::kRoles);
 
 /// The third stage places the feet, with the weight shifted by `shift`, so that motion of the
-/// pelvis does not move a foot.
+/// pelvis does not move a foot. It turns thighs, shins and feet, and needs the roles of the legs
+/// and the pelvis only.
 struct Legs {
   motion::JointFrames frames;  ///< of the pelvis and the legs, before the feet are placed
   motion::PerSide<motion::FootPose> feet;  ///< target poses of the feet

@@ -61,6 +61,27 @@ TEST(Blend, ReturnsTheEndPosesAtWeights0And1) {
   EXPECT_LT(tests::distance(blend(a, b, 1), b), 1e-5F);
 }
 
+TEST(BlendAlong, IsTheBlendOfThoseSigns) {
+  std::mt19937 random(4);
+  for (int i = 0; i < 100; ++i) {
+    const Pose a = random_pose(random, 1.5F);
+    const Pose b = random_pose(random, 1.5F);
+    Signs signs = shorter_arcs(a, b);
+    const float weight = uniform(random, 0, 1);
+    const Pose expected = blend(a, b, weight);
+    const Pose pose = blend_along(a, b, weight, signs);
+    Pose flipped = b;
+    for (Role role : kRoles) {
+      EXPECT_EQ(pose.rotation[role].coeffs(), expected.rotation[role].coeffs());
+      if (random() % 2 == 0) flipped.rotation[role].coeffs() *= -1;
+    }
+    change_signs(b, flipped, kRoles, signs);
+    const Pose again = blend_along(a, flipped, weight, signs);
+    for (Role role : kRoles)
+      EXPECT_EQ(again.rotation[role].coeffs(), expected.rotation[role].coeffs());
+  }
+}
+
 // A joint that rotates from 170 to 190 degrees relative to the other passes a half turn, where the
 // shorter arc changes sides and a plain blend jumps by about 180 degrees.
 TEST(BlendAlongInitialArc, IsContinuousWhenTheShorterArcFlips) {

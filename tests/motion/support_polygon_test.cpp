@@ -105,5 +105,24 @@ TEST(SignedDistance, MatchesTheUnitSquare) {
   EXPECT_EQ(signed_distance_inside({}, {0, 0}), -std::numeric_limits<float>::infinity());
 }
 
+TEST(IsInsideBy, AgreesWithTheSignedDistance) {
+  std::mt19937 random(1);
+  int inside = 0;
+  for (int i = 0; i < 500; ++i) {
+    std::vector<Eigen::Vector2f> points;
+    for (int k = 0; k < 8; ++k) points.emplace_back(tests::random_vector(random, 1).head<2>());
+    const std::vector<Eigen::Vector2f> hull = convex_hull(points);
+    for (int k = 0; k < 20; ++k) {
+      const Eigen::Vector2f point = tests::random_vector(random, 1).head<2>();
+      const float margin = tests::uniform(random, 0, 0.4F);
+      const bool expected = signed_distance_inside(hull, point) >= margin;
+      EXPECT_EQ(is_inside_by(margin, hull, point), expected);
+      inside += expected ? 1 : 0;
+    }
+  }
+  EXPECT_GT(inside, 500);
+  EXPECT_FALSE(is_inside_by(0, {{0, 0}, {1, 0}}, {0.5F, 0}));
+}
+
 }  // namespace
 }  // namespace flinch::motion
