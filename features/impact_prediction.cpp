@@ -114,16 +114,22 @@ class ImpactSearch {
   /// pose.
   double update_nearest_body(double time_s) {
     const MotionBounds& bounds = ahead_.bounds();
-    if (!has_outlines_ || bounds.max_speed_mps > 0) place_bodies(time_s);
+    if (!has_frames_ || bounds.max_speed_mps > 0) frames_ = frames_at(time_s);
+    has_frames_ = true;
     const Eigen::Vector3d centre = ball_.position_at(time_s);
     const Eigen::Vector3d velocity = ball_.velocity_at(time_s);
+    const double max_closing_mps = static_cast<double>(bounds.max_speed_mps) + velocity.norm();
     nearest_.gap = kInfinity;
     double step_s = kInfinity;
     double sum = 0;
-    for (Body body : motion::kBodies) {
-      const motion::Clearance near = clearance(centre, ball_.radius, outlines_[body]);
+    const auto look_at = [&](Body body) {
+      sum += static_cast<double>(frames_.orientation[role_of(body)].squaredNorm());
+      const double min_gap = min_gap_to(body, centre);
+      if (min_gap > kContactTolerance_m + max_way_in(step_s, max_closing_mps)) return;
+      const motion::Clearance near = clearance(
+          centre, ball_.radius, motion::collision_shape_of(*figure_.model, frames_, body));
       sum += near.gap;
-      if (near.gap < nearest_.gap) {
+      if (near.gap < nearest_.gap || (near.gap == nearest_.gap && body < nearest_body_)) {
         nearest_ = near;
         nearest_body_ = body;
       }
@@ -133,18 +139,29 @@ class ImpactSearch {
           static_cast<double>(bounds.max_speed_mps) - near.normal.dot(velocity);
       step_s = std::min(step_s, safe_step(std::max(near.gap - 0.5 * kContactTolerance_m, 0.0),
                                           closing_mps, ball_.gravity_mps2));
+    };
+    // The body that was the nearest is likely to be so again: others are then seen to be farther.
+    const Body likely = nearest_body_;
+    look_at(likely);
+    for (Body body : motion::kBodies) {
+      if (body != likely) look_at(body);
     }
     return std::isfinite(sum) ? step_s : std::numeric_limits<double>::quiet_NaN();
   }
 
-  motion::JointFrames frames_at(double time_s) const {
-    return forward_kinematics(*figure_.skeleton, ahead_.at(static_cast<float>(time_s)));
+  /// A lower bound of the gap to a body, whatever its orientation.
+  double min_gap_to(Body body, const Eigen::Vector3d& centre) const {
+    const Eigen::Vector3d joint = frames_.position[role_of(body)].cast<double>();
+    return (centre - joint).norm() - ball_.radius - static_cast<double>(figure_.body_reach_m[body]);
   }
 
-  void place_bodies(double time_s) {
-    frames_ = frames_at(time_s);
-    outlines_ = collision_shapes_of(*figure_.model, frames_);
-    has_outlines_ = true;
+  /// By how much a gap closes at most in this time: the inverse of safe_step.
+  double max_way_in(double time_s, double closing_mps) const {
+    return (closing_mps + 0.5 * ball_.gravity_mps2 * time_s) * time_s;
+  }
+
+  motion::JointFrames frames_at(double time_s) const {
+    return forward_kinematics(*figure_.skeleton, ahead_.at(static_cast<float>(time_s)));
   }
 
   PredictedImpact impact_at(double time_s) const {
@@ -188,14 +205,25 @@ class ImpactSearch {
   const PredictedMotion& ahead_;
   Eigen::Vector3d pelvis_centre_;
   motion::JointFrames frames_;
-  motion::PerBody<motion::CollisionShape> outlines_;
-  bool has_outlines_ = false;
+  bool has_frames_ = false;
   motion::Clearance nearest_;
   Body nearest_body_{};
 };
 
+/// Upper bound on the distance from a body's joint to its surface.
+motion::PerBody<float> body_reach_of(const motion::BodyModel& model) {
+  motion::PerBody<float> reach_m;
+  for (Body body : motion::kBodies) {
+    const motion::Shape& shape = model[body].shape;
+    const bool capsule = shape.kind == motion::Shape::Kind::capsule;
+    const float extent = capsule ? shape.half_length + shape.radius : shape.half_extents.norm();
+    reach_m[body] = shape.centre.norm() + extent;
+  }
+  return reach_m;
+}
+
 /// Upper bound on the distance from the pelvis joint to the surface: all bones in one line.
-float reach_of(const motion::Skeleton& skeleton, const motion::BodyModel& model) {
+float reach_of(const motion::Skeleton& skeleton, const motion::PerBody<float>& body_reach_m) {
   motion::PerRole<float> from_pelvis;
   for (motion::Role role : motion::kRoles) {
     const auto parent = parent_of(role);
@@ -203,10 +231,7 @@ float reach_of(const motion::Skeleton& skeleton, const motion::BodyModel& model)
   }
   float reach_m = 0;
   for (Body body : motion::kBodies) {
-    const motion::Shape& shape = model[body].shape;
-    const bool capsule = shape.kind == motion::Shape::Kind::capsule;
-    const float extent = capsule ? shape.half_length + shape.radius : shape.half_extents.norm();
-    reach_m = std::max(reach_m, from_pelvis[role_of(body)] + shape.centre.norm() + extent);
+    reach_m = std::max(reach_m, from_pelvis[role_of(body)] + body_reach_m[body]);
   }
   return reach_m;
 }
@@ -219,7 +244,8 @@ std::string_view name_of(Outcome outcome) {
 
 CollisionFigure make_collision_figure(const motion::Skeleton& skeleton,
                                       const motion::BodyModel& model) {
-  return {&skeleton, &model, reach_of(skeleton, model)};
+  const motion::PerBody<float> body_reach_m = body_reach_of(model);
+  return {&skeleton, &model, reach_of(skeleton, body_reach_m), body_reach_m};
 }
 
 PredictedImpact predict_impact(const Threat& threat, const CollisionFigure& figure,

@@ -40,6 +40,7 @@ struct CollisionFigure {
   const motion::Skeleton* skeleton = nullptr;
   const motion::BodyModel* model = nullptr;
   float reach_m = 0;  ///< max distance of a surface point from the pelvis joint, over all poses
+  motion::PerBody<float> body_reach_m{};  ///< the same of each body's surface from its own joint
 };
 CollisionFigure make_collision_figure(const motion::Skeleton& skeleton,
                                       const motion::BodyModel& model);

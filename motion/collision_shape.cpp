@@ -88,16 +88,18 @@ CollisionShape collision_shape_of(const Shape& shape) {
           .orientation = shape.orientation.cast<double>().normalized()};
 }
 
+CollisionShape collision_shape_of(const BodyModel& model, const JointFrames& frames, Body body) {
+  const Role role = role_of(body);
+  const Eigen::Quaterniond orientation = frames.orientation[role].cast<double>();
+  CollisionShape outline = collision_shape_of(model[body].shape);
+  outline.centre = frames.position[role].cast<double>() + orientation * outline.centre;
+  outline.orientation = orientation * outline.orientation;
+  return outline;
+}
+
 PerBody<CollisionShape> collision_shapes_of(const BodyModel& model, const JointFrames& frames) {
   PerBody<CollisionShape> outlines;
-  for (Body body : kBodies) {
-    const Role role = role_of(body);
-    const Eigen::Quaterniond orientation = frames.orientation[role].cast<double>();
-    CollisionShape& outline = outlines[body];
-    outline = collision_shape_of(model[body].shape);
-    outline.centre = frames.position[role].cast<double>() + orientation * outline.centre;
-    outline.orientation = orientation * outline.orientation;
-  }
+  for (Body body : kBodies) outlines[body] = collision_shape_of(model, frames, body);
   return outlines;
 }
 

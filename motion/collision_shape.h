@@ -21,6 +21,8 @@ struct CollisionShape {
 /// Returns the shape in the frame of its body's joint.
 CollisionShape collision_shape_of(const Shape& shape);
 
+/// Returns the shape of one body of a figure with these joint frames, world.
+CollisionShape collision_shape_of(const BodyModel& model, const JointFrames& frames, Body body);
 /// Returns the shapes of all bodies of a figure with these joint frames, world.
 PerBody<CollisionShape> collision_shapes_of(const BodyModel& model, const JointFrames& frames);
 

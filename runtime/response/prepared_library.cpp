@@ -11,7 +11,10 @@ PreparedLibrary prepare(const database::ClipLibrary& library) {
   for (motion::Side side : motion::kSides) {
     prepared.soles[side] = make_sole(skeleton, side);
   }
-  prepared.reach_m = features::make_collision_figure(skeleton, prepared.body_model).reach_m;
+  const features::CollisionFigure figure =
+      features::make_collision_figure(skeleton, prepared.body_model);
+  prepared.reach_m = figure.reach_m;
+  prepared.body_reach_m = figure.body_reach_m;
   const auto idle = static_cast<std::size_t>(library.idle);
   if (idle < library.clips.size() && !library.clips[idle].motion.poses.empty()) {
     prepared.motion_bounds =

@@ -19,11 +19,14 @@ struct PreparedLibrary {
   std::vector<Footwork> footwork;        ///< one per clip
   features::MotionBounds motion_bounds;  ///< of the idle clip
   float reach_m = 0;                     ///< see features::CollisionFigure
+  motion::PerBody<float> body_reach_m{};
 
   const motion::Skeleton& skeleton() const { return library->character.skeleton; }
   const motion::Clip& clip(int index) const { return library->clip(index); }
   const motion::Motion& idle() const { return library->idle_clip().motion; }
-  features::CollisionFigure figure() const { return {&skeleton(), &body_model, reach_m}; }
+  features::CollisionFigure figure() const {
+    return {&skeleton(), &body_model, reach_m, body_reach_m};
+  }
   features::IdlingFigure idling() const { return {&skeleton(), &body_model, &idle()}; }
 };
 

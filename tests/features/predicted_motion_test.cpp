@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "motion/collision_shape.h"
 #include "tests/features/moving_figure.h"
 #include "tests/motion/random_motion.h"
 
@@ -68,6 +69,22 @@ TEST(CollisionFigure, NoPoseExceedsItsReach) {
     farthest = std::max(farthest, extent);
   }
   EXPECT_GT(farthest, 0.5 * reach);
+}
+
+TEST(CollisionFigure, NoBodyExceedsItsReach) {
+  std::mt19937 random(3);
+  for (int i = 0; i < 500; ++i) {
+    const motion::JointFrames frames =
+        forward_kinematics(figure().character.skeleton, tests::random_pose(random));
+    const Eigen::Vector3d point = tests::random_vector(random, 3).cast<double>();
+    for (motion::Body body : motion::kBodies) {
+      const motion::CollisionShape outline =
+          motion::collision_shape_of(figure().model, frames, body);
+      const Eigen::Vector3d joint = frames.position[role_of(body)].cast<double>();
+      const double reach = static_cast<double>(figure().collision_figure.body_reach_m[body]);
+      EXPECT_GE(gap(point, 0, outline), (point - joint).norm() - reach - 1e-5);
+    }
+  }
 }
 
 }  // namespace
