@@ -2,6 +2,7 @@
 #include "runtime/character.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "features/feature_layout.h"
@@ -32,6 +33,12 @@ bool is_positive(float time_s) {
 
 bool is_time_to_impact(float time_s) {
   return time_s > 0 && time_s <= features::kMaxHorizon_s;
+}
+
+/// Where the character sees from.
+Eigen::Vector3f eye_of(const motion::Skeleton& skeleton, const Pose& pose) {
+  constexpr std::array kToHead{Role::pelvis, Role::abdomen, Role::chest, Role::neck, Role::head};
+  return motion::forward_kinematics(skeleton, pose, kToHead).position[Role::head];
 }
 
 }  // namespace
@@ -133,8 +140,7 @@ Status Character::perceive(const features::Threat& threat, Workspace& workspace)
   if (!is_usable(threat)) return Status::bad_threat;
   const PreparedLibrary& library = library_->prepared();
   const Pose now = pose();
-  const Eigen::Vector3f eye =
-      motion::forward_kinematics(library.skeleton(), now).position[Role::head];
+  const Eigen::Vector3f eye = eye_of(library.skeleton(), now);
   const Perceived seen = runtime::perceive(threat, eye, limits_, seed_, threats_++);
   if (!seen.noticed) return Status::unnoticed;
   const features::PredictedImpact impact =
@@ -152,8 +158,7 @@ Status Character::perceive(const features::Threat& threat, motion::Target target
                            float time_to_impact_s, Workspace& workspace) noexcept {
   if (!library_->is_loaded()) return Status::not_loaded;
   if (!is_usable(threat) || !is_time_to_impact(time_to_impact_s)) return Status::bad_threat;
-  const Eigen::Vector3f eye =
-      motion::forward_kinematics(library_->prepared().skeleton(), pose()).position[Role::head];
+  const Eigen::Vector3f eye = eye_of(library_->prepared().skeleton(), pose());
   const Perceived seen = runtime::perceive(threat, eye, limits_, seed_, threats_++);
   if (!seen.noticed) return Status::unnoticed;
   return answer({seen.threat, target, time_to_impact_s, current_state()}, seen.delay_s, workspace);
