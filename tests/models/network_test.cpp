@@ -120,5 +120,21 @@ TEST(Network, IsFiniteForAnyInput) {
   EXPECT_EQ(network_input(std::nan("")), -2.0F);
 }
 
+TEST(Network, RanksTheFirstAsAmongAll) {
+  std::mt19937_64 random(7);
+  const NetworkModel model = random_network(4, 6, 48, 9, 2);
+  const std::vector<double> x = random_point(random, 6);
+  const auto all = expected_costs(model, x, ClipMask(18, true));
+  for (std::size_t most = 0; most <= all.size() + 1; ++most) {
+    const auto first =
+        expected_costs(model, x, ClipMask(18, true), std::pmr::get_default_resource(), most);
+    ASSERT_EQ(first.size(), std::min(most, all.size()));
+    for (std::size_t i = 0; i < first.size(); ++i) {
+      EXPECT_EQ(first[i].clip, all[i].clip);
+      EXPECT_EQ(first[i].expected_cost_ns, all[i].expected_cost_ns);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace flinch::models

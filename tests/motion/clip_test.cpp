@@ -68,6 +68,25 @@ TEST(SamplePingPong, IsContinuousAtBothEnds) {
       1e-4F);
 }
 
+TEST(PoseBefore, HasTheSignsOfASample) {
+  std::mt19937 random(8);
+  Motion motion = smooth_motion(random, 31);
+  for (Pose& pose : motion.poses) {
+    for (Eigen::Quaternionf& rotation : pose.rotation) {
+      if (random() % 2 == 0) rotation.coeffs() *= -1;
+    }
+  }
+  for (int i = 0; i < 500; ++i) {
+    const float time_s = tests::uniform(random, -0.2F, 2);
+    const Pose pose = sample(motion, time_s);
+    const Pose there = sample_ping_pong(motion, time_s);
+    for (Role role : kRoles) {
+      EXPECT_GT(pose.rotation[role].dot(pose_before(motion, time_s).rotation[role]), 0);
+      EXPECT_GT(there.rotation[role].dot(pose_before_ping_pong(motion, time_s).rotation[role]), 0);
+    }
+  }
+}
+
 TEST(SamplePingPong, ReturnsTheOnlyPose) {
   std::mt19937 random(3);
   Motion motion;
