@@ -102,7 +102,10 @@ Sole make_sole(const motion::Skeleton& skeleton, Side side) {
   for (const Eigen::Vector3f& point : outline.toes) {
     points.push_back((skeleton.offset[roles.toes] + point).head<2>());
   }
-  return {std::move(outline), motion::convex_hull(std::move(points))};
+  Sole sole{std::move(outline), motion::convex_hull(std::move(points))};
+  for (const Eigen::Vector2f& corner : sole.hull)
+    sole.middle += corner / static_cast<float>(sole.hull.size());
+  return sole;
 }
 
 std::span<const Role> leg_chain(Side side) {

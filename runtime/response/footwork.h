@@ -30,6 +30,7 @@ struct Sole : motion::SoleOutline {
   /// Convex hull of the whole sole on flat ground, counter-clockwise, in the foot's frame seen from
   /// above.
   std::vector<Eigen::Vector2f> hull;
+  Eigen::Vector2f middle = Eigen::Vector2f::Zero();  ///< mean of the hull's corners
 };
 
 Sole make_sole(const motion::Skeleton& skeleton, motion::Side side);

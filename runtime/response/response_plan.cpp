@@ -165,18 +165,15 @@ void plan_foot(Response& r, Side side, const Start& start) {
 }
 
 // How far a point is from being kMargin inside of a sole, on the way to the sole's middle.
-Eigen::Vector2f offset_to_sole(const std::vector<Eigen::Vector2f>& hull,
-                               const Eigen::Vector2f& point) {
+Eigen::Vector2f offset_to_sole(const Sole& sole, const Eigen::Vector2f& point) {
   constexpr float kMargin = 0.015F;  // m
-  Eigen::Vector2f middle = Eigen::Vector2f::Zero();
-  for (const Eigen::Vector2f& corner : hull) middle += corner / static_cast<float>(hull.size());
-  const Eigen::Vector2f inward = middle - point;
-  if (motion::is_inside_by(kMargin - 1e-4F, hull, point)) return {0, 0};
+  const Eigen::Vector2f inward = sole.middle - point;
+  if (motion::is_inside_by(kMargin - 1e-4F, sole.hull, point)) return {0, 0};
   float outside = 0;
   float inside = 1;
   for (int k = 0; k < 12; ++k) {
     const float half = 0.5F * (outside + inside);
-    const bool is_inside = motion::is_inside_by(kMargin, hull, point + half * inward);
+    const bool is_inside = motion::is_inside_by(kMargin, sole.hull, point + half * inward);
     (is_inside ? inside : outside) = half;
   }
   return inside * inward;
@@ -207,7 +204,7 @@ void solve_pelvis_shift(const Response& r, Side side, float lift_s, WeightShift&
     const Eigen::Vector3f centre = motion::centre_of_mass(library.body_model, frames);
     const Eigen::Vector2f in_sole =
         (heading.conjugate() * horizontal(centre - foot.ankle)).head<2>();
-    const Eigen::Vector2f missing = offset_to_sole(library.soles[side].hull, in_sole);
+    const Eigen::Vector2f missing = offset_to_sole(library.soles[side], in_sole);
     if (missing.norm() <= 0) break;
     shift.pelvis += kOvershoot * (heading * Eigen::Vector3f(missing.x(), missing.y(), 0));
     const float distance = horizontal(shift.pelvis).norm();
@@ -372,13 +369,11 @@ void plan_clip(const motion::Annotation& annotation, float time_to_impact_s, flo
   if (is_lifted_meanwhile) shift();
 }
 
-// The foot that carries more weight where the way home begins.
-Side weight_bearing_foot(const Response& r) {
+// The foot that carries more weight in the pose where the way home begins.
+Side weight_bearing_foot(const Response& r, const motion::Pose& away) {
   constexpr float kClearlyNearer_m = 0.02F;  // m, by which the other must be nearer
   const PreparedLibrary& library = *r.library;
-  const bool idles = r.clip == library.library->idle;
-  const motion::JointFrames frames = motion::forward_kinematics(
-      library.skeleton(), idles ? source_pose_at(r, r.end_s) : clip_pose_at(r, r.end_s));
+  const motion::JointFrames frames = motion::forward_kinematics(library.skeleton(), away);
   const Eigen::Vector3f centre = motion::centre_of_mass(library.body_model, frames);
   const auto distance = [&](Side side) {
     return horizontal(motion::foot_pose(frames, side).ankle - centre).norm();
@@ -389,10 +384,10 @@ Side weight_bearing_foot(const Response& r) {
 
 // The feet's way home: one after the other, the one that carries more weight last.
 void plan_return(Response& r) {
-  const Side last = weight_bearing_foot(r);
   const bool idles = is_idle(r);
-  if (!idles)
-    r.arcs_back = motion::shorter_arcs(clip_pose_at(r, r.end_s), return_pose_at(r, r.end_s));
+  const motion::Pose away = idles ? source_pose_at(r, r.end_s) : clip_pose_at(r, r.end_s);
+  const Side last = weight_bearing_foot(r, away);
+  if (!idles) r.arcs_back = motion::shorter_arcs(away, return_pose_at(r, r.end_s));
   const auto away_foot = [&](Side side, float time_s) {
     return idles ? source_foot_at(r, side, time_s) : clip_foot_at(r, side, time_s);
   };

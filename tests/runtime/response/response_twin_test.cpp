@@ -23,7 +23,8 @@ using motion::Role;
 using motion::Side;
 
 const database::ClipLibrary& clips_as_authored() {
-  static const database::ClipLibrary library = database::authored_library(motion::default_character());
+  static const database::ClipLibrary library =
+      database::authored_library(motion::default_character());
   return library;
 }
 
@@ -68,14 +69,14 @@ Response random_response(const PreparedLibrary& library, std::mt19937& random, b
 
 Pose twin_into_clip(const Response& r, float t) {
   return motion::blend_along_initial_arc(source_pose_at(r, t), clip_pose_at(r, t),
-                                    motion::minimum_jerk((t - r.begin_s) / r.blend_duration_s),
-                                    source_pose_at(r, r.begin_s), clip_pose_at(r, r.begin_s));
+                                         motion::minimum_jerk((t - r.begin_s) / r.blend_duration_s),
+                                         source_pose_at(r, r.begin_s), clip_pose_at(r, r.begin_s));
 }
 
 Pose twin_back_to_idle(const Response& r, float t) {
   return motion::blend_along_initial_arc(clip_pose_at(r, t), return_pose_at(r, t),
-                                    motion::minimum_jerk((t - r.end_s) / r.return_duration_s),
-                                    clip_pose_at(r, r.end_s), return_pose_at(r, r.end_s));
+                                         motion::minimum_jerk((t - r.end_s) / r.return_duration_s),
+                                         clip_pose_at(r, r.end_s), return_pose_at(r, r.end_s));
 }
 
 bool is_of_leg(Role role) {
@@ -159,7 +160,8 @@ TEST(ResponseTwin, EndsItsBlendWhereTheMotionIsCalmest) {
   std::array<int, 5> chosen{};
   for (int i = 0; i < 1000; ++i) {
     const Response r = random_response(library, random, i % 2 == 1);
-    const bool has_time = r.peak_s - r.begin_s >= kMinBlend_s && r.end_s - r.begin_s > kMinBlend_s + 0.1F;
+    const bool has_time =
+        r.peak_s - r.begin_s >= kMinBlend_s && r.end_s - r.begin_s > kMinBlend_s + 0.1F;
     if (!r.shifts[0].pelvis.isZero(0) || !has_time) continue;
     float least = std::numeric_limits<float>::infinity();
     Response calmest = r;
