@@ -20,7 +20,7 @@ using motion::Pose;
 using motion::Role;
 using motion::Side;
 
-/// All that the feet hang from.
+/// The joints that decide where the feet are.
 constexpr std::array kLegRoles{Role::pelvis,    Role::left_thigh,  Role::left_shin,
                                Role::left_foot, Role::right_thigh, Role::right_shin,
                                Role::right_foot};
@@ -31,8 +31,8 @@ float fraction_of(const Interval& interval, float time_s) {
   return (time_s - interval.begin_s) / (interval.end_s - interval.begin_s);
 }
 
-// A step over part u of its window: 64 u^3 (1 - u)^3 leaves and meets the ground without a jolt,
-// and the foot is lifted before it travels and has arrived before it is put down.
+// A step at fraction u of its interval. The height 64 u^3 (1 - u)^3 leaves and meets the ground
+// without a jolt; the foot is lifted before it moves forward and arrives before it is put down.
 FootPose step_between(const FootPose& from, const FootPose& to, float u, float lift_m) {
   constexpr float kLiftShare = 0.1F;
   const float weight = motion::minimum_jerk((u - kLiftShare) / (1 - 2 * kLiftShare));
@@ -41,9 +41,9 @@ FootPose step_between(const FootPose& from, const FootPose& to, float u, float l
   return place;
 }
 
-// A foot that goes its clip's way from where it was, not where the clip had it, which differ in
-// height and tilt alone: what differs is taken back by weight. Blending the places themselves would
-// drag a foot over the ground that the clip lifts.
+// A foot that follows its clip from where it stood. The two places differ in height and tilt alone,
+// and the weight fades that difference out. Blending the places themselves would drag a foot that
+// the clip lifts over the ground.
 FootPose continuous_foot(const FootPlan& plan, const FootPose& clip, float weight) {
   return {clip.ankle + (1 - weight) * plan.rise,
           motion::slerp(plan.tilt, Eigen::Quaternionf::Identity(), weight) * clip.orientation};
@@ -90,7 +90,7 @@ Samples::Of motions_at(const Response& r, float t) {
   return t <= r.end_s ? Samples::Of::clip : Samples::Of::clip_and_home;
 }
 
-// Where clip and source differ much, a foot on its way from one to the other may dip.
+// Keeps a foot above the ground: between a clip and a source that differ much it may dip.
 FootPose above_ground(const Response& r, Side side, FootPose place,
                       const Eigen::Quaternionf& toes) {
   constexpr float kMaxDepth_m = -0.001F;  // m
@@ -100,7 +100,7 @@ FootPose above_ground(const Response& r, Side side, FootPose place,
   return place;
 }
 
-// Where a foot goes, whatever the pelvis does.
+// The place of a foot, which does not depend on the pelvis.
 FootPose foot_at(const Response& r, Side side, const Samples& samples) {
   const FootPlan& plan = r.feet[side];
   const float t = samples.time_s;
@@ -116,7 +116,7 @@ FootPose foot_at(const Response& r, Side side, const Samples& samples) {
   return blend(away, home, motion::minimum_jerk(u));
 }
 
-// Whether the clip's feet are where the clip has them.
+// Whether both feet are exactly where the clip has them.
 bool has_clips_feet(const Response& r, float t) {
   return std::ranges::none_of(r.feet, [t](const FootPlan& plan) {
     const bool is_offset = plan.offset.yaw != 0 || !plan.offset.translation.isZero(0);

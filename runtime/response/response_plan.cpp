@@ -17,19 +17,19 @@ using motion::FootPose;
 using motion::Role;
 using motion::Side;
 
-constexpr float kShiftDuration_s = 0.3F;      // s, that a shift of weight takes where there is time
-constexpr float kMinShiftDuration_s = 0.15F;  // s, that it takes at least
-constexpr float kReturnShiftDuration_s = 0.4F;  // s, before a step home
-constexpr float kShiftBackDuration_s = 0.45F;   // s, back
-constexpr float kHoldBeforeLift_s = 0.04F;   // s, that it is there before a foot leaves the ground
-constexpr float kHoldAfterLift_s = 0.025F;   // s, and stays after
-constexpr float kStepDuration_s = 0.25F;     // s, that a step takes that no clip has
-constexpr float kPauseAfterSteps_s = 0.1F;   // s, after the last step home
-constexpr float kSettleDuration_s = 0.6F;    // s, from another motion to idle
-constexpr float kSamePosition_m = 1e-3F;     // m, by which a foot may be elsewhere without a step
-constexpr float kSameYaw = 3e-3F;            // radians
-constexpr float kToleratedOffset_m = 0.04F;  // m, by which a foot may stand elsewhere during a clip
-constexpr float kToleratedYaw = 0.15F;       // radians
+constexpr float kShiftDuration_s = 0.3F;        // of a weight shift where there is time
+constexpr float kMinShiftDuration_s = 0.15F;    // of a weight shift
+constexpr float kReturnShiftDuration_s = 0.4F;  // of the shift before a step on the way back
+constexpr float kShiftBackDuration_s = 0.45F;   // from the shifted weight back
+constexpr float kHoldBeforeLift_s = 0.04F;      // shifted, before a foot leaves the ground
+constexpr float kHoldAfterLift_s = 0.025F;      // shifted, after it left
+constexpr float kStepDuration_s = 0.25F;        // of a step that is not in the clip
+constexpr float kPauseAfterSteps_s = 0.1F;      // after the last step on the way back
+constexpr float kSettleDuration_s = 0.6F;       // from another motion to idle
+constexpr float kSamePosition_m = 1e-3F;        // offset of a foot that needs no step
+constexpr float kSameYaw = 3e-3F;               // radians
+constexpr float kToleratedOffset_m = 0.04F;     // offset that a foot may keep during a clip
+constexpr float kToleratedYaw = 0.15F;          // radians
 
 bool is_finite(const features::CharacterState& state) {
   return std::isfinite(state.idle_time_s) && state.position.allFinite() &&
@@ -82,7 +82,7 @@ float step_height(const FootPose& from, const FootPose& to) {
   return std::clamp(0.25F * horizontal(to.ankle - from.ankle).norm(), 0.02F, 0.06F);
 }
 
-// With d from onset to peak and b the earliest begin: rate = clamp(d / (T - b), 1, most) and
+// With d from onset to peak and b the earliest begin: rate = clamp(d / (T - b), 1, maximum) and
 // begin = max(b, T - d / rate).
 void set_timing(const motion::Annotation& annotation, float time_to_impact_s, float earliest_s,
                 Response& r) {
@@ -330,9 +330,9 @@ VelocityChange velocity_change_at(const Response& r, float time_s,
   return change;
 }
 
-// What is left of a blend adds to what the clip does: of the ends that it may have, the blend takes
-// the one where the motion is calmest, and of equals the first. The ends that are the calmest most
-// often come first; others are then soon seen not to be.
+// What is left of a blend adds to what the clip does: of its possible ends, the blend takes the
+// one with the smallest change of velocity, and of equals the first. The likeliest ends are tried
+// first, so that the others can be given up early.
 void choose_blend_duration(Response& r) {
   constexpr std::array kLonger_s{0.06F, 0.08F, 0.0F, 0.02F, 0.04F};
   Response tried = r;

@@ -58,8 +58,8 @@ Eigen::Vector3d reference_velocity(const BodyState& reference, const Eigen::Vect
   return reference.velocity + reference.angular_velocity.cross(point - reference.position);
 }
 
-/// Speed at which the reference lets the two close where they are nearest, m/s; 0 where it
-/// separates them.
+/// Returns the speed at which the two bodies approach each other in the reference motion, at their
+/// nearest points, m/s; 0 if they separate.
 double reference_closing_speed(const BodyState& first, const BodyState& second,
                                const motion::Clearance& near) {
   const Eigen::Vector3d relative =
