@@ -13,4 +13,9 @@ struct BodyState {
   Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero();       ///< rad/s
 };
 
+/// Returns the velocity of the body's material point that is at `point` (world, m), m/s.
+inline Eigen::Vector3d velocity_at(const BodyState& body, const Eigen::Vector3d& point) {
+  return body.velocity + body.angular_velocity.cross(point - body.position);
+}
+
 }  // namespace flinch::sim

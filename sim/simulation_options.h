@@ -5,6 +5,11 @@
 
 namespace flinch::sim {
 
+/// Version of the simulation's laws. Raised when the same options give other impulses, so that
+/// stores of different laws are not continued or merged. 2: friction is bounded along the velocity
+/// of sliding; 1 bounded it along the world's axes.
+inline constexpr int kLawVersion = 2;
+
 /// How to simulate. The defaults are those of the shipped selectors; docs/simulation.md has the
 /// study behind them.
 struct SimulationOptions {

@@ -53,17 +53,11 @@ bool may_come_near(const MovingShape& first, double first_radius_m, const Moving
          motion::gap(second.centre, second_radius_m, first) <= max_gap;
 }
 
-/// Velocity that the reference gives the material point of `shape` that is at `point`, m/s.
-Eigen::Vector3d reference_velocity(const BodyState& reference, const Eigen::Vector3d& point) {
-  return reference.velocity + reference.angular_velocity.cross(point - reference.position);
-}
-
 /// Returns the speed at which the two bodies approach each other in the reference motion, at their
 /// nearest points, m/s; 0 if they separate.
 double reference_closing_speed(const BodyState& first, const BodyState& second,
                                const motion::Clearance& near) {
-  const Eigen::Vector3d relative =
-      reference_velocity(first, near.point) - reference_velocity(second, near.point);
+  const Eigen::Vector3d relative = velocity_at(first, near.point) - velocity_at(second, near.point);
   return std::max(0.0, -near.normal.dot(relative));
 }
 

@@ -22,9 +22,9 @@ features::Ball BallFlight::flight() const {
   return ball;
 }
 
-void BallFlight::add_ground_contact(Contacts& contacts, double restitution) const {
-  const Eigen::Vector3d centre = position_of(body_);
-  contacts.add_bounce(body_, {centre.x(), centre.y(), 0}, restitution);
+void BallFlight::add_ground_contact(Contacts& contacts, const Eigen::Quaterniond& frame,
+                                    double restitution) const {
+  contacts.add_bounce(body_, frame, restitution);
 }
 
 void BallFlight::apply_gravity(double time_s) const {

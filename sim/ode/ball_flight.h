@@ -15,7 +15,9 @@ class BallFlight {
 
   dBodyID body() const { return body_; }
   features::Ball flight() const;
-  void add_ground_contact(Contacts& contacts, double restitution) const;
+  /// See bounce_constraint.
+  void add_ground_contact(Contacts& contacts, const Eigen::Quaterniond& frame,
+                          double restitution) const;
   /// Steps the ball's world.
   void step(const OdeWorld& world, double step_s) const;
 

@@ -20,6 +20,10 @@ dContact contact_of(const ContactConstraint& constraint) {
   contact.surface.soft_erp = constraint.error_reduction;
   contact.surface.soft_cfm = constraint.softness;
   contact.surface.mu = constraint.friction;
+  if (constraint.friction > 0) {
+    contact.surface.mode |= dContactFDir1;
+    for (int i = 0; i < 3; ++i) contact.fdir1[i] = constraint.tangent[i];
+  }
   if (constraint.restitution > 0) {
     contact.surface.mode |= dContactBounce;
     contact.surface.bounce = constraint.restitution;
@@ -57,12 +61,13 @@ void Contacts::measure(dJointID joint, motion::Body first, std::optional<motion:
 
 void Contacts::add_hit(dBodyID ball, dBodyID part, motion::Body body, const motion::Clearance& at,
                        double restitution) {
-  measure(attach(impact_constraint(at.point, at.normal, restitution), ball, part), body,
-          std::nullopt);
+  const ContactConstraint impact =
+      impact_constraint(at.point, at.normal, state_of(ball), state_of(part), restitution);
+  measure(attach(impact, ball, part), body, std::nullopt);
 }
 
-void Contacts::add_bounce(dBodyID ball, const Eigen::Vector3d& point, double restitution) {
-  attach(impact_constraint(point, Eigen::Vector3d::UnitZ(), restitution), ball, nullptr);
+void Contacts::add_bounce(dBodyID ball, const Eigen::Quaterniond& frame, double restitution) {
+  attach(bounce_constraint(state_of(ball), frame, restitution), ball, nullptr);
 }
 
 void Contacts::add_body_contact(dBodyID first_part, motion::Body first, dBodyID second_part,

@@ -22,8 +22,8 @@ class Contacts {
   /// measured.
   void add_hit(dBodyID ball, dBodyID part, motion::Body body, const motion::Clearance& at,
                double restitution);
-  /// The ball hits the ground; see impact_constraint. Not measured.
-  void add_bounce(dBodyID ball, const Eigen::Vector3d& point, double restitution);
+  /// The ball hits the ground; see bounce_constraint. Not measured.
+  void add_bounce(dBodyID ball, const Eigen::Quaterniond& frame, double restitution);
   /// A part pushes another; see body_contact_constraint. The normal of `at` points from `second` to
   /// `first`.
   void add_body_contact(dBodyID first_part, motion::Body first, dBodyID second_part,

@@ -18,6 +18,11 @@ void OdeScene::add_hit(motion::Body body, const motion::Clearance& at, double re
   contacts_.add_hit(ball_->body(), figure_.body(body), body, at, restitution);
 }
 
+void OdeScene::add_bounce(double restitution) {
+  ball_->add_ground_contact(contacts_, orientation_of(figure_.body(motion::Body::pelvis)),
+                            restitution);
+}
+
 void OdeScene::add_body_contact(motion::Body first, motion::Body second,
                                 const motion::Clearance& at, double free_closing_mps,
                                 bool measured) {

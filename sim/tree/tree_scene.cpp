@@ -14,16 +14,6 @@ using motion::Body;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// Two directions perpendicular to a unit vector. The same as ODE's, because the friction pyramid
-/// is not isotropic.
-std::array<Vector3d, 2> across(const Vector3d& normal) {
-  const bool upright = std::abs(normal.z()) > std::sqrt(0.5);
-  const Vector3d first =
-      (upright ? Vector3d(0, -normal.z(), normal.y()) : Vector3d(-normal.y(), normal.x(), 0))
-          .normalized();
-  return {first, normal.cross(first)};
-}
-
 }  // namespace
 
 TreeScene::TreeScene(const FigureModel& figure_model, const motion::PerBody<BodyState>& start,
@@ -60,16 +50,16 @@ void TreeScene::clear_contacts() {
 }
 
 void TreeScene::add_hit(Body body, const motion::Clearance& at, double restitution) {
-  contacts_.push_back({impact_constraint(at.point, at.normal, restitution),
-                       {ContactBody::Kind::ball, {}},
-                       {ContactBody::Kind::body, body},
-                       true});
+  contacts_.push_back(
+      {impact_constraint(at.point, at.normal, ball_state_, bodies_[body], restitution),
+       {ContactBody::Kind::ball, {}},
+       {ContactBody::Kind::body, body},
+       true});
 }
 
 void TreeScene::add_bounce(double restitution) {
-  const Vector3d& centre = ball_state_.position;
   contacts_.push_back(
-      {impact_constraint({centre.x(), centre.y(), 0}, Vector3d::UnitZ(), restitution),
+      {bounce_constraint(ball_state_, bodies_[Body::pelvis].orientation, restitution),
        {ContactBody::Kind::ball, {}},
        {},
        false});
@@ -157,9 +147,11 @@ void TreeScene::make_rows() {
       rows_.push_back(row);
     };
     const auto normal = static_cast<Eigen::Index>(rows_.size());
-    add(contact.constraint.normal, -1);
-    if (contact.constraint.friction <= 0) continue;
-    for (const Vector3d& tangent : across(contact.constraint.normal)) add(tangent, normal);
+    const ContactConstraint& constraint = contact.constraint;
+    add(constraint.normal, -1);
+    if (constraint.friction <= 0) continue;
+    add(constraint.tangent, normal);
+    add(constraint.normal.cross(constraint.tangent), normal);
   }
 }
 

@@ -41,7 +41,8 @@ std::string describe(const ScenarioDistribution& distribution) {
 }
 
 std::string describe(const SimulationPlan& plan) {
-  return nlohmann::ordered_json{{"free_step_s", plan.options.free_step_s},
+  return nlohmann::ordered_json{{"law_version", sim::kLawVersion},
+                                {"free_step_s", plan.options.free_step_s},
                                 {"contact_step_s", plan.options.contact_step_s},
                                 {"restitution", plan.options.restitution},
                                 {"gravity_mps2", plan.options.gravity_mps2},

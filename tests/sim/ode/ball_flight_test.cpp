@@ -48,7 +48,8 @@ class FreeSphere {
       if (hits(ball_.flight(), shape, near)) {
         contacts_.add_hit(ball_.body(), body_, Body::head, near, options_.restitution);
       }
-      if (ahead.on_ground) ball_.add_ground_contact(contacts_, options_.restitution);
+      if (ahead.on_ground)
+        ball_.add_ground_contact(contacts_, Eigen::Quaterniond::Identity(), options_.restitution);
       const double step_s = std::min(ahead.step_s, duration_s - time_s);
       ball_.step(world_, step_s);
       for (const ContactImpulse& hit : contacts_.impulses(step_s)) impulse_ += hit.impulse_ns;

@@ -54,6 +54,15 @@ TEST(StoreHeader, KeepsTheReferencesOfTheNormalisation) {
   EXPECT_EQ(header.clips.size(), library.clips.size());
 }
 
+// A store of other laws is then not continued or merged: its `simulation` differs.
+TEST(StoreHeader, NamesTheVersionOfTheLaws) {
+  const database::ClipLibrary library = scenes::synthetic_library();
+  const std::string simulation = make_store_header(SimulationSetup(library, {})).simulation;
+  EXPECT_NE(simulation.find("\"law_version\":" + std::to_string(sim::kLawVersion)),
+            std::string::npos)
+      << simulation;
+}
+
 TEST(StoreHeader, RejectsALibraryWithoutAnnotatedClips) {
   database::ClipLibrary library = scenes::synthetic_library();
   for (motion::Clip& clip : library.clips) clip.annotation.reset();
