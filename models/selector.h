@@ -45,7 +45,7 @@ struct Selector {
 };
 
 /// Returns the allowed clips that the model ranks, best first.
-/// - SVM: all its classes, by votes, ties by the model's class order.
+/// - SVM: all its classes, by votes, ties by the lower clip.
 /// - Pairwise machines: the first `max_count` of all their clips, by votes, ties by the lower
 /// index.
 /// - KNN: its neighbours' labels, by votes, ties by the nearer neighbour.

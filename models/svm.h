@@ -45,7 +45,7 @@ struct SvmModel {
   double coef0 = 0;
   double cost = 1;  ///< C used for training, for the record
   int feature_count = 0;
-  std::vector<int> label;             ///< clip index of each class, in the model's class order
+  std::vector<int> label;             ///< clip index of each class, ascending if fit_svm made it
   std::vector<int> vectors_of_class;  ///< number of support vectors of each class
   std::vector<double> bound;  ///< largest coefficient of each class: C times the class weight
   /// One row of row_size() values per vector: its features, padded with zeros to a multiple of

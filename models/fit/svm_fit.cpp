@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <map>
 #include <string>
 #include <utility>
 
@@ -24,21 +25,21 @@ struct Class {
   std::size_t count = 0;
 };
 
-/// Groups observations by class, in order of first appearance like libsvm.
+/// Groups observations by class, in ascending order of their clips. libsvm has the class first that
+/// appears first, and a tie of votes would then depend on which scenario happens to be the first.
 std::vector<Class> classes_of(const TrainingSet& set, double balance) {
-  std::vector<Class> classes;
+  std::map<int, Class> class_of_clip;
   for (int i = 0; i < set.size(); ++i) {
     const int label = set.label[static_cast<std::size_t>(i)];
-    auto found = std::ranges::find(classes, label, &Class::label);
-    if (found == classes.end()) {
-      classes.emplace_back().label = label;
-      found = classes.end() - 1;
-    }
+    Class& one = class_of_clip[label];
+    one.label = label;
     for (const double value : set.point(i)) {
-      found->points.push_back(static_cast<double>(static_cast<float>(value)));
+      one.points.push_back(static_cast<double>(static_cast<float>(value)));
     }
-    ++found->count;
+    ++one.count;
   }
+  std::vector<Class> classes;
+  for (auto& [label, one] : class_of_clip) classes.push_back(std::move(one));
   for (Class& one : classes) {
     const auto even = static_cast<double>(set.size()) / static_cast<double>(classes.size());
     one.weight = std::pow(even / static_cast<double>(one.count), balance);

@@ -42,11 +42,12 @@ SvmModel make_svm_model(const SvmParameters& parameters, std::vector<int> label,
                         std::span<const double> coefficients, std::span<const double> rho);
 
 /// Trains with libsvm (stopping tolerance 0.001, shrinking), one pair of classes at a time, in
-/// parallel on OpenMP's threads. The result equals that of `svm-train` on the same numbers to the
-/// bit, for any number of threads. Points are first rounded to floats, as the model stores them.
-/// Classes are in libsvm's order: by first appearance in the set. The bits depend on the order of
-/// observations, which is by scenario number throughout the program. Throws Error for a set that
-/// check() rejects and for parameters that libsvm rejects.
+/// parallel on OpenMP's threads. Points are first rounded to floats, as the model stores them.
+/// Classes are in ascending order of their clips, so a tie of votes goes to the lower clip,
+/// whichever was seen first. The result equals that of `svm-train` on the observations sorted by
+/// label to the bit, for any number of threads. The bits depend on the order of observations within
+/// a class, which is by scenario number throughout the program. Throws Error for a set that check()
+/// rejects and for parameters that libsvm rejects.
 SvmModel fit_svm(const TrainingSet& set, const SvmParameters& parameters);
 
 }  // namespace flinch::models

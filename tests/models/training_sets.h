@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <limits>
+#include <numeric>
 #include <random>
 #include <utility>
 #include <vector>
@@ -31,6 +33,16 @@ inline TrainingSet make_set(int feature_count, std::vector<double> points, std::
   set.label = std::move(label);
   set.masks = {ClipMask(static_cast<std::size_t>(clip_count), true)};
   return set;
+}
+
+/// Returns the set's observations sorted by label, those of one label in their order: libsvm, which
+/// numbers classes by first appearance, then has them in ascending order.
+inline TrainingSet sorted_by_label(const TrainingSet& set) {
+  std::vector<int> order(set.label.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::ranges::stable_sort(order, {},
+                           [&set](int i) { return set.label[static_cast<std::size_t>(i)]; });
+  return subset(set, order);
 }
 
 /// Returns overlapping clouds around random centres, one per class. Class c has label 2 c + 1, so

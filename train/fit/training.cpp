@@ -172,6 +172,11 @@ Training train_selector(const StoreHeader& header, std::span<const Observation> 
   if (observations.size() < 2)
     throw Error("", "training needs at least 2 scenarios and there are " +
                         std::to_string(observations.size()) + "; simulate more");
+  if (!std::ranges::is_sorted(observations, {}, &Observation::number)) {
+    std::vector<Observation> sorted(observations.begin(), observations.end());
+    std::ranges::stable_sort(sorted, {}, &Observation::number);
+    return train_selector(header, sorted, cost_model, method, seed);
+  }
   const Labels labels = label(observations, cost_model);
   Training training;
   models::Selector& selector = training.selector;

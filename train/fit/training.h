@@ -51,7 +51,8 @@ struct Training {
 
 /// Labels the observations, chooses the method's parameters from its grid by cross-validation with
 /// the mean regret as score (folds drawn from `seed`), and fits to all observations. Throws Error
-/// for fewer than two observations. The result is the same to the bit for any number of threads.
+/// for fewer than two observations. The result is the same to the bit for any number of threads and
+/// any order of observations: they are taken in the order of their numbers.
 Training train_selector(const StoreHeader& header, std::span<const Observation> observations,
                         const CostModel& cost_model, Method method, std::uint64_t seed);
 

@@ -11,13 +11,15 @@
 
 #include "models/fit/svm_fit.h"
 #include "models/fit/training_set.h"
+#include "tests/models/training_sets.h"
 
 namespace flinch::models {
 
-/// libsvm itself, trained and queried without any of our code.
+/// libsvm itself, trained and queried without any of our code. Its classes are in ascending order.
 class LibsvmOracle {
  public:
-  LibsvmOracle(const TrainingSet& set, const SvmParameters& parameters) {
+  LibsvmOracle(const TrainingSet& unsorted, const SvmParameters& parameters) {
+    const TrainingSet set = sorted_by_label(unsorted);
     svm_set_print_string_function([](const char*) {});
     for (int i = 0; i < set.size(); ++i) {
       rows_.push_back(sparse(set.point(i)));

@@ -58,7 +58,7 @@ TEST(LibsvmTools, AgreeWithTheModel) {
   const std::string asked_for = folder / "asked";
   const std::string model_file = folder / "model";
   const std::string predicted = folder / "predicted";
-  write_libsvm_text(set, train);
+  write_libsvm_text(sorted_by_label(set), train);
   write_libsvm_text(asked, asked_for);
   for (const SvmParameters& parameters :
        {default_svm_parameters(16), SvmParameters{2, 0.25, 1, 10},

@@ -31,20 +31,20 @@ TEST(SvmGrid, StartsWithLibsvmsDefaultsWithoutDuplicates) {
   EXPECT_EQ(different.size(), 19U);
 }
 
-TEST(SvmFit, KeepsTheTrainingVectorsAndTheOrderOfClasses) {
+TEST(SvmFit, KeepsTheTrainingVectorsWithClassesInTheOrderOfClips) {
   const TrainingSet set = make_set(2, {1, 0.5, -1, 0.25, 2, 0.125}, {7, 2, 7}, 8);
   const SvmModel model = fit_svm(set, {1, 0.5, 0, 100});
-  EXPECT_THAT(model.label, testing::ElementsAre(7, 2));
+  EXPECT_THAT(model.label, testing::ElementsAre(2, 7));
   EXPECT_EQ(model.degree, 1);
   EXPECT_EQ(model.gamma, 0.5);
   EXPECT_EQ(model.cost, 100);
   // The nearest points of the two classes are the support vectors; the third point is outside the
   // margin.
   EXPECT_THAT(model.vectors_of_class, testing::ElementsAre(1, 1));
-  EXPECT_EQ(model.value(0, 0), 1);
-  EXPECT_EQ(model.value(0, 1), 0.5F);
-  EXPECT_EQ(model.value(1, 0), -1);
-  EXPECT_EQ(model.value(1, 1), 0.25F);
+  EXPECT_EQ(model.value(0, 0), -1);
+  EXPECT_EQ(model.value(0, 1), 0.25F);
+  EXPECT_EQ(model.value(1, 0), 1);
+  EXPECT_EQ(model.value(1, 1), 0.5F);
   ASSERT_EQ(model.coefficients.size(), 2U);
   EXPECT_GT(model.coefficients[0], 0);
   EXPECT_DOUBLE_EQ(model.coefficients[0], model.coefficients[1]);

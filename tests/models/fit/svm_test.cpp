@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <numeric>
 #include <random>
 #include <utility>
 #include <vector>
@@ -132,6 +133,29 @@ TEST(Svm, RanksAllowedClassesAsLibsvmsVotesDo) {
         }
       }
     }
+  }
+}
+
+TEST(Svm, ATieOfVotesGoesToTheLowerClipWhicheverWasSeenFirst) {
+  const TrainingSet set = random_clouds(6, 300, 10, 4);
+  std::vector<int> backwards(set.label.size());
+  std::iota(backwards.rbegin(), backwards.rend(), 0);
+  const std::vector<char> all(10, 1);
+  for (const TrainingSet& seen : {set, subset(set, backwards)}) {
+    const SvmModel model = fit_svm(seen, kKernels.front());
+    std::mt19937_64 random(12);
+    int ties = 0;
+    for (int i = 0; i < 2000; ++i) {
+      const std::vector<double> point = random_point(random, 4);
+      const auto ranked = rank(model, point, all);
+      int lowest = predicted_label(model, point);
+      std::size_t tied = 0;
+      for (; tied < ranked.size() && ranked[tied].votes == ranked[0].votes; ++tied)
+        lowest = std::min(lowest, model.label[ranked[tied].index]);
+      ASSERT_EQ(predicted_label(model, point), lowest) << "point " << i;
+      if (tied > 1) ++ties;
+    }
+    EXPECT_GT(ties, 40);
   }
 }
 

@@ -16,7 +16,7 @@ const EvaluationRow& row(const Comparison& comparison, const std::string& name) 
 
 // The neighbours' majority is as coarse as the made-up directions and averages the noise out.
 TEST(Noise, OfZeroChangesNothingAndLargeNoiseHurtsAnAccurateSelector) {
-  const Comparison comparison(split_of(made_up_store(400)));
+  const Comparison comparison(split_of(made_up_store(800)));
   const std::vector<NoiseRow> rows = noise_rows(comparison.plan(), comparison.fitted);
   ASSERT_EQ(rows.size(), 5 * kTestMethods.size());
   for (std::size_t first = 0; first < rows.size(); first += 5) {

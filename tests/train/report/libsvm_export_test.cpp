@@ -42,7 +42,8 @@ TEST(LibsvmExport, LibsvmToolsChooseAsTheSelectorDoes) {
     const features::Scaling scaling = scaling_of(store.header, store.observations);
     folder.write("train", libsvm_text(store, label(store.observations, cost_model), scaling));
     folder.write("test", libsvm_text(test, label(test.observations, cost_model), scaling));
-    ASSERT_TRUE(succeeds("svm-train" + svm_train_options(svm) + (folder / "train") + ' ' +
+    ASSERT_TRUE(succeeds("sort -s -n -k 1,1 " + (folder / "train") + " -o " + (folder / "sorted")));
+    ASSERT_TRUE(succeeds("svm-train" + svm_train_options(svm) + (folder / "sorted") + ' ' +
                          (folder / "model")));
     ASSERT_TRUE(succeeds("svm-predict " + (folder / "test") + " " + (folder / "model") + " " +
                          (folder / "predicted") + " > /dev/null"));
