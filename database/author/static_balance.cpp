@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
+#include "motion/error.h"
 #include "motion/rotation.h"
 #include "motion/support_polygon.h"
 
@@ -61,24 +63,32 @@ Pose planted(const motion::Figure& figure, const Pose& pose) {
 struct OptimiserState {
   const BalanceProblem* problem;
   int iterations = 0;
+  bool is_finite = true;  ///< every error and slope so far
 };
 
 lbfgsfloatval_t evaluate(void* instance, const lbfgsfloatval_t* x, lbfgsfloatval_t* gradient,
                          const int /*n*/, const lbfgsfloatval_t /*step*/) {
-  const BalanceProblem& problem = *static_cast<OptimiserState*>(instance)->problem;
+  auto& run = *static_cast<OptimiserState*>(instance);
+  const BalanceProblem& problem = *run.problem;
   std::array<float, 10> values{};
   for (std::size_t i = 0; i < values.size(); ++i) values[i] = static_cast<float>(x[i]) * kUnits[i];
   const BalanceVariables variables = from_array(values);
   const std::array<float, 10> slope = problem.gradient(variables, kOffset);
-  for (std::size_t i = 0; i < slope.size(); ++i) gradient[i] = slope[i] * kUnits[i];
-  return problem.error_of(problem.pose_of(variables), kSmoothing).total();
+  for (std::size_t i = 0; i < slope.size(); ++i) {
+    gradient[i] = slope[i] * kUnits[i];
+    run.is_finite &= std::isfinite(gradient[i]);
+  }
+  const float error = problem.error_of(problem.pose_of(variables), kSmoothing).total();
+  run.is_finite &= std::isfinite(error);
+  return error;
 }
 
 int count_iterations(void* instance, const lbfgsfloatval_t*, const lbfgsfloatval_t*,
                      const lbfgsfloatval_t, const lbfgsfloatval_t, const lbfgsfloatval_t,
                      const lbfgsfloatval_t, int, int iteration, int) {
-  static_cast<OptimiserState*>(instance)->iterations = iteration;
-  return 0;
+  auto& run = *static_cast<OptimiserState*>(instance);
+  run.iterations = iteration;
+  return run.is_finite ? 0 : LBFGS_STOP;
 }
 
 }  // namespace
@@ -200,6 +210,16 @@ BalanceCase BalanceProblem::balance_of(const Pose& pose) const {
   return balanced_before_ ? BalanceCase::braced : BalanceCase::beyond_balance;
 }
 
+// If it stops at the iteration limit, or the line search for lack of progress, x still holds the
+// best point. These codes are the highest of the negative ones, but for one.
+void check_optimiser_code(int code) {
+  const bool has_best_point = code >= LBFGS_SUCCESS || code >= LBFGSERR_OUTOFINTERVAL;
+  if (!has_best_point || code == LBFGSERR_INVALIDPARAMETERS) {
+    throw Error("", "the optimiser of balance failed with code " + std::to_string(code) +
+                        " of liblbfgs; this is a fault of the program, please report it");
+  }
+}
+
 // liblbfgs (Okazaki's C port of Nocedal's L-BFGS): small, quasi-Newton as in the thesis, and
 // deterministic.
 BalancedPose balanced_pose(const motion::Figure& figure, const Pose& pose,
@@ -218,9 +238,15 @@ BalancedPose balanced_pose(const motion::Figure& figure, const Pose& pose,
   parameters.past = 3;
   parameters.delta = 2e-3;
   OptimiserState run{&problem, 0};
-  // If it stops at the iteration limit or for lack of progress, x still holds the best point.
-  lbfgs(static_cast<int>(x.size()), x.data(), nullptr, evaluate, count_iterations, &run,
-        &parameters);
+  const int code = lbfgs(static_cast<int>(x.size()), x.data(), nullptr, evaluate, count_iterations,
+                         &run, &parameters);
+  check_optimiser_code(code);
+  // With a gradient that is not a number, liblbfgs returns LBFGS_ALREADY_MINIMIZED.
+  if (!run.is_finite) {
+    throw Error("",
+                "the pose cannot be balanced, because its error is not a finite number; check "
+                "the numbers of the character, the pose, the controls and the threat");
+  }
 
   std::array<float, 10> found{};
   for (std::size_t i = 0; i < x.size(); ++i) found[i] = static_cast<float>(x[i]) * kUnits[i];

@@ -46,7 +46,8 @@ inline constexpr float kBraceDistance = 0.10F;  // m, toward the threat
 /// rules applied, the centre of mass moved by `brace_m` towards the threat. Minimises equation 3.3
 /// over the ten degrees of freedom by L-BFGS with central differences of 0.01; every evaluation
 /// starts again from `pose`. A raised foot is first put down below where it is, if the leg reaches
-/// the ground. Throws Error for a threat that check_threat rejects. Takes about a millisecond.
+/// the ground. Throws Error for a threat that check_threat rejects and where the error or its
+/// gradient is not a finite number. Takes about a millisecond.
 BalancedPose balanced_pose(const motion::Figure& figure, const motion::Pose& pose,
                            const AimedThreat& threat, const RuleControls& controls,
                            float brace_m = kBraceDistance);
@@ -80,6 +81,10 @@ class BalanceProblem {
   bool balanced_before_ = true;
   bool hands_on_head_ = false;
 };
+
+/// Throws Error for a return code of lbfgs() that leaves no best point: not enough memory, or
+/// parameters that it refuses.
+void check_optimiser_code(int code);
 
 /// Converts the variables to an array.
 std::array<float, 10> to_array(const BalanceVariables& variables);

@@ -2,11 +2,14 @@
 #include "database/author/static_balance.h"
 
 #include <gmock/gmock.h>
+#include <lbfgs.h>
 
 #include <cmath>
+#include <limits>
 
 #include "author_scene.h"
 #include "motion/error.h"
+#include "tests/scenes/error_of.h"
 
 namespace flinch::database {
 namespace {
@@ -17,6 +20,7 @@ using motion::radians;
 using motion::Side;
 using motion::Target;
 using test::AuthorScene;
+using testing::HasSubstr;
 
 const RuleControls kControls{0.5F, 0.4F, 0.5F, {0.5F, 0.5F}, {0.5F, 0.5F}};
 
@@ -133,6 +137,33 @@ TEST(StaticBalance, IsReproducibleBitForBit) {
   const BalancedPose once = balanced_pose(scene.figure, scene.start, threat, kControls);
   const BalancedPose twice = balanced_pose(scene.figure, scene.start, threat, kControls);
   EXPECT_EQ(to_array(once.variables), to_array(twice.variables));
+}
+
+TEST(StaticBalance, RefusesNumbersThatGiveNoFiniteError) {
+  const AuthorScene scene;
+  const AimedThreat threat = scene.threat(Target::head, 0);
+  const auto message = [&](const Pose& pose, const RuleControls& controls) {
+    return tests::error_of([&] { balanced_pose(scene.figure, pose, threat, controls); });
+  };
+  RuleControls no_number = kControls;
+  no_number.turn = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_THAT(message(scene.start, no_number), HasSubstr("not a finite number"));
+  Pose far = scene.start;
+  far.root_position.y() = 1e30F;  // its square overflows
+  EXPECT_THAT(message(far, kControls), HasSubstr("not a finite number"));
+  EXPECT_EQ(message(scene.start, kControls), "");
+}
+
+TEST(StaticBalance, RefusesCodesOfTheOptimiserThatLeaveNoBestPoint) {
+  for (const int code : {LBFGS_SUCCESS, LBFGS_STOP, LBFGS_ALREADY_MINIMIZED})
+    EXPECT_NO_THROW(check_optimiser_code(code));
+  for (const int code :
+       {LBFGSERR_MAXIMUMITERATION, LBFGSERR_MAXIMUMLINESEARCH, LBFGSERR_ROUNDING_ERROR,
+        LBFGSERR_OUTOFINTERVAL, LBFGSERR_WIDTHTOOSMALL, LBFGSERR_INCREASEGRADIENT})
+    EXPECT_NO_THROW(check_optimiser_code(code));
+  for (const int code : {LBFGSERR_UNKNOWNERROR, LBFGSERR_OUTOFMEMORY, LBFGSERR_INVALID_N_SSE,
+                         LBFGSERR_INVALID_ORTHANTWISE_END, LBFGSERR_INVALIDPARAMETERS})
+    EXPECT_THROW(check_optimiser_code(code), Error) << code;
 }
 
 TEST(StaticBalance, RefusesAThreatWithoutSpeed) {
