@@ -14,6 +14,7 @@
 #include "program/clock.h"
 #include "program/command.h"
 #include "program/interrupt.h"
+#include "program/processors.h"
 #include "program/progress.h"
 #include "program/table.h"
 #include "train/simulate/mpi_messenger.h"
@@ -41,6 +42,14 @@ int thread_count(const SimulateOptions& options, const train::Messenger& messeng
   if (options.threads) return *options.threads;
   const auto share = static_cast<int>(std::thread::hardware_concurrency()) / messenger.local_size();
   return std::clamp(share, 1, std::max(1, omp_get_num_procs()));
+}
+
+/// Tells of a launcher that leaves the run's threads too few processors. The store is the same, but
+/// takes that much longer.
+void print_binding_note(const SimulateOptions& options, const train::Messenger& messenger) {
+  const std::string note =
+      binding_note(count_processors(), options.threads, messenger.local_size());
+  if (!note.empty()) std::cerr << note << std::endl;
 }
 
 std::string mebibytes(std::uint64_t bytes) {
@@ -150,6 +159,7 @@ void simulate(const SimulateOptions& options, train::Messenger& messenger) {
   run.memory = train::plan_memory(setup, options.memory, run.batch.threads);
   run.messenger = &messenger;
   if (messenger.rank() == 0) {
+    print_binding_note(options, messenger);
     write_store(options, setup, run);
   } else {
     run_simulation_worker(setup, run);
@@ -200,7 +210,8 @@ Command simulate_command() {
           "by any number of processes that mpirun starts.\n\n"
           "Example:\n  flinch simulate real.flinchlib --out real.flinchobs -n 2000 --seed 1\n\n"
           "On a cluster:\n"
-          "  mpirun -n 64 flinch simulate real.flinchlib --out real.flinchobs -n 1000000",
+          "  mpirun -n 64 --bind-to none flinch simulate real.flinchlib --out real.flinchobs "
+          "-n 1000000",
       .run = [options] { run_simulate(*options); }};
 }
 

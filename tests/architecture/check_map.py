@@ -81,7 +81,7 @@ ROOMS = sorted({folder.split("/")[0] for folder in MAP})
 # Headers that cost the compiler seconds per inclusion: only one file includes them.
 ONLY_IN = {"CLI/": "program/command_line.cpp"}
 # The operating system's headers, for files, terminals and signals: offline code only.
-SYSTEM_HEADERS = ["fcntl.h", "signal.h", "unistd.h", "sys/"]
+SYSTEM_HEADERS = ["fcntl.h", "sched.h", "signal.h", "unistd.h", "sys/"]
 # The run time starts no thread, reads no clock, draws no random numbers and prints nothing.
 NOT_AT_RUN_TIME = {"barrier", "chrono", "condition_variable", "csignal", "ctime", "future",
                    "iostream", "latch", "mutex", "random", "semaphore", "shared_mutex", "thread"}

@@ -74,6 +74,36 @@ class Alone(RunTest):
         self.succeed(*self.command(self.folder / "slow", "--reference", scenarios=2))
 
 
+@unittest.skipIf(len(os.sched_getaffinity(0)) < 2, "there is one processor")
+class BoundProcesses(RunTest):
+    """A launcher that leaves a run's threads too few processors."""
+
+    def notes(self, *launcher, threads=2, bind=None):
+        done = subprocess.run(
+            [*launcher, FLINCH, *self.command(self.folder / "store", "--threads", threads)],
+            capture_output=True, text=True, check=True, preexec_fn=bind)
+        return [line for line in done.stderr.splitlines() if line.startswith("note: ")]
+
+    @staticmethod
+    def bind_to_one():
+        os.sched_setaffinity(0, {min(os.sched_getaffinity(0))})
+
+    def test_are_told_of(self):
+        processors = len(os.sched_getaffinity(0))
+        (note,) = self.notes(bind=self.bind_to_one)
+        self.assertIn(f"bound to 1 of {processors} processors, where 2 threads could run", note)
+        self.assertEqual(self.notes(threads=1, bind=self.bind_to_one), [])
+        self.assertEqual(self.notes(), [])
+        self.assertEqual(self.notes(threads=processors + 1), [])
+
+    @unittest.skipIf(MPIRUN is None, "there is no mpirun")
+    def test_of_mpirun_are_told_of(self):
+        mpirun = [MPIRUN, "--allow-run-as-root", "--oversubscribe", "-n", "1"]
+        (note,) = self.notes(*mpirun)
+        self.assertIn("give mpirun the option --bind-to none", note)
+        self.assertEqual(self.notes(*mpirun, "--bind-to", "none"), [])
+
+
 class ClusterExamples(RunTest):
     """The job scripts, without a cluster."""
 
