@@ -8,10 +8,12 @@
 #include <cstdio>
 
 #include "database/import/library_writer.h"
+#include "motion/rotation.h"
 #include "reaction/reaction_clips.h"
 #include "tests/bench/measures.h"
 #include "tests/bench/study.h"
 #include "tests/reaction/reaction_scenes.h"
+#include "tests/sim/tumble.h"
 
 namespace flinch {
 namespace {
@@ -45,6 +47,7 @@ struct Played {
   std::vector<motion::Pose> poses;
   std::vector<double> frames_us;  // of the frames that simulate
   bool knocked_over = false;
+  double fastest_turn = 0;  // of the pelvis while the figure falls, rad/s
   motion::Body most_hit = motion::Body::pelvis;
 };
 
@@ -62,7 +65,12 @@ Played play(const Study& study, const ReactionCase& reaction_case, double frame_
       played.frames_us.push_back(1e6 * (bench::thread_cpu_s() - begin_s));
     }
     played.poses.push_back(reaction.pose());
-    played.knocked_over |= reaction.phase() == reaction::ReactionPhase::knocked_over;
+    if (reaction.phase() != reaction::ReactionPhase::knocked_over) continue;
+    played.knocked_over = true;
+    const Eigen::Quaternionf turn = played.poses.rbegin()[1].rotation[Role::pelvis].conjugate() *
+                                    reaction.pose().rotation[Role::pelvis];
+    const double turned = static_cast<double>(motion::rotation_vector(turn).norm());
+    played.fastest_turn = std::max(played.fastest_turn, turned / frame_s);
   }
   const auto impulse = reaction.impulse();
   for (motion::Body body : motion::kBodies) {
@@ -124,16 +132,46 @@ void print_frame_rates(const Study& study, const std::vector<ReactionCase>& case
 
 void print_knock_overs(const Study& study) {
   std::printf(
-      "\n### Knocked over, of balls of 8 to 30 m/s\n\n| ball, kg | share |\n| --- | --- |\n");
+      "\n### Knocked over, of balls of 8 to 30 m/s, and how fast the pelvis then turns at most, "
+      "rad/s\n\n"
+      "| ball, kg | share | median | p90 | worst |\n| --- | --- | --- | --- | --- |\n");
   for (double mass_kg : {0.27, 1.0, 2.0, 5.0, 10.0, 20.0}) {
     const auto cases =
         scenes::random_reaction_cases(study.character, study.motions, kCases / 4, 2, mass_kg);
-    const auto fallen =
-        std::count_if(cases.begin(), cases.end(), [&](const ReactionCase& reaction_case) {
-          return play(study, reaction_case, kFrame_s).knocked_over;
-        });
-    std::printf("| %g | %.0f %% |\n", mass_kg,
-                100 * static_cast<double>(fallen) / static_cast<double>(cases.size()));
+    std::vector<double> turns;
+    for (const ReactionCase& reaction_case : cases) {
+      const Played played = play(study, reaction_case, kFrame_s);
+      if (played.knocked_over) turns.push_back(played.fastest_turn);
+    }
+    std::printf("| %g | %.0f %% | %.1f | %.1f | %.1f |\n", mass_kg,
+                100 * static_cast<double>(turns.size()) / static_cast<double>(cases.size()),
+                quantile(turns, 0.5), quantile(turns, 0.9), quantile(turns, 1));
+  }
+}
+
+/// Angular momentum that a falling figure's joints lose in a second in the air. Poses: at the
+/// middle of each motion; turning about each axis.
+void print_fall(const Study& study) {
+  std::printf("\n### Falling: change of the angular momentum in a second in the air, %%\n\n");
+  std::printf("| step | 2 rad/s: median, worst | 5 rad/s | 10 rad/s | 20 rad/s |\n");
+  std::printf("| --- | --- | --- | --- | --- |\n");
+  for (const double rate_hz : {60.0, 120.0, 180.0, 240.0, 480.0}) {
+    std::printf("| 1/%.0f s |", rate_hz);
+    for (const double speed : {2.0, 5.0, 10.0, 20.0}) {
+      std::vector<double> changes;
+      for (const scenes::NamedMotion& motion : study.motions) {
+        const motion::Pose pose = motion::sample(motion.motion, motion.motion.duration_s() / 2);
+        for (int axis = 0; axis < 3; ++axis) {
+          scenes::Tumble tumble(*study.plan, pose, speed * Eigen::Vector3d::Unit(axis));
+          const Eigen::Vector3d before = tumble.angular_momentum();
+          tumble.run(1, 1 / rate_hz);
+          const Eigen::Vector3d change = tumble.angular_momentum() - before;
+          changes.push_back(100 * change.norm() / before.norm());
+        }
+      }
+      std::printf(" %.1f, %.1f |", quantile(changes, 0.5), quantile(changes, 1));
+    }
+    std::printf("\n");
   }
 }
 
@@ -170,6 +208,7 @@ std::vector<ReactionCase> print(const char* title, const Study& study) {
   print_effect(study, cases);
   print_frame_rates(study, cases);
   print_knock_overs(study);
+  print_fall(study);
   return cases;
 }
 
