@@ -137,15 +137,23 @@ float signed_distance_inside(const std::vector<Eigen::Vector2f>& polygon,
   return inside ? distance : -distance;
 }
 
-bool is_inside_by(float margin, const std::vector<Eigen::Vector2f>& polygon,
-                  const Eigen::Vector2f& point) {
+// Inside of a convex polygon the nearest edge is the one whose line is nearest. A line's distance
+// d changes linearly along the way, from d0 at the point to d1 at the goal, so that it reaches the
+// margin m at the fraction (m - d0) / (d1 - d0).
+float fraction_to_inside(float margin, const std::vector<Eigen::Vector2f>& polygon,
+                         const Eigen::Vector2f& point, const Eigen::Vector2f& goal) {
+  float fraction = 0;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Eigen::Vector2f& from = polygon[i];
     const Eigen::Vector2f& to = polygon[i + 1 < polygon.size() ? i + 1 : 0];
-    if (!(twice_signed_area(from, to, point) >= 0)) return false;
-    if ((nearest_on_segment(from, to, point) - point).norm() < margin) return false;
+    const float length = (to - from).norm();
+    const float at_point = twice_signed_area(from, to, point) / length;
+    const float at_goal = twice_signed_area(from, to, goal) / length;
+    if (at_goal < margin) return 1;
+    if (at_point < margin)
+      fraction = std::max(fraction, (margin - at_point) / (at_goal - at_point));
   }
-  return polygon.size() > 2;
+  return fraction;
 }
 
 }  // namespace flinch::motion

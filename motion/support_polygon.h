@@ -60,9 +60,10 @@ std::vector<Eigen::Vector2f> support_polygon(const Skeleton& skeleton, const Joi
 /// one.
 float signed_distance_inside(const std::vector<Eigen::Vector2f>& polygon,
                              const Eigen::Vector2f& point);
-/// Returns whether that distance is at least `margin`, which is 0 or more. Stops at the first edge
-/// that is nearer.
-bool is_inside_by(float margin, const std::vector<Eigen::Vector2f>& polygon,
-                  const Eigen::Vector2f& point);
+/// Returns how far a point must go toward a goal to be at least `margin` inside of a convex
+/// counter-clockwise polygon, as a fraction of the way: 0 where it is already, 1 where only the
+/// goal is, or not even that.
+float fraction_to_inside(float margin, const std::vector<Eigen::Vector2f>& polygon,
+                         const Eigen::Vector2f& point, const Eigen::Vector2f& goal);
 
 }  // namespace flinch::motion

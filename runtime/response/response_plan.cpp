@@ -164,19 +164,16 @@ void plan_foot(Response& r, Side side, const Start& start) {
   plan.tilt = from.orientation * clip.orientation.conjugate();
 }
 
-// How far a point is from being kMargin inside of a sole, on the way to the sole's middle.
+// How far a point is from being kMargin inside of a sole, on the way to the sole's middle, in whole
+// steps of 1/4096 of that way.
 Eigen::Vector2f offset_to_sole(const Sole& sole, const Eigen::Vector2f& point) {
-  constexpr float kMargin = 0.015F;  // m
-  const Eigen::Vector2f inward = sole.middle - point;
-  if (motion::is_inside_by(kMargin - 1e-4F, sole.hull, point)) return {0, 0};
-  float outside = 0;
-  float inside = 1;
-  for (int k = 0; k < 12; ++k) {
-    const float half = 0.5F * (outside + inside);
-    const bool is_inside = motion::is_inside_by(kMargin, sole.hull, point + half * inward);
-    (is_inside ? inside : outside) = half;
-  }
-  return inside * inward;
+  constexpr float kMargin = 0.015F;      // m
+  constexpr float kTolerance_m = 1e-4F;  // by which a point may be nearer to the edge
+  constexpr float kSteps = 4096;
+  if (motion::fraction_to_inside(kMargin - kTolerance_m, sole.hull, point, sole.middle) <= 0)
+    return {0, 0};
+  const float fraction = motion::fraction_to_inside(kMargin, sole.hull, point, sole.middle);
+  return std::ceil(kSteps * fraction) / kSteps * (sole.middle - point);
 }
 
 // Finds the pelvis' way of a shift, one of the response's, that brings the centre of mass over the

@@ -105,23 +105,39 @@ TEST(SignedDistance, MatchesTheUnitSquare) {
   EXPECT_EQ(signed_distance_inside({}, {0, 0}), -std::numeric_limits<float>::infinity());
 }
 
-TEST(IsInsideBy, AgreesWithTheSignedDistance) {
+// The slow twin: the smallest of many fractions at which the point is inside.
+TEST(FractionToInside, AgreesWithASearchByTheSignedDistance) {
+  constexpr int kFractions = 2000;
+  constexpr float kTolerance = 1.0F / kFractions + 1e-4F;
   std::mt19937 random(1);
-  int inside = 0;
-  for (int i = 0; i < 500; ++i) {
+  int between = 0;
+  for (int i = 0; i < 100; ++i) {
     std::vector<Eigen::Vector2f> points;
     for (int k = 0; k < 8; ++k) points.emplace_back(tests::random_vector(random, 1).head<2>());
     const std::vector<Eigen::Vector2f> hull = convex_hull(points);
-    for (int k = 0; k < 20; ++k) {
+    for (int k = 0; k < 5; ++k) {
       const Eigen::Vector2f point = tests::random_vector(random, 1).head<2>();
-      const float margin = tests::uniform(random, 0, 0.4F);
-      const bool expected = signed_distance_inside(hull, point) >= margin;
-      EXPECT_EQ(is_inside_by(margin, hull, point), expected);
-      inside += expected ? 1 : 0;
+      const Eigen::Vector2f goal = tests::random_vector(random, 0.3F).head<2>();
+      const float margin = tests::uniform(random, 0, 0.3F);
+      float expected = 1;
+      for (int step = kFractions; step >= 0; --step) {
+        const float fraction = static_cast<float>(step) / kFractions;
+        if (signed_distance_inside(hull, point + fraction * (goal - point)) < margin) break;
+        expected = fraction;
+      }
+      EXPECT_NEAR(fraction_to_inside(margin, hull, point, goal), expected, kTolerance);
+      between += expected > 0 && expected < 1 ? 1 : 0;
     }
   }
-  EXPECT_GT(inside, 500);
-  EXPECT_FALSE(is_inside_by(0, {{0, 0}, {1, 0}}, {0.5F, 0}));
+  EXPECT_GT(between, 50);
+}
+
+TEST(FractionToInside, IsNothingInsideAndAllWhereTheGoalIsOutside) {
+  const std::vector<Eigen::Vector2f> square{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  EXPECT_EQ(fraction_to_inside(0.1F, square, {0.5F, 0.5F}, {0.5F, 0.6F}), 0);
+  EXPECT_EQ(fraction_to_inside(0.1F, square, {-1, 0.5F}, {1, 0.5F}), 1);
+  EXPECT_EQ(fraction_to_inside(0.1F, square, {0.5F, 0.5F}, {1, 0.5F}), 1);
+  EXPECT_FLOAT_EQ(fraction_to_inside(0.1F, square, {-0.4F, 0.5F}, {0.6F, 0.5F}), 0.5F);
 }
 
 }  // namespace
