@@ -12,7 +12,7 @@ namespace flinch::motion {
 
 template <std::floating_point Scalar>
 constexpr Scalar radians(Scalar degrees) {
-  return degrees * std::numbers::pi_v<Scalar> / 180;
+  return degrees * (std::numbers::pi_v<Scalar> / 180);
 }
 constexpr float radians(int degrees) {
   return radians(static_cast<float>(degrees));
@@ -20,7 +20,7 @@ constexpr float radians(int degrees) {
 
 template <std::floating_point Scalar>
 constexpr Scalar degrees(Scalar radians) {
-  return radians * 180 / std::numbers::pi_v<Scalar>;
+  return radians * (180 / std::numbers::pi_v<Scalar>);
 }
 
 /// Returns the equivalent angle in [-pi, pi], radians.
