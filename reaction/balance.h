@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "sim/ode/figure.h"
+#include "sim/figure/figure_rows.h"
 
 namespace flinch::reaction {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "sim/ode/figure.h"
+#include "sim/figure/figure_rows.h"
 
 namespace flinch::reaction {
 

@@ -186,7 +186,6 @@ ReactionStatus Reaction::advance(double dt_s, const motion::Pose& wanted,
   if (!is_sound(wanted) || !is_sound(returning)) return ReactionStatus::bad_pose;
   try {
     if (!state_->has_failed) {
-      sim::prepare_this_thread();
       state_->advance(dt_s, wanted, returning);
       return ReactionStatus::ok;
     }

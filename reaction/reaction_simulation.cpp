@@ -48,9 +48,9 @@ ReactionSimulation::ReactionSimulation(const sim::FigureModel& figure_model,
       struck_strength_{
           options.stiffness, options.stiffness,
           kPelvisForceShare * simulation_options().gravity_mps2 * figure_model.mass_kg},
-      encounter_(figure_model, simulation_options(),
-                 LiveReference(figure_model, before, now, dt_s).at(0), ball),
-      feet_(figure_model, encounter_.world(), encounter_.figure()),
+      encounter_(figure_model, simulation_options(), 0, figure_model,
+                 LiveReference(figure_model, before, now, dt_s).at(0), ball,
+                 simulation_options().gravity_mps2),
       wanted_(figure_model, before, now, dt_s),
       feedforward_(wanted_.at(0)),
       before_(snapshot()),
@@ -71,8 +71,8 @@ void ReactionSimulation::step() {
       encounter_.begin_step(now, kFreeStep_s, (1 - step_budget_) / kMaxStepRate_hz);
   step_budget_ = std::min(step_budget_ + kMaxStepRate_hz * step_s - 1, kMaxSavedSteps);
   const sim::ReferenceState target = wanted_.at(encounter_.time_s() + step_s);
-  set_motors(target, step_s);
-  encounter_.end_step(now, target, step_s);
+  encounter_.end_step(now, target, step_s, drive());
+  feedforward_ = target;
   before_ = after_;
   after_ = snapshot();
   for (const sim::BodyState& body : after_.body) {
@@ -84,18 +84,17 @@ void ReactionSimulation::step() {
 
 // A blow is instantaneous, so the force that holds the figure to the ground has no time to oppose
 // it. Gains computed from the velocity before the blow would oppose it.
-void ReactionSimulation::set_motors(const sim::ReferenceState& target, double step_s) {
+sim::Drive ReactionSimulation::drive() const {
   const double to_ground = encounter_.is_ball_hit() ? kImpactStiffnessShare : 1;
-  sim::MotorStrength strength =
-      std::isfinite(encounter_.first_contact_s()) ? struck_strength_ : sim::MotorStrength{};
-  strength.pelvis *= to_ground;
-  sim::Figure& figure = encounter_.figure();
-  if (!figure.is_fallen()) {
-    figure.add_feedforward(feedforward_, target, step_s);
-    feet_.lock(target, step_s, to_ground);
+  sim::Drive drive;
+  if (std::isfinite(encounter_.first_contact_s())) drive.strength = struck_strength_;
+  drive.strength.pelvis *= to_ground;
+  drive.is_falling = is_falling_;
+  if (!is_falling_) {
+    drive.feedforward_from = &feedforward_;
+    drive.foot_hold = to_ground;
   }
-  feedforward_ = target;
-  figure.set_motors(target, step_s, strength);
+  return drive;
 }
 
 void ReactionSimulation::advance_ball(double dt_s) {
@@ -112,10 +111,8 @@ void ReactionSimulation::step_ball() {
 ReactionSimulation::Snapshot ReactionSimulation::snapshot() const {
   Snapshot snapshot;
   snapshot.time_s = encounter_.time_s();
-  for (Body body : motion::kBodies) {
-    snapshot.body[body] = sim::state_of(encounter_.figure().body(body));
-  }
-  if (encounter_.ball()) snapshot.ball = sim::state_of(encounter_.ball()->body());
+  snapshot.body = encounter_.scene().bodies();
+  snapshot.ball = encounter_.scene().ball_state();
   return snapshot;
 }
 
@@ -149,7 +146,7 @@ motion::Pose ReactionSimulation::pose(const motion::Pose& motion) const {
 
 features::Ball ReactionSimulation::ball(const features::Ball& initial_ball) const {
   features::Ball ball = initial_ball;
-  if (!encounter_.ball()) return ball;
+  if (!encounter_.scene().flight()) return ball;
   const double share = share_of_last_step();
   const sim::BodyState state = between(before_.ball, after_.ball, share);
   ball.position = state.position;
@@ -161,11 +158,6 @@ bool ReactionSimulation::is_beyond_recovery() const {
   const sim::ReferenceState wanted = wanted_.at(after_.time_s);
   const double out_m = out_of_balance_m(figure_model_, after_.body);
   return is_beyond_a_step(figure_model_, out_m - out_of_balance_m(figure_model_, wanted.body));
-}
-
-void ReactionSimulation::start_falling() {
-  encounter_.figure().start_falling();
-  feet_.unlock();
 }
 
 }  // namespace flinch::reaction

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "reaction/foot_lock.h"
 #include "reaction/live_reference.h"
 #include "reaction/reaction.h"
 #include "sim/encounter/encounter.h"
@@ -15,13 +14,13 @@ namespace flinch::reaction {
 /// the last two states.
 class ReactionSimulation {
  public:
-  /// `figure_model` must outlive this. Throws Error if the physics engine fails.
+  /// `figure_model` must outlive this.
   ReactionSimulation(const sim::FigureModel& figure_model, const ReactionOptions& options,
                      const motion::Pose& before, const motion::Pose& now, double dt_s,
                      const features::Ball* ball);
 
-  /// Simulates for `dt_s` more, at the end of which the motion is at `wanted`. Throws Error as
-  /// above, and if the figure's state is no longer finite.
+  /// Simulates for `dt_s` more, at the end of which the motion is at `wanted`. Throws Error if the
+  /// figure's state is no longer finite.
   void advance(double dt_s, const motion::Pose& wanted);
   /// Simulates only the ball.
   void advance_ball(double dt_s);
@@ -29,12 +28,13 @@ class ReactionSimulation {
   /// Returns the simulated figure at the displayed time; clavicles and toes come from `motion`.
   motion::Pose pose(const motion::Pose& motion) const;
   features::Ball ball(const features::Ball& initial_ball) const;
-  const sim::OdeEncounter& encounter() const { return encounter_; }
+  const sim::Encounter<sim::TreeScene>& encounter() const { return encounter_; }
 
   /// Whether the blow has put the figure so far out of balance that no step can save it, and
   /// farther than the motion itself.
   bool is_beyond_recovery() const;
-  void start_falling();
+  /// Releases the pelvis and the feet for good.
+  void start_falling() { is_falling_ = true; }
 
  private:
   struct Snapshot {
@@ -43,7 +43,7 @@ class ReactionSimulation {
     sim::BodyState ball;
   };
   void step();
-  void set_motors(const sim::ReferenceState& target, double step_s);
+  sim::Drive drive() const;
   void step_ball();
   Snapshot snapshot() const;
   double share_of_last_step() const;
@@ -51,11 +51,11 @@ class ReactionSimulation {
   const sim::FigureModel& figure_model_;
   sim::MotorStrength struck_strength_;  // from the first contact on; until then the figure is as
                                         // stiff as the trainer's
-  sim::OdeEncounter encounter_;
-  FootLock feet_;
+  sim::Encounter<sim::TreeScene> encounter_;
   LiveReference wanted_;
-  sim::ReferenceState feedforward_;  // reference state that Figure::add_feedforward has led to
-  Snapshot before_;                  // at the start and the end of the last step
+  sim::ReferenceState feedforward_;  // reference state to which the steps so far have led
+  bool is_falling_ = false;
+  Snapshot before_;  // at the start and the end of the last step
   Snapshot after_;
   double shown_s_ = 0;
   double step_budget_ = 0;  // see step()

@@ -13,6 +13,13 @@ struct BodyState {
   Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero();       ///< rad/s
 };
 
+/// Linear and angular velocity of a body at its centre of mass, m/s and rad/s; or an impulse and
+/// its moment there, N·s and N·m·s. World.
+struct Twist {
+  Eigen::Vector3d linear = Eigen::Vector3d::Zero();
+  Eigen::Vector3d angular = Eigen::Vector3d::Zero();
+};
+
 /// Returns the velocity of the body's material point that is at `point` (world, m), m/s.
 inline Eigen::Vector3d velocity_at(const BodyState& body, const Eigen::Vector3d& point) {
   return body.velocity + body.angular_velocity.cross(point - body.position);

@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <limits>
 #include <utility>
 
 #include "sim/contact/body_contacts.h"
-#include "sim/ode/ode_scene.h"
+#include "sim/contact/next_step.h"
 #include "sim/tree/tree_scene.h"
 
 namespace flinch::sim {
 
 /// Runs the steps of a figure and, if there is one, a ball, with the same rules for training and
-/// game and for either scene that solves the step, OdeScene or TreeScene.
+/// game and for either scene that solves the step: TreeScene or, as the reference, OdeScene.
 template <class Scene>
 class Encounter {
  public:
@@ -29,7 +30,11 @@ class Encounter {
   /// reference motion.
   double begin_step(const ReferenceState& now, double max_step_s, double min_step_s = 0);
   /// Steps the scene. `target` is the state of the reference motion at the step's end.
-  void end_step(const ReferenceState& now, const ReferenceState& target, double step_s);
+  void end_step(const ReferenceState& now, const ReferenceState& target, double step_s,
+                const Drive& drive = {});
+  /// A step in which only the ball moves; the figure stays as it is. For a figure that no longer
+  /// matters, once the game shows another pose.
+  void step_ball_alone();
 
   /// Whether a body may still strike another body without further help of the ball. Call between
   /// begin_step and end_step.
@@ -44,7 +49,7 @@ class Encounter {
   double first_contact_s() const { return first_contact_s_; }  ///< infinity until then
   const Scene& scene() const { return scene_; }
 
- protected:
+ private:
   double find_hits(const features::Ball& flight);
 
   SimulationOptions options_;
@@ -57,24 +62,65 @@ class Encounter {
   bool is_blow_ = false;
 };
 
-extern template class Encounter<OdeScene>;
+template <class Scene>
+double Encounter<Scene>::begin_step(const ReferenceState& now, double max_step_s,
+                                    double min_step_s) {
+  const auto flight = scene_.flight();
+  double step_s = options_.free_step_s;
+  scene_.clear_contacts();
+  is_blow_ = false;
+  body_contacts_.begin_step(time_s_);
+  if (flight || body_contacts_.is_any_driven()) shapes_ = scene_.shapes();
+  if (body_contacts_.is_impact_ahead(shapes_, now, step_s)) step_s = options_.contact_step_s;
+  if (flight) step_s = std::min(step_s, find_hits(*flight));
+  step_s = std::max(step_s, min_step_s);
+  // A tiny remainder of a step would cost time and change nothing.
+  return step_s > max_step_s * (1 - 1e-9) ? max_step_s : step_s;
+}
+
+/// Adds the ball's contacts of now and returns how long a step they allow.
+template <class Scene>
+double Encounter<Scene>::find_hits(const features::Ball& flight) {
+  const NextStep ahead = next_step(flight, {&*shapes_.begin(), motion::kBodyCount}, options_);
+  for (motion::Body body : motion::kBodies) {
+    if (!may_be_near(flight, shapes_[body], kContactDistance_m)) continue;
+    const motion::Clearance near = clearance(flight.position, flight.radius, shapes_[body]);
+    if (!hits(flight, shapes_[body], near)) continue;
+    scene_.add_hit(body, near, options_.restitution);
+    body_contacts_.add_hit(body);
+    is_blow_ = true;
+    first_contact_s_ = std::min(first_contact_s_, time_s_);
+  }
+  if (ahead.on_ground) scene_.add_bounce(options_.restitution);
+  return ahead.step_s;
+}
+
+template <class Scene>
+void Encounter<Scene>::end_step(const ReferenceState& now, const ReferenceState& target,
+                                double step_s, const Drive& drive) {
+  scene_.add_supports(target, step_s, drive);
+  for (const BodyContact& contact : body_contacts_.find(shapes_, now)) {
+    scene_.add_body_contact(contact.first, contact.second, contact.near, contact.free_closing_mps,
+                            contact.is_impact);
+  }
+  scene_.step(target, step_s, drive);
+  body_contacts_.add_impulses(scene_.impulses(step_s), impulse_);
+  time_s_ += step_s;
+}
+
+template <class Scene>
+void Encounter<Scene>::step_ball_alone() {
+  scene_.clear_contacts();
+  double step_s = options_.free_step_s;
+  if (const auto flight = scene_.flight()) {
+    const NextStep ahead = next_step(*flight, {}, options_);
+    if (ahead.on_ground) scene_.add_bounce(options_.restitution);
+    step_s = ahead.step_s;
+    scene_.step_ball(step_s);
+  }
+  time_s_ += step_s;
+}
+
 extern template class Encounter<TreeScene>;
-
-/// An encounter in an ODE world. A step is a call of begin_step, of Figure::set_motors and of
-/// end_step.
-class OdeEncounter : public Encounter<OdeScene> {
- public:
-  OdeEncounter(const FigureModel& figure_model, const SimulationOptions& options,
-               const ReferenceState& start, const features::Ball* ball)
-      : Encounter(figure_model, options, 0, figure_model, start, ball, options.gravity_mps2) {}
-
-  /// A step in which only the ball moves. Freezes the figure permanently.
-  void step_ball_alone();
-
-  Figure& figure() { return scene_.figure(); }
-  const Figure& figure() const { return scene_.figure(); }
-  dWorldID world() const { return scene_.world(); }
-  const std::optional<BallFlight>& ball() const { return scene_.ball(); }
-};
 
 }  // namespace flinch::sim

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "features/ball.h"
 #include "motion/rotation.h"
 
 namespace flinch::sim {
@@ -18,6 +19,9 @@ constexpr double kStraight_rad = 0.1;
 // The force and torque that return the pelvis grow up to this distance only.
 constexpr double kMaxPelvisError_m = 0.1;
 constexpr double kMaxPelvisError_rad = 0.35;
+// Rad/s, natural frequency of the hold of a standing foot.
+constexpr double kFootFrequency = 60;
+constexpr double kSoleFriction = 0.8;  // friction coefficient of a sole
 
 /// The axes of a joint's motor in the parent's frame. Springs drive the first `free` axes; the
 /// others are rigid.
@@ -46,31 +50,18 @@ JointAxes axes_of(JointKind kind, const JointRange& limits, const Eigen::Quatern
   return axes;
 }
 
-/// Heel and toe on the sole's centre line, in the frame of the foot's centre of mass, m. Two points
-/// per foot instead of its corners, because each point costs the solver a pivot; the ankle controls
-/// the foot's roll.
-std::array<Eigen::Vector3d, 2> heel_and_toe(const MovingShape& foot) {
-  return {sole_point(foot, -1, 0), sole_point(foot, 1, 0)};
+/// Returns softer gains where f = k e + c (w_d - w) is beyond a limit: the force scales with them.
+Gains limited(const Gains& gains, const Eigen::Vector3d& error, const Eigen::Vector3d& velocity,
+              double max_force_n) {
+  const double force_n = (gains.stiffness * error + gains.damping * velocity).norm();
+  if (force_n <= max_force_n) return gains;
+  const double share = max_force_n / force_n;
+  return {share * gains.stiffness, share * gains.damping};
 }
 
-}  // namespace
-
-// A force beyond the limit acts as softer gains do: f = k e + c (w_d - w) scales with them.
-PelvisRows pelvis_rows(const FigureModel& figure_model, const BodyState& now,
-                       const BodyState& target, double step_s, const MotorStrength& strength) {
-  const Gains angular = scaled_gains(figure_model.gains[Body::pelvis], strength.pelvis);
-  Gains moving = scaled_gains(figure_model.pelvis_gains, strength.pelvis);
-  const Eigen::Vector3d turn =
-      clamped_length(motion::rotation_vector(target.orientation * now.orientation.conjugate()),
-                     kMaxPelvisError_rad);
-  const Eigen::Vector3d shift = clamped_length(target.position - now.position, kMaxPelvisError_m);
-  const double force_n =
-      (moving.stiffness * shift + moving.damping * (target.velocity - now.velocity)).norm();
-  if (force_n > strength.max_pelvis_force_n) {
-    const double share = strength.max_pelvis_force_n / force_n;
-    moving = {share * moving.stiffness, share * moving.damping};
-  }
-  PelvisRows rows;
+AnchorRows anchor_rows(const Gains& moving, const Eigen::Vector3d& shift, const Gains& angular,
+                       const Eigen::Vector3d& turn, const BodyState& target, double step_s) {
+  AnchorRows rows;
   for (int axis = 0; axis < 3; ++axis) {
     const auto at = static_cast<std::size_t>(axis);
     rows.linear[at] =
@@ -79,6 +70,34 @@ PelvisRows pelvis_rows(const FigureModel& figure_model, const BodyState& now,
         spring_row(angular, angular.stiffness * turn[axis], target.angular_velocity[axis], step_s);
   }
   return rows;
+}
+
+}  // namespace
+
+AnchorRows pelvis_rows(const FigureModel& figure_model, const BodyState& now,
+                       const BodyState& target, double step_s, const MotorStrength& strength) {
+  const Gains angular = scaled_gains(figure_model.gains[Body::pelvis], strength.pelvis);
+  Gains moving = scaled_gains(figure_model.pelvis_gains, strength.pelvis);
+  const Eigen::Vector3d turn =
+      clamped_length(motion::rotation_vector(target.orientation * now.orientation.conjugate()),
+                     kMaxPelvisError_rad);
+  const Eigen::Vector3d shift = clamped_length(target.position - now.position, kMaxPelvisError_m);
+  moving = limited(moving, shift, target.velocity - now.velocity, strength.max_pelvis_force_n);
+  return anchor_rows(moving, shift, angular, turn, target, step_s);
+}
+
+// Friction bounds the force that holds a foot: beyond it the foot slides.
+AnchorRows foot_rows(const FigureModel& figure_model, Body foot, const BodyState& now,
+                     const BodyState& target, double standing_feet, double step_s, double share) {
+  const double load_kg = figure_model.mass_kg / standing_feet;
+  const Eigen::Vector3d shift = target.position - now.position;
+  const Eigen::Vector3d turn =
+      motion::rotation_vector(target.orientation * now.orientation.conjugate());
+  const Gains angular = scaled_gains(figure_model.gains[foot], share);
+  const Gains moving =
+      limited(scaled_gains(critically_damped(load_kg, kFootFrequency), share), shift,
+              target.velocity - now.velocity, kSoleFriction * features::kGravity_mps2 * load_kg);
+  return anchor_rows(moving, shift, angular, turn, target, step_s);
 }
 
 // Works in the axes of the joint's motor: the columns of F, in the parent's frame. At a limit the
@@ -126,20 +145,32 @@ JointRows joint_rows(const FigureModel& figure_model, Body body,
   return rows;
 }
 
-Eigen::Vector3d joint_offset(const FigureModel& figure_model, Body body) {
-  return -figure_model.model[body].centre_of_mass.cast<double>();
+FigureRows figure_rows(const FigureModel& figure_model, const motion::PerBody<BodyState>& now,
+                       const ReferenceState& target, double step_s, const Drive& drive) {
+  FigureRows rows;
+  if (!drive.is_falling) {
+    rows.pelvis = pelvis_rows(figure_model, now[Body::pelvis], target.body[Body::pelvis], step_s,
+                              drive.strength);
+  }
+  const motion::PerSide<bool> held = held_feet(figure_model, target, drive);
+  const auto standing_feet = static_cast<double>(std::ranges::count(held, true));
+  for (motion::Side side : motion::kSides) {
+    if (!held[side]) continue;
+    const Body foot = foot_of(side);
+    rows.feet[side] = foot_rows(figure_model, foot, now[foot], target.body[foot], standing_feet,
+                                step_s, drive.foot_hold);
+  }
+  for (Body body : motion::kBodies) {
+    const auto parent = parent_of(body);
+    if (!parent) continue;
+    rows.joints[body] = joint_rows(figure_model, body, now[body].orientation,
+                                   now[*parent].orientation, target, step_s, drive.strength.joints);
+  }
+  return rows;
 }
 
-FootSupport foot_support(const FigureModel& figure_model, Body foot, const BodyState& now,
-                         const BodyState& target) {
-  FootSupport support;
-  for (const Eigen::Vector3d& end : heel_and_toe(figure_model.outline[foot])) {
-    const Eigen::Vector3d point = now.position + now.orientation * end;
-    const double ground = std::min(0.0, (target.position + target.orientation * end).z());
-    if (point.z() >= ground) continue;
-    support.points[support.count++] = {foot, point, ground - point.z()};
-  }
-  return support;
+Eigen::Vector3d joint_offset(const FigureModel& figure_model, Body body) {
+  return -figure_model.model[body].centre_of_mass.cast<double>();
 }
 
 MovingShape placed_shape(const MovingShape& outline, const BodyState& state) {

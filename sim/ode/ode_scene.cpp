@@ -30,20 +30,24 @@ void OdeScene::add_body_contact(motion::Body first, motion::Body second,
                              free_closing_mps, measured);
 }
 
-void OdeScene::add_supports(const ReferenceState& target, double step_s) {
-  if (figure_.is_fallen()) {
-    figure_.add_fallen_support(contacts_, step_s);
-  } else {
-    figure_.add_foot_support(contacts_, target, step_s);
-  }
+void OdeScene::add_supports(const ReferenceState& target, double step_s, const Drive& drive) {
+  figure_.add_supports(contacts_, target, step_s, drive);
 }
 
-void OdeScene::step(const ReferenceState&, double step_s) {
+void OdeScene::step(const ReferenceState& target, double step_s, const Drive& drive) {
+  figure_.drive(target, step_s, drive);
   if (ball_) {
     ball_->step(world_, step_s);
   } else {
     world_.step(step_s);
   }
+}
+
+void OdeScene::step_ball(double step_s) {
+  if (!ball_) return;
+  figure_.set_frozen(true);
+  ball_->step(world_, step_s);
+  figure_.set_frozen(false);
 }
 
 }  // namespace flinch::sim

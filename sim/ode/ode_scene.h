@@ -25,17 +25,17 @@ class OdeScene {
   void add_bounce(double restitution);
   void add_body_contact(motion::Body first, motion::Body second, const motion::Clearance& at,
                         double free_closing_mps, bool measured);
-  void add_supports(const ReferenceState& target, double step_s);
+  void add_supports(const ReferenceState& target, double step_s, const Drive& drive = {});
 
-  /// Steps with the motors that Figure::set_motors has set.
-  void step(const ReferenceState& target, double step_s);
-  void step_ball(double step_s) const { ball_->step(world_, step_s); }
+  /// Runs a step that ends at `target`.
+  void step(const ReferenceState& target, double step_s, const Drive& drive = {});
+  /// Runs a step of the ball alone.
+  void step_ball(double step_s);
   std::span<const ContactImpulse> impulses(double step_s) { return contacts_.impulses(step_s); }
 
-  Figure& figure() { return figure_; }
-  const Figure& figure() const { return figure_; }
-  dWorldID world() const { return world_.id(); }
-  const std::optional<BallFlight>& ball() const { return ball_; }
+  motion::PerBody<BodyState> bodies() const { return figure_.states(); }
+  /// The ball's state; at the origin if there is none.
+  BodyState ball_state() const { return ball_ ? state_of(ball_->body()) : BodyState{}; }
 
  private:
   OdeWorld world_;

@@ -13,9 +13,15 @@ constexpr double kRelativeTolerance = 1e-12;  // relative to a row's own terms
 
 }  // namespace
 
-void BoxLcp::solve_free(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& right_hand_side,
-                        const Eigen::VectorXd& lower, const Eigen::VectorXd& upper,
-                        Eigen::VectorXd& x) {
+BoxLcp::BoxLcp(Eigen::Index reserved_rows)
+    : free_matrix_(reserved_rows * reserved_rows), free_solution_(reserved_rows) {
+  states_.reserve(static_cast<std::size_t>(reserved_rows));
+  free_rows_.reserve(static_cast<std::size_t>(reserved_rows));
+}
+
+void BoxLcp::solve_free(const ConstMatrix& matrix, const ConstVector& right_hand_side,
+                        const ConstVector& lower, const ConstVector& upper,
+                        Eigen::Ref<Eigen::VectorXd> x) {
   free_rows_.clear();
   for (Eigen::Index i = 0; i < x.size(); ++i) {
     const BoundState state = states_[static_cast<std::size_t>(i)];
@@ -24,24 +30,24 @@ void BoxLcp::solve_free(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& ri
   }
   const auto count = static_cast<Eigen::Index>(free_rows_.size());
   if (count == 0) return;
-  free_matrix_.resize(count, count);
-  free_solution_.resize(count);
+  Scratch::Matrix free_matrix = free_matrix_.matrix(count, count);
+  Scratch::Vector free_solution = free_solution_.vector(count);
   for (Eigen::Index i = 0; i < count; ++i) {
     const Eigen::Index row = free_rows_[static_cast<std::size_t>(i)];
-    free_solution_[i] = right_hand_side[row] - matrix.row(row).dot(x);
+    free_solution[i] = right_hand_side[row] - matrix.row(row).dot(x);
     for (Eigen::Index j = 0; j < count; ++j) {
-      free_matrix_(i, j) = matrix(row, free_rows_[static_cast<std::size_t>(j)]);
+      free_matrix(i, j) = matrix(row, free_rows_[static_cast<std::size_t>(j)]);
     }
   }
-  Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>>(free_matrix_).solveInPlace(free_solution_);
+  Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>>(free_matrix).solveInPlace(free_solution);
   for (Eigen::Index i = 0; i < count; ++i)
-    x[free_rows_[static_cast<std::size_t>(i)]] = free_solution_[i];
+    x[free_rows_[static_cast<std::size_t>(i)]] = free_solution[i];
 }
 
-bool BoxLcp::solve(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& right_hand_side,
-                   const Eigen::VectorXd& lower, const Eigen::VectorXd& upper, Eigen::VectorXd& x) {
-  const Eigen::Index count = right_hand_side.size();
-  x.resize(count);
+bool BoxLcp::solve(const ConstMatrix& matrix, const ConstVector& right_hand_side,
+                   const ConstVector& lower, const ConstVector& upper,
+                   Eigen::Ref<Eigen::VectorXd> x) {
+  const Eigen::Index count = x.size();
   states_.clear();
   for (Eigen::Index i = 0; i < count; ++i) {
     // A variable with an empty range has a known value; leaving it free would cost a pivot.

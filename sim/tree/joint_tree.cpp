@@ -161,19 +161,6 @@ JointMobility joint_mobility(const JointRows& rows, double step_s, const Matrix3
 
 }  // namespace
 
-FigureRows figure_rows(const FigureModel& figure_model, const motion::PerBody<BodyState>& now,
-                       const ReferenceState& target, double step_s) {
-  FigureRows rows;
-  rows.pelvis = pelvis_rows(figure_model, now[Body::pelvis], target.body[Body::pelvis], step_s, {});
-  for (Body body : motion::kBodies) {
-    const auto parent = parent_of(body);
-    if (!parent) continue;
-    rows.joints[body] = joint_rows(figure_model, body, now[body].orientation,
-                                   now[*parent].orientation, target, step_s, 1);
-  }
-  return rows;
-}
-
 JointTree::JointTree(const FigureModel& figure_model) : figure_model_(figure_model) {
   for (Body body : motion::kBodies) {
     Link& link = links_[body];
@@ -223,8 +210,12 @@ JointTree::JointTree(const FigureModel& figure_model) : figure_model_(figure_mod
 // propagate, add),
 //
 //   f^T M^-1 g = f_0^T M_0^-1 g_0 + sum m_f^T E m_g.
+//
+// A spring to the world has rows u + S p = c with the body's own twist u. Eliminated too, they add
+// D to the body's inertia and D c to its bias impulse.
 void JointTree::set_step(const motion::PerBody<BodyState>& now, const FigureRows& rows,
-                         double step_s, double gravity_mps2) {
+                         double step_s, double gravity_mps2, BodySet pushed,
+                         const motion::PerBody<Twist>& impulses) {
   for (Body body : motion::kBodies) {
     const BodyState& state = now[body];
     const Matrix3d turn = state.orientation.toRotationMatrix();
@@ -237,16 +228,44 @@ void JointTree::set_step(const motion::PerBody<BodyState>& now, const FigureRows
     }
     const Matrix3d inertia = symmetric_product(turn * figure_model_.inertia[body], turn);
     inertia_[body] = rigid_inertia(mass_kg, inertia, link.to_joint);
-    momentum_[body] =
-        moved_to(Twist{mass_kg * (state.velocity - step_s * gravity_mps2 * Vector3d::UnitZ()),
-                       momentum_with_gyroscopic_torque(inertia, state.angular_velocity, step_s)},
-                 link.to_joint);
+    Twist momentum{mass_kg * (state.velocity - step_s * gravity_mps2 * Vector3d::UnitZ()),
+                   momentum_with_gyroscopic_torque(inertia, state.angular_velocity, step_s)};
+    if (pushed & set_of(body)) momentum = sum(momentum, impulses[body]);
+    momentum_[body] = moved_to(momentum, link.to_joint);
+  }
+  for (motion::Side side : motion::kSides) {
+    if (rows.feet[side]) anchor(foot_of(side), *rows.feet[side], step_s);
   }
   for (std::size_t i = motion::kBodyCount - 1; i > 0; --i) {
     const Body body = motion::kBodies[i];
     factor(rows.joints[body], now, body, step_s);
   }
-  factor_root(rows.pelvis, step_s);
+  if (rows.pelvis) anchor(Body::pelvis, *rows.pelvis, step_s);
+  root_inverse_inertia_ = inverse(inertia_[Body::pelvis]);
+  root_velocity_ = root_inverse_inertia_ * to_vector(momentum_[Body::pelvis]);
+}
+
+// The springs act at the centre of mass, which the pelvis moves about.
+void JointTree::anchor(Body body, const AnchorRows& rows, double step_s) {
+  SpatialInertia& inertia = inertia_[body];
+  Twist& momentum = momentum_[body];
+  const Vector3d& to_joint = links_[body].to_joint;
+  if (body != Body::pelvis) {
+    inertia = moved_to(inertia, -to_joint);
+    momentum = moved_to(momentum, -to_joint);
+  }
+  for (int axis = 0; axis < 3; ++axis) {
+    const AxisRow& linear = rows.linear[static_cast<std::size_t>(axis)];
+    const AxisRow& angular = rows.angular[static_cast<std::size_t>(axis)];
+    inertia.mass(axis, axis) += step_s / linear.softness;
+    inertia.angular(axis, axis) += step_s / angular.softness;
+    momentum.linear[axis] += step_s / linear.softness * linear.velocity;
+    momentum.angular[axis] += step_s / angular.softness * angular.velocity;
+  }
+  if (body != Body::pelvis) {
+    inertia = moved_to(inertia, to_joint);
+    momentum = moved_to(momentum, to_joint);
+  }
 }
 
 void JointTree::factor(const JointRows& rows, const motion::PerBody<BodyState>& now, Body body,
@@ -288,21 +307,6 @@ void JointTree::factor(const JointRows& rows, const motion::PerBody<BodyState>& 
   parent.mass += at_parent.mass;
   parent.coupling += at_parent.coupling;
   parent.angular += at_parent.angular;
-}
-
-void JointTree::factor_root(const PelvisRows& rows, double step_s) {
-  SpatialInertia inertia = inertia_[Body::pelvis];
-  Twist momentum = momentum_[Body::pelvis];
-  for (int axis = 0; axis < 3; ++axis) {
-    const AxisRow& moving = rows.linear[static_cast<std::size_t>(axis)];
-    const AxisRow& angular = rows.angular[static_cast<std::size_t>(axis)];
-    inertia.mass(axis, axis) += step_s / moving.softness;
-    inertia.angular(axis, axis) += step_s / angular.softness;
-    momentum.linear[axis] += step_s / moving.softness * moving.velocity;
-    momentum.angular[axis] += step_s / angular.softness * angular.velocity;
-  }
-  root_inverse_inertia_ = inverse(inertia);
-  root_velocity_ = root_inverse_inertia_ * to_vector(momentum);
 }
 
 void JointTree::propagate(std::span<const BodyImpulse> body_impulses,

@@ -8,21 +8,6 @@
 
 namespace flinch::sim {
 
-/// Linear and angular velocity of a body at its centre of mass, m/s and rad/s; or an impulse and
-/// its moment there, N·s and N·m·s. World.
-struct Twist {
-  Eigen::Vector3d linear = Eigen::Vector3d::Zero();
-  Eigen::Vector3d angular = Eigen::Vector3d::Zero();
-};
-
-/// All equations of a figure for a step, except its contacts.
-struct FigureRows {
-  PelvisRows pelvis;
-  motion::PerBody<JointRows> joints;  ///< the pelvis has none
-};
-FigureRows figure_rows(const FigureModel& figure_model, const motion::PerBody<BodyState>& now,
-                       const ReferenceState& target, double step_s);
-
 /// An impulse on a body.
 struct BodyImpulse {
   motion::Body body{};
@@ -53,9 +38,11 @@ class JointTree {
   /// `figure_model` must outlive this.
   explicit JointTree(const FigureModel& figure_model);
 
-  /// Sets the step and factors its equations.
+  /// Sets the step and factors its equations. `impulses` are those of forces on the bodies in
+  /// `pushed`; those of others are not read.
   void set_step(const motion::PerBody<BodyState>& now, const FigureRows& rows, double step_s,
-                double gravity_mps2);
+                double gravity_mps2, BodySet pushed = 0,
+                const motion::PerBody<Twist>& impulses = {});
   /// Propagates impulses, summed, through the joints to the pelvis.
   void propagate(std::span<const BodyImpulse> body_impulses, PropagatedImpulse& propagated) const;
   /// Returns first^T M^-1 second: the velocity change along `second` that `first` causes after the
@@ -85,7 +72,7 @@ class JointTree {
   };
   void factor(const JointRows& rows, const motion::PerBody<BodyState>& now, Body body,
               double step_s);
-  void factor_root(const PelvisRows& rows, double step_s);
+  void anchor(Body body, const AnchorRows& rows, double step_s);
 
   const FigureModel& figure_model_;
   motion::PerBody<Link> links_;

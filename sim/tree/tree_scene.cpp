@@ -22,6 +22,10 @@ TreeScene::TreeScene(const FigureModel& figure_model, const motion::PerBody<Body
       gravity_mps2_(gravity_mps2),
       bodies_(start),
       tree_(figure_model) {
+  contacts_.reserve(kReservedRows);
+  impulses_.reserve(kReservedRows);
+  rows_.reserve(kReservedRows);
+  propagated_.reserve(kReservedRows);
   if (!ball) return;
   ball_ = *ball;
   ball_state_.position = ball->position;
@@ -47,6 +51,7 @@ std::optional<features::Ball> TreeScene::flight() const {
 
 void TreeScene::clear_contacts() {
   contacts_.clear();
+  dragged_ = 0;
 }
 
 void TreeScene::add_hit(Body body, const motion::Clearance& at, double restitution) {
@@ -73,45 +78,73 @@ void TreeScene::add_body_contact(Body first, Body second, const motion::Clearanc
                        measured});
 }
 
-void TreeScene::add_supports(const ReferenceState& target, double step_s) {
-  for (Body foot : {Body::left_foot, Body::right_foot}) {
-    const FootSupport support = foot_support(figure_model_, foot, bodies_[foot], target.body[foot]);
+void TreeScene::add_supports(const ReferenceState& target, double step_s, const Drive& drive) {
+  const motion::PerSide<bool> held = held_feet(figure_model_, target, drive);
+  for_each_body(supported_bodies(drive), [&](Body body) {
+    const Support support =
+        support_of(figure_model_, body, bodies_[body], target.body[body], drive, held);
     for (std::size_t i = 0; i < support.count; ++i) {
       const SupportPoint& at = support.points[i];
-      contacts_.push_back(
-          {ground_constraint(at.point, at.depth_m, figure_model_.mass_kg / 4, step_s),
-           {ContactBody::Kind::body, foot},
-           {},
-           false});
+      contacts_.push_back({ground_constraint(at.point, at.depth_m, support.mass_kg, step_s),
+                           {ContactBody::Kind::body, body},
+                           {},
+                           false});
     }
-  }
+    if (drive.is_falling && support.count > 0) dragged_ |= set_of(body);
+  });
 }
 
 void TreeScene::apply_gravity(double time_s) {
   if (ball_) ball_state_.velocity.z() -= ball_->gravity_mps2 * time_s;
 }
 
-void TreeScene::step(const ReferenceState& target, double step_s) {
+void TreeScene::step(const ReferenceState& target, double step_s, const Drive& drive) {
   apply_gravity(step_s / 2);
-  tree_.set_step(bodies_, figure_rows(figure_model_, bodies_, target, step_s), step_s,
-                 gravity_mps2_);
-  Twist on_ball;
-  if (!contacts_.empty()) {
-    make_rows();
-    propagate_rows();
-    make_equations(step_s);
-    if (!solve_rows()) ++solver_messages_;
-    apply(on_ball);
-  }
+  set_forces(target, step_s, drive);
+  tree_.set_step(bodies_, figure_rows(figure_model_, bodies_, target, step_s, drive), step_s,
+                 drive.feedforward_from ? 0 : gravity_mps2_, pushed_, pushes_);
+  const Twist on_ball = solve_contacts(step_s);
   tree_.velocities(kAllBodies, after_);
   for (Body body : motion::kBodies) move(bodies_[body], after_[body], step_s);
-  if (ball_) {
-    move(ball_state_,
-         {ball_state_.velocity + on_ball.linear / ball_->mass_kg,
-          ball_state_.angular_velocity + on_ball.angular / ball_inertia_},
-         step_s);
-  }
+  move_ball(on_ball, step_s);
   apply_gravity(step_s / 2);
+}
+
+void TreeScene::step_ball(double step_s) {
+  apply_gravity(step_s / 2);
+  move_ball(solve_contacts(step_s), step_s);
+  apply_gravity(step_s / 2);
+}
+
+void TreeScene::set_forces(const ReferenceState& target, double step_s, const Drive& drive) {
+  pushed_ = drive.feedforward_from ? kAllBodies : dragged_;
+  for_each_body(pushed_, [&](Body body) {
+    pushes_[body] = drive.feedforward_from
+                        ? feedforward_impulse(figure_model_, body,
+                                              drive.feedforward_from->body[body], target.body[body])
+                        : Twist{};
+    if (dragged_ & set_of(body))
+      pushes_[body].linear += step_s * ground_drag(figure_model_, body, bodies_[body]);
+  });
+}
+
+Twist TreeScene::solve_contacts(double step_s) {
+  Twist on_ball;
+  if (contacts_.empty()) return on_ball;
+  make_rows();
+  propagate_rows();
+  Scratch::Vector solution = solution_.vector(static_cast<Eigen::Index>(rows_.size()));
+  if (!solve_rows(make_equations(step_s), solution)) ++solver_messages_;
+  apply(solution, on_ball);
+  return on_ball;
+}
+
+void TreeScene::move_ball(const Twist& impulse, double step_s) {
+  if (!ball_) return;
+  move(ball_state_,
+       {ball_state_.velocity + impulse.linear / ball_->mass_kg,
+        ball_state_.angular_velocity + impulse.angular / ball_inertia_},
+       step_s);
 }
 
 // x' = x + h v', and q' is q + h/2 w' q normalised, as in ODE.
@@ -210,10 +243,10 @@ double TreeScene::target_relative_velocity(const Row& row, double step_s) const 
 
 // With v the rows' velocities without contact impulses and A_ij the velocity change of row i per
 // unit impulse of row j, A p + softness/h p - (v_wanted - v) is complementary to p.
-void TreeScene::make_equations(double step_s) {
+TreeScene::Equations TreeScene::make_equations(double step_s) {
   const auto count = static_cast<Eigen::Index>(rows_.size());
-  matrix_.resize(count, count);
-  right_hand_side_.resize(count);
+  Equations equations{matrix_.matrix(count, count), right_hand_side_.vector(count)};
+  auto& [matrix, right_hand_side] = equations;
   const auto hits = [this](const Row& row) {
     return contacts_[row.contact].first.kind == ContactBody::Kind::ball;
   };
@@ -228,47 +261,51 @@ void TreeScene::make_equations(double step_s) {
         change += row.direction.dot(other.direction) / ball_->mass_kg +
                   row.first_moment.dot(other.first_moment) / ball_inertia_;
       }
-      matrix_(i, j) = change;
-      matrix_(j, i) = change;
+      matrix(i, j) = change;
+      matrix(j, i) = change;
     }
     const Contact& contact = contacts_[row.contact];
     const double softness =
         row.normal < 0 ? contact.constraint.softness : ContactConstraint{}.softness;
-    matrix_(j, j) += softness / step_s;
-    right_hand_side_[j] =
+    matrix(j, j) += softness / step_s;
+    right_hand_side[j] =
         target_relative_velocity(row, step_s) -
         relative_velocity(row, free_velocity(contact.first), free_velocity(contact.second));
   }
+  return equations;
 }
 
 // As in ODE, the normal forces of a step without friction bound the friction.
-bool TreeScene::solve_rows() {
-  const auto count = static_cast<Eigen::Index>(rows_.size());
-  lower_ = Eigen::VectorXd::Zero(count);
-  upper_ = Eigen::VectorXd::Zero(count);
+bool TreeScene::solve_rows(const Equations& equations, Scratch::Vector& solution) {
+  const auto& [matrix, right_hand_side] = equations;
+  const Eigen::Index count = solution.size();
+  Scratch::Matrix bounds = bounds_.matrix(count, 2);
+  auto lower = bounds.col(0);
+  auto upper = bounds.col(1);
+  bounds.setZero();
   bool has_friction = false;
   for (Eigen::Index i = 0; i < count; ++i) {
     const bool is_normal = rows_[static_cast<std::size_t>(i)].normal < 0;
-    if (is_normal) upper_[i] = kInfinity;
+    if (is_normal) upper[i] = kInfinity;
     has_friction |= !is_normal;
   }
-  bool solved = lcp_.solve(matrix_, right_hand_side_, lower_, upper_, solution_);
+  bool solved = lcp_.solve(matrix, right_hand_side, lower, upper, solution);
   if (!has_friction) return solved;
   for (Eigen::Index i = 0; i < count; ++i) {
     const Row& row = rows_[static_cast<std::size_t>(i)];
     if (row.normal < 0) continue;
-    upper_[i] = contacts_[row.contact].constraint.friction * solution_[row.normal];
-    lower_[i] = -upper_[i];
+    upper[i] = contacts_[row.contact].constraint.friction * solution[row.normal];
+    lower[i] = -upper[i];
   }
-  solved &= lcp_.solve(matrix_, right_hand_side_, lower_, upper_, solution_);
+  solved &= lcp_.solve(matrix, right_hand_side, lower, upper, solution);
   return solved;
 }
 
-void TreeScene::apply(Twist& on_ball) {
+void TreeScene::apply(const Scratch::Vector& solution, Twist& on_ball) {
   for (Contact& contact : contacts_) contact.impulse_ns = 0;
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     const Row& row = rows_[i];
-    const double size = solution_[static_cast<Eigen::Index>(i)];
+    const double size = solution[static_cast<Eigen::Index>(i)];
     Contact& contact = contacts_[row.contact];
     contact.impulse_ns = std::hypot(contact.impulse_ns, size);
     tree_.add(propagated_[i], size);

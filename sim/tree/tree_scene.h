@@ -8,6 +8,7 @@
 #include "features/ball.h"
 #include "sim/contact/contact_constraint.h"
 #include "sim/contact/contact_impulse.h"
+#include "sim/figure/support.h"
 #include "sim/simulation_options.h"
 #include "sim/tree/box_lcp.h"
 #include "sim/tree/joint_tree.h"
@@ -21,6 +22,9 @@ class TreeScene {
   /// `figure_model` must outlive this. `gravity_mps2` is the figure's; the ball has its own.
   TreeScene(const FigureModel& figure_model, const motion::PerBody<BodyState>& start,
             const features::Ball* ball, double gravity_mps2);
+  TreeScene(const FigureModel& figure_model, const ReferenceState& start,
+            const features::Ball* ball, double gravity_mps2)
+      : TreeScene(figure_model, start.body, ball, gravity_mps2) {}
 
   motion::PerBody<MovingShape> shapes() const;
   std::optional<features::Ball> flight() const;
@@ -31,13 +35,17 @@ class TreeScene {
   void add_bounce(double restitution);
   void add_body_contact(motion::Body first, motion::Body second, const motion::Clearance& at,
                         double free_closing_mps, bool measured);
-  void add_supports(const ReferenceState& target, double step_s);
+  void add_supports(const ReferenceState& target, double step_s, const Drive& drive = {});
 
   /// Runs a step that ends at `target`.
-  void step(const ReferenceState& target, double step_s);
+  void step(const ReferenceState& target, double step_s, const Drive& drive = {});
+  /// Runs a step of the ball alone.
+  void step_ball(double step_s);
   std::span<const ContactImpulse> impulses(double step_s);
 
   const motion::PerBody<BodyState>& bodies() const { return bodies_; }
+  /// The ball's state; at the origin if there is none.
+  const BodyState& ball_state() const { return ball_state_; }
   /// Number of steps whose contacts were not solved.
   int solver_messages() const { return solver_messages_; }
 
@@ -63,7 +71,17 @@ class TreeScene {
     Eigen::Index normal = -1;       ///< normal row whose force bounds this row
   };
 
+  /// Of the rows' impulses: matrix x - right_hand_side is their velocity less the wanted one.
+  struct Equations {
+    Scratch::Matrix matrix;
+    Scratch::Vector right_hand_side;
+  };
+
   void apply_gravity(double time_s);
+  void set_forces(const ReferenceState& target, double step_s, const Drive& drive);
+  /// Solves the contacts and returns their impulse on the ball.
+  Twist solve_contacts(double step_s);
+  void move_ball(const Twist& impulse, double step_s);
   const BodyState& state_of(const ContactBody& contact_body) const;
   /// Velocity of a side of a contact now, and after the step without contact impulses.
   Twist current_velocity(const ContactBody& contact_body) const;
@@ -71,10 +89,10 @@ class TreeScene {
   static double relative_velocity(const Row& row, const Twist& first, const Twist& second);
   void make_rows();
   void propagate_rows();
-  void make_equations(double step_s);
+  Equations make_equations(double step_s);
   double target_relative_velocity(const Row& row, double step_s) const;
-  bool solve_rows();
-  void apply(Twist& on_ball);
+  bool solve_rows(const Equations& equations, Scratch::Vector& solution);
+  void apply(const Scratch::Vector& solution, Twist& on_ball);
   void move(BodyState& state, const Twist& after, double step_s) const;
 
   const FigureModel& figure_model_;
@@ -87,14 +105,20 @@ class TreeScene {
   std::vector<Contact> contacts_;
   std::vector<ContactImpulse> impulses_;
   int solver_messages_ = 0;
+  BodySet dragged_ = 0;  ///< the parts that the ground slows in the next step
 
   // Scratch buffers of a step.
   motion::PerBody<Twist> after_;
+  BodySet pushed_ = 0;             // the bodies on which forces act
+  motion::PerBody<Twist> pushes_;  // their impulses; others are not set
   std::vector<Row> rows_;
   std::vector<PropagatedImpulse> propagated_;  // one per row; may be longer than the number of rows
-  Eigen::MatrixXd matrix_;
-  Eigen::VectorXd right_hand_side_, lower_, upper_, solution_;
-  BoxLcp lcp_;
+  static constexpr Eigen::Index kReservedRows = 64;  // more rows allocate
+  Scratch matrix_{kReservedRows * kReservedRows};
+  Scratch right_hand_side_{kReservedRows};
+  Scratch bounds_{2 * kReservedRows};
+  Scratch solution_{kReservedRows};
+  BoxLcp lcp_{kReservedRows};
 };
 
 }  // namespace flinch::sim

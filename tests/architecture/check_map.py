@@ -26,6 +26,7 @@ class Folder:
 RUN_TIME = True
 OFFLINE = False
 SIM = ["motion", "features", "sim"]
+ENCOUNTER = [*SIM, "sim/collision", "sim/figure", "sim/contact", "sim/tree", "sim/encounter"]
 TRAIN = ["motion", "features", "database/library", "database/import", "models", "models/fit",
          "runtime", "runtime/response"]
 # In order: a folder uses only folders above it, and of those only the ones that it names.
@@ -47,18 +48,17 @@ MAP = {
     "sim/collision": Folder(RUN_TIME, SIM, ["Eigen/"]),
     "sim/figure": Folder(RUN_TIME, [*SIM, "sim/collision"], ["Eigen/"]),
     "sim/contact": Folder(RUN_TIME, [*SIM, "sim/collision", "sim/figure"], ["Eigen/"]),
-    "sim/ode": Folder(RUN_TIME, [*SIM, "sim/collision", "sim/figure", "sim/contact"],
-                      ["Eigen/", "ode/", "mutex"]),  # ODE is initialised once per process
     "sim/tree": Folder(RUN_TIME, [*SIM, "sim/collision", "sim/figure", "sim/contact"], ["Eigen/"]),
-    "sim/encounter": Folder(RUN_TIME, ["motion", "features", "sim", "sim/"], ["Eigen/"]),
-    "sim/rehearsal": Folder(RUN_TIME, ["motion", "features", "sim", "sim/"], ["Eigen/"]),
+    "sim/encounter": Folder(RUN_TIME, ENCOUNTER[:-1], ["Eigen/"]),
+    "sim/rehearsal": Folder(RUN_TIME, ENCOUNTER, ["Eigen/"]),
+    "sim/ode": Folder(OFFLINE, ENCOUNTER,
+                      ["Eigen/", "ode/", "mutex"]),  # ODE is initialised once per process
     "runtime/response": Folder(RUN_TIME, ["motion", "features", "database/library"], ["Eigen/"]),
     "runtime": Folder(RUN_TIME, ["motion", "features", "database/library", "models",
                                  "runtime/response"], ["Eigen/", "flatbuffers/"]),
     "runtime/c": Folder(RUN_TIME, ["motion", "features", "database/library", "models", "runtime",
                                    "runtime/response"], ["Eigen/", "stddef.h", "stdint.h"]),
-    "reaction": Folder(RUN_TIME, ["motion", "features", "sim", "sim/", "runtime",
-                                  "runtime/response"], ["Eigen/"]),
+    "reaction": Folder(RUN_TIME, [*ENCOUNTER, "runtime", "runtime/response"], ["Eigen/"]),
     "train/scenario": Folder(OFFLINE, ["motion", "features", "database/library"], ["Eigen/"]),
     "train/objective": Folder(OFFLINE, ["motion", "features"], ["Eigen/"]),
     "train/store": Folder(OFFLINE, [*TRAIN, "train/scenario", "train/objective"],

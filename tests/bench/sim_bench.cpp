@@ -3,9 +3,9 @@
 // them, the same mix each time.
 #include <benchmark/benchmark.h>
 
-#include <type_traits>
-
-#include "sim/encounter/encounter.h"
+#include "sim/ode/ode_encounter.h"
+#include "sim/ode/ode_simulator.h"
+#include "sim/rehearsal/simulator.h"
 #include "tests/sim/random_hits.h"
 
 namespace flinch {
@@ -15,7 +15,7 @@ void simulate_a_second(benchmark::State& state) {
   const motion::Physique character = motion::default_character();
   const auto motions = scenes::motions_by_rule(character.skeleton);
   const auto hits = scenes::random_hits(character, motions, 96, 1);
-  const sim::Simulator simulator(character, {});
+  const sim::OdeSimulator simulator(character, {});
   std::size_t next = 0;
   double steps = 0;
   double impulse = 0;
@@ -37,7 +37,7 @@ BENCHMARK(simulate_a_second)->Unit(benchmark::kMillisecond)->MinTime(2);
 void simulate_without_a_ball(benchmark::State& state) {
   const motion::Physique character = motion::default_character();
   const auto motions = scenes::motions_by_rule(character.skeleton);
-  const sim::Simulator simulator(character, {});
+  const sim::OdeSimulator simulator(character, {});
   std::size_t next = 0;
   for (auto _ : state) {
     const motion::Motion& motion = motions[next++ % motions.size()].motion;
@@ -84,28 +84,23 @@ void simulate_rehearsed(benchmark::State& state) {
 BENCHMARK(simulate_rehearsed)->Unit(benchmark::kMicrosecond)->MinTime(1);
 
 /// A free step of a standing figure, with ODE and with the tree.
-template <class Scene, class Start>
-void step_standing(benchmark::State& state, Start start) {
+template <class Scene>
+void step_standing(benchmark::State& state) {
   const sim::FigureModel plan(motion::default_character());
   const sim::ReferenceState stand =
       sim::state_at_rest(plan.skeleton, plan.model, scenes::standing(plan.skeleton));
   constexpr double kStep_s = 1.0 / 60;
-  Scene scene(plan, start(stand), nullptr, 9.81);
+  Scene scene(plan, stand, nullptr, 9.81);
   for (auto _ : state) {
     scene.clear_contacts();
     scene.add_supports(stand, kStep_s);
-    if constexpr (std::is_same_v<Scene, sim::OdeScene>) scene.figure().set_motors(stand, kStep_s);
     scene.step(stand, kStep_s);
   }
 }
-void step_by_ode(benchmark::State& state) {
-  step_standing<sim::OdeScene>(state, [](const auto& stand) { return stand; });
-}
-void step_along_the_tree(benchmark::State& state) {
-  step_standing<sim::TreeScene>(state, [](const auto& stand) { return stand.body; });
-}
-BENCHMARK(step_by_ode)->Unit(benchmark::kMicrosecond);
-BENCHMARK(step_along_the_tree)->Unit(benchmark::kMicrosecond);
+BENCHMARK(step_standing<sim::OdeScene>)->Name("step_by_ode")->Unit(benchmark::kMicrosecond);
+BENCHMARK(step_standing<sim::TreeScene>)
+    ->Name("step_along_the_tree")
+    ->Unit(benchmark::kMicrosecond);
 
 }  // namespace
 }  // namespace flinch

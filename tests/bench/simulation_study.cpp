@@ -33,7 +33,7 @@ sim::SimulationOptions with_steps(double free_hz, double contact_hz) {
 }
 
 std::vector<double> tracking_errors_mm(const Study& study, const sim::SimulationOptions& options) {
-  const sim::Simulator simulator(study.character, options);
+  const sim::OdeSimulator simulator(study.character, options);
   std::vector<double> errors;
   for (const auto& [name, motion] : study.motions) {
     const double duration_s = static_cast<double>(motion.duration_s());
@@ -71,7 +71,7 @@ struct Outcome {
 
 Outcome outcome_of(const Study& study, const std::vector<scenes::Hit>& hits,
                    const sim::SimulationOptions& options) {
-  const sim::Simulator simulator(study.character, options);
+  const sim::OdeSimulator simulator(study.character, options);
   Outcome outcome;
   const double begin_s = bench::process_cpu_s();
   for (const scenes::Hit& hit : hits) {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "reaction/reaction.h"
+#include "sim/ode/ode_simulator.h"
 #include "tests/sim/random_hits.h"
 
 // Characters that are about to be hit, for the tests and benchmarks of reactions.
@@ -29,7 +30,7 @@ inline std::vector<ReactionCase> random_reaction_cases(const motion::Physique& c
                                                        const std::vector<NamedMotion>& motions,
                                                        std::size_t count, unsigned seed,
                                                        double mass_kg = 0.27) {
-  const sim::Simulator simulator(character, {});
+  const sim::OdeSimulator simulator(character, {});
   std::vector<ReactionCase> cases;
   for (const Hit& hit : random_hits(character, motions, count, seed)) {
     const motion::Motion& motion = motions[hit.motion].motion;

@@ -50,7 +50,7 @@ TEST(Reaction, FollowsTheMotionWithoutABall) {
 }
 
 TEST(Reaction, FirstContactMatchesTheTrainersSimulation) {
-  const sim::Simulator simulator(character(), {});
+  const sim::OdeSimulator simulator(character(), {});
   int hits = 0;
   int alike = 0;
   for (const ReactionCase& reaction_case : cases()) {

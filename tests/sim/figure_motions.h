@@ -4,10 +4,11 @@
 #include <string>
 #include <vector>
 
+#include "features/ball.h"
 #include "motion/default_character.h"
 #include "motion/interpolation.h"
 #include "motion/mirror.h"
-#include "sim/rehearsal/simulator.h"
+#include "sim/simulation_options.h"
 
 // Procedural motions and aimed balls, for the tests, the study and the benchmark of the simulation.
 namespace flinch::scenes {

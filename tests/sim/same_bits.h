@@ -8,7 +8,7 @@
 #include <thread>
 #include <vector>
 
-#include "sim/rehearsal/simulator.h"
+#include "sim/simulation_result.h"
 
 namespace flinch::scenes {
 

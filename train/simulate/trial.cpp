@@ -89,6 +89,7 @@ SimulationSetup::SimulationSetup(const database::ClipLibrary& simulated,
       plan(planned),
       body_model(motion::make_body_model(simulated.character)),
       simulator(simulated.character, planned.options),
+      reference_simulator(simulated.character, planned.options),
       responses(prepared, planned.distribution) {}
 
 Observation make_observation(const SimulationSetup& setup, std::uint64_t number) {
@@ -123,9 +124,9 @@ TrialResult try_unabridged(const SimulationSetup& setup, const features::Scenari
   const SimulatedMotion simulated_motion =
       make_simulated_motion(setup, scenario.state, clip, scenario.time_to_impact_s);
   const features::Ball ball = ball_of(scenario.threat, setup.plan.options.gravity_mps2);
-  return trial_result(
-      clip, simulated_motion.work_j,
-      setup.simulator.simulate(simulated_motion.motion, &ball, simulated_motion.simulated_s));
+  return trial_result(clip, simulated_motion.work_j,
+                      setup.reference_simulator.simulate(simulated_motion.motion, &ball,
+                                                         simulated_motion.simulated_s));
 }
 
 Trial try_clip(const SimulationSetup& setup, const features::Scenario& scenario, int clip) {

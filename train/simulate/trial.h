@@ -6,6 +6,7 @@
 
 #include "database/library/library.h"
 #include "runtime/response/prepared_library.h"
+#include "sim/ode/ode_simulator.h"
 #include "sim/rehearsal/simulator.h"
 #include "train/objective/observation.h"
 #include "train/scenario/scenario_sampling.h"
@@ -38,6 +39,7 @@ struct SimulationSetup {
   SimulationPlan plan;
   motion::BodyModel body_model;
   sim::Simulator simulator;
+  sim::OdeSimulator reference_simulator;  ///< for unabridged simulations
   SharedResponses responses;
 };
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "sim/encounter/encounter.h"
+#include "sim/ode/ode_encounter.h"
 #include "tests/sim/random_hits.h"
 
 namespace flinch::sim {
@@ -36,22 +36,6 @@ ReferenceState turned(ReferenceState state, const Eigen::Quaterniond& turn) {
 }
 
 template <class Scene>
-Scene make_scene(const FigureModel& figure_model, const ReferenceState& start,
-                 const features::Ball& ball) {
-  if constexpr (std::is_same_v<Scene, OdeScene>) {
-    return {figure_model, start, &ball, features::kGravity_mps2};
-  } else {
-    return {figure_model, start.body, &ball, features::kGravity_mps2};
-  }
-}
-
-template <class Scene>
-void step(Scene& scene, const ReferenceState& target) {
-  if constexpr (std::is_same_v<Scene, OdeScene>) scene.figure().set_motors(target, kStep_s);
-  scene.step(target, kStep_s);
-}
-
-template <class Scene>
 class TurnedScene : public testing::Test {
  protected:
   motion::Physique character_ = motion::default_character();
@@ -66,9 +50,9 @@ class TurnedScene : public testing::Test {
     ball.position = {5, 0, ball.radius};
     ball.velocity = velocity;
     ball.gravity_mps2 = 0;
-    Scene scene = make_scene<Scene>(figure_model_, standing_, ball);
+    Scene scene(figure_model_, standing_, &ball, features::kGravity_mps2);
     scene.add_bounce(kRestitution);
-    step(scene, standing_);
+    scene.step(standing_, kStep_s);
     return scene.flight()->velocity;
   }
 
@@ -78,19 +62,12 @@ class TurnedScene : public testing::Test {
     const Reference reference(figure_model_.skeleton, figure_model_.model, motion);
     const auto at = [&](double time_s) { return turned(reference.at(time_s), turn); };
     const features::Ball thrown = turned(ball, turn);
-    auto encounter = [&] {
-      if constexpr (std::is_same_v<Scene, OdeScene>) {
-        return OdeEncounter(figure_model_, options_, at(0), &thrown);
-      } else {
-        return Encounter<TreeScene>(figure_model_, options_, 0, figure_model_, at(0).body, &thrown,
-                                    options_.gravity_mps2);
-      }
-    }();
+    Encounter<Scene> encounter(figure_model_, options_, 0, figure_model_, at(0), &thrown,
+                               options_.gravity_mps2);
     while (encounter.time_s() < 1) {
       const ReferenceState now = at(encounter.time_s());
       const double step_s = encounter.begin_step(now, 1 - encounter.time_s());
       const ReferenceState target = at(encounter.time_s() + step_s);
-      if constexpr (std::is_same_v<Scene, OdeScene>) encounter.figure().set_motors(target, step_s);
       encounter.end_step(now, target, step_s);
     }
     return encounter.impulse();
@@ -126,11 +103,11 @@ TYPED_TEST(TurnedScene, ABallHitWhileItStandsOnTheGroundLeavesAlike) {
     features::Ball ball;
     ball.position = turn * Eigen::Vector3d(0.4, 0.1, ball.radius);
     ball.velocity = {0, 0, -1};
-    TypeParam scene = make_scene<TypeParam>(this->figure_model_, start, ball);
+    TypeParam scene(this->figure_model_, start, &ball, features::kGravity_mps2);
     const Eigen::Vector3d normal = turn * Eigen::Vector3d(0.9, -0.3, 0.2).normalized();
     scene.add_hit(Body::left_foot, {0, ball.position - ball.radius * normal, normal}, kRestitution);
     scene.add_bounce(kRestitution);
-    step(scene, turned(this->standing_, turn));
+    scene.step(turned(this->standing_, turn), kStep_s);
     return Eigen::Vector3d(turn.conjugate() * scene.flight()->velocity);
   };
   const Eigen::Vector3d expected = leaving(0);

@@ -3,7 +3,7 @@
 
 #include <numeric>
 
-#include "sim/rehearsal/simulator.h"
+#include "sim/simulation_result.h"
 
 namespace flinch::tests {
 

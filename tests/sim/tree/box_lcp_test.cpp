@@ -66,7 +66,7 @@ TEST(BoxLcp, MatchesBruteForce) {
                         : std::max(0.0, uniform(generator));  // some bounds are equal
       lower[k] = normal ? 0 : -upper[k];
     }
-    Eigen::VectorXd found;
+    Eigen::VectorXd found(count);
     ASSERT_TRUE(lcp.solve(matrix, right_hand_side, lower, upper, found));
     const auto expected = by_exhaustion(matrix, right_hand_side, lower, upper);
     ASSERT_TRUE(expected);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "sim/rehearsal/simulator.h"
+#include "sim/ode/ode_simulator.h"
 
 #include <gtest/gtest.h>
 
@@ -41,7 +41,7 @@ Eigen::Vector3d middle_of(Body body, const motion::Pose& pose) {
 
 SimulationResult simulate(const motion::Motion& motion, const features::Ball* ball,
                           double duration_s = 1) {
-  return Simulator(character(), {}).simulate(motion, ball, duration_s);
+  return OdeSimulator(character(), {}).simulate(motion, ball, duration_s);
 }
 
 /// Balls from all sides at all heights, most of which hit.
@@ -56,14 +56,14 @@ std::vector<features::Ball> many_balls(const motion::Pose& pose) {
   return balls;
 }
 
-TEST(Simulator, StandsForTwoSecondsWithinACentimetre) {
+TEST(OdeSimulator, StandsForTwoSecondsWithinACentimetre) {
   const auto result = simulate(standing_still(2), nullptr, 2);
   EXPECT_LT(result.tracking_error_m, 0.01);
   EXPECT_EQ(total_impulse(result), 0);
   EXPECT_TRUE(std::isinf(result.first_contact_s));
 }
 
-TEST(Simulator, TracksMotionsByRuleWithinFiveCentimetres) {
+TEST(OdeSimulator, TracksMotionsByRuleWithinFiveCentimetres) {
   for (const auto& [name, motion] : scenes::motions_by_rule(character().skeleton)) {
     const auto result = simulate(motion, nullptr);
     EXPECT_LT(result.tracking_error_m, 0.05) << name;
@@ -71,12 +71,12 @@ TEST(Simulator, TracksMotionsByRuleWithinFiveCentimetres) {
   }
 }
 
-TEST(Simulator, HoldsStillBeyondTheEndOfItsMotion) {
+TEST(OdeSimulator, HoldsStillBeyondTheEndOfItsMotion) {
   const auto result = simulate(standing_still(0.25F), nullptr, 2);
   EXPECT_LT(result.tracking_error_m, 0.01);
 }
 
-TEST(Simulator, AMissGivesNoImpulse) {
+TEST(OdeSimulator, AMissGivesNoImpulse) {
   const motion::Motion motion = standing_still();
   const features::Ball wide = scenes::aimed_ball({0, 2, 1}, {-20, 0, 0}, 0.4);
   const features::Ball late = scenes::aimed_ball({0, 0, 1.2}, {-20, 0, 0}, 1.5);
@@ -89,7 +89,7 @@ TEST(Simulator, AMissGivesNoImpulse) {
 
 // One hit gives at most (1 + e) m v, the impulse on a wall. A chest with 75 kg behind it gives way
 // little.
-TEST(Simulator, ImpulseOnTheChestIsNearlyThatOnAWall) {
+TEST(OdeSimulator, ImpulseOnTheChestIsNearlyThatOnAWall) {
   const motion::Motion motion = standing_still();
   for (double speed_mps : {10.0, 20.0, 30.0}) {
     const features::Ball ball =
@@ -103,7 +103,7 @@ TEST(Simulator, ImpulseOnTheChestIsNearlyThatOnAWall) {
 }
 
 // A head on a neck takes at least the impulse on a free head and less than that on a wall.
-TEST(Simulator, ImpulseOnTheHeadIsBetweenThoseOnAFreeHeadAndOnAWall) {
+TEST(OdeSimulator, ImpulseOnTheHeadIsBetweenThoseOnAFreeHeadAndOnAWall) {
   const motion::Motion motion = standing_still();
   const features::Ball ball =
       scenes::aimed_ball(middle_of(Body::head, motion.poses.front()), {-25, 0, 0}, 0.3);
@@ -113,7 +113,7 @@ TEST(Simulator, ImpulseOnTheHeadIsBetweenThoseOnAFreeHeadAndOnAWall) {
   EXPECT_LT(result.impulse[Body::head], 1.01 * wall);
 }
 
-TEST(Simulator, FirstContactTimeMatchesTheBallsFlight) {
+TEST(OdeSimulator, FirstContactTimeMatchesTheBallsFlight) {
   const motion::Motion motion = standing_still();
   const Eigen::Vector3d chest = middle_of(Body::chest, motion.poses.front());
   const features::Ball ball = scenes::aimed_ball(chest, {-20, 0, 0}, 0.3);
@@ -130,7 +130,7 @@ TEST(Simulator, FirstContactTimeMatchesTheBallsFlight) {
   EXPECT_GT(total_impulse(simulate(motion, &ball, result.first_contact_s + 0.003)), 0);
 }
 
-TEST(Simulator, HandDrivenIntoTheFaceGivesBothAnImpulse) {
+TEST(OdeSimulator, HandDrivenIntoTheFaceGivesBothAnImpulse) {
   motion::Motion motion;
   motion::Pose bowed = scenes::guarding(character().skeleton);
   scenes::turn(bowed, motion::Role::neck, Eigen::Vector3f::UnitY(), 20);
@@ -150,7 +150,7 @@ TEST(Simulator, HandDrivenIntoTheFaceGivesBothAnImpulse) {
   EXPECT_EQ(driven, 2);
 }
 
-TEST(Simulator, ContactOfTheMotionItselfGivesNoImpulse) {
+TEST(OdeSimulator, ContactOfTheMotionItselfGivesNoImpulse) {
   motion::Pose kneeing = scenes::standing(character().skeleton);
   scenes::turn(kneeing, motion::Role::left_thigh, Eigen::Vector3f::UnitY(), -150);
   scenes::turn(kneeing, motion::Role::left_shin, Eigen::Vector3f::UnitY(), 90);
@@ -175,14 +175,14 @@ TEST(Simulator, ContactOfTheMotionItselfGivesNoImpulse) {
 }
 
 // Guards the results of the study in docs/simulation.md.
-TEST(Simulator, ImpulsesConvergeWhenBothStepsAreHalved) {
+TEST(OdeSimulator, ImpulsesConvergeWhenBothStepsAreHalved) {
   const auto motions = scenes::motions_by_rule(character().skeleton);
   const auto hits = scenes::random_hits(character(), motions, 48, 7);
   SimulationOptions half;
   half.free_step_s /= 2;
   half.contact_step_s /= 2;
-  const Simulator shipped(character(), {});
-  const Simulator halved(character(), half);
+  const OdeSimulator shipped(character(), {});
+  const OdeSimulator halved(character(), half);
   std::vector<double> changes;
   for (const scenes::Hit& hit : hits) {
     const motion::Motion& motion = motions[hit.motion].motion;
@@ -196,9 +196,9 @@ TEST(Simulator, ImpulsesConvergeWhenBothStepsAreHalved) {
   EXPECT_LT(changes[changes.size() * 9 / 10], 0.10);
 }
 
-TEST(Simulator, FigureRecoversFromAnyHit) {
+TEST(OdeSimulator, FigureRecoversFromAnyHit) {
   const auto motions = scenes::motions_by_rule(character().skeleton);
-  const Simulator simulator(character(), {});
+  const OdeSimulator simulator(character(), {});
   for (const scenes::Hit& hit : scenes::random_hits(character(), motions, 48, 9)) {
     const auto result = simulator.simulate(motions[hit.motion].motion, &hit.ball, 1);
     EXPECT_LT(result.tracking_error_m, 0.1);
@@ -208,7 +208,7 @@ TEST(Simulator, FigureRecoversFromAnyHit) {
   }
 }
 
-TEST(Simulator, MirroredScenesGiveMirroredImpulses) {
+TEST(OdeSimulator, MirroredScenesGiveMirroredImpulses) {
   const auto motions = scenes::motions_by_rule(character().skeleton);
   for (std::size_t index : {0U, 1U, 3U, 5U}) {
     const motion::Motion& motion = motions[index].motion;
@@ -228,25 +228,25 @@ TEST(Simulator, MirroredScenesGiveMirroredImpulses) {
   }
 }
 
-TEST(Simulator, IsDeterministicWhateverItSimulatedBefore) {
+TEST(OdeSimulator, IsDeterministicWhateverItSimulatedBefore) {
   const auto motions = scenes::motions_by_rule(character().skeleton);
   const motion::Motion& motion = motions[5].motion;
   const auto balls = many_balls(motion::sample(motion, 0.3F));
-  const Simulator used(character(), {});
+  const OdeSimulator used(character(), {});
   for (const features::Ball& ball : balls) {
     const auto first = used.simulate(motion, &ball, 0.6);
     const auto other = used.simulate(motions[1].motion, &balls.front(), 0.4);
     EXPECT_GT(other.steps, 0);
     scenes::expect_same_bits(first, used.simulate(motion, &ball, 0.6));
-    scenes::expect_same_bits(first, Simulator(character(), {}).simulate(motion, &ball, 0.6));
+    scenes::expect_same_bits(first, OdeSimulator(character(), {}).simulate(motion, &ball, 0.6));
   }
 }
 
-TEST(Simulator, IsDeterministicOnConcurrentThreads) {
+TEST(OdeSimulator, IsDeterministicOnConcurrentThreads) {
   const motion::Motion motion = scenes::motions_by_rule(character().skeleton)[5].motion;
   const auto balls = many_balls(motion::sample(motion, 0.3F));
   const auto run = [&](std::vector<SimulationResult>& results) {
-    const Simulator simulator(character(), {});
+    const OdeSimulator simulator(character(), {});
     for (const features::Ball& ball : balls)
       results.push_back(simulator.simulate(motion, &ball, 0.6));
   };

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <limits>
+
+#include "motion/body.h"
+
+namespace flinch::sim {
+
+/// Result of one simulation.
+struct SimulationResult {
+  /// Impulse that each body received from the ball and from bodies that the ball drove into it,
+  /// N·s.
+  motion::PerBody<double> impulse;
+  /// Time of the first contact of ball and figure, s.
+  double first_contact_s = std::numeric_limits<double>::infinity();
+  bool skipped = false;     ///< nothing could touch, so nothing was simulated
+  int steps = 0;            ///< number of simulated steps
+  int solver_messages = 0;  ///< number of messages of the contact solver
+  /// Distance of hands, feet and head from the reference, root mean square over time and points, m.
+  double tracking_error_m = 0;
+};
+
+}  // namespace flinch::sim
