@@ -1,12 +1,11 @@
 # SPDX-License-Identifier: MIT
-# Installs the run time's libraries and the public headers as the CMake package `flinch`, its C
-# interface also for pkg-config, the reaction to a hit as the package's component `reaction`, and
-# the program.
+# Installs the run time's libraries, with the reaction to a hit, and the public headers as the CMake
+# package `flinch`, its C interface also for pkg-config, and the program.
 # The offline libraries stay behind: a game has no use for them, and the program does their work.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
-flinch_link_closure(runtime_libraries flinch_runtime)
+flinch_link_closure(runtime_libraries flinch_reaction)
 list(FILTER runtime_libraries INCLUDE REGEX "^flinch_")
 list(REMOVE_ITEM runtime_libraries flinch_flags)
 install(TARGETS ${runtime_libraries} EXPORT flinch ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
@@ -14,9 +13,6 @@ install(TARGETS ${runtime_libraries} EXPORT flinch ARCHIVE DESTINATION ${CMAKE_I
 # The public headers alone. They keep their folder, as in `#include "runtime/character.h"`, but for
 # that of the C interface.
 foreach(header IN LISTS FLINCH_PUBLIC_HEADERS)
-  if(header IN_LIST FLINCH_REACTION_HEADERS AND NOT TARGET flinch_reaction)
-    continue()
-  endif()
   cmake_path(GET header PARENT_PATH folder)
   set(destination ${CMAKE_INSTALL_INCLUDEDIR}/flinch/${folder})
   if(header STREQUAL "runtime/c/flinch.h")
@@ -43,18 +39,6 @@ install(EXPORT flinch_c NAMESPACE flinch:: FILE flinchCTargets.cmake
 file(RELATIVE_PATH to_prefix /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
 configure_file(${CMAKE_CURRENT_LIST_DIR}/flinch.pc.in ${PROJECT_BINARY_DIR}/flinch.pc @ONLY)
 install(FILES ${PROJECT_BINARY_DIR}/flinch.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
-
-# The reaction links ODE, which the package finds with the same module as this build.
-if(TARGET flinch_reaction)
-  flinch_link_closure(reaction_libraries flinch_reaction)
-  list(FILTER reaction_libraries INCLUDE REGEX "^flinch_")
-  list(REMOVE_ITEM reaction_libraries flinch_flags ${runtime_libraries})
-  install(TARGETS ${reaction_libraries} EXPORT flinch_reaction
-    ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
-  install(EXPORT flinch_reaction NAMESPACE flinch:: FILE flinchReactionTargets.cmake
-    DESTINATION ${package_directory})
-  install(FILES ${CMAKE_CURRENT_LIST_DIR}/FindODE.cmake DESTINATION ${package_directory})
-endif()
 
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 

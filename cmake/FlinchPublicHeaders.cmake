@@ -1,11 +1,6 @@
 # SPDX-License-Identifier: MIT
 # The headers that games may include: everything that is installed, at most 25. docs/embedding.md
 # says what each is for; the test architecture.public_headers checks the list.
-set(FLINCH_REACTION_HEADERS  # of the package's component `reaction`
-  reaction/recovery.h
-  reaction/reaction.h
-  reaction/reaction_clips.h
-  reaction/reacting_character.h)
 set(FLINCH_PUBLIC_HEADERS
   motion/enum_array.h
   motion/role.h
@@ -27,4 +22,7 @@ set(FLINCH_PUBLIC_HEADERS
   runtime/response/response.h
   runtime/character.h
   runtime/c/flinch.h  # installed as flinch.h
-  ${FLINCH_REACTION_HEADERS})
+  reaction/recovery.h
+  reaction/reaction.h
+  reaction/reaction_clips.h
+  reaction/reacting_character.h)

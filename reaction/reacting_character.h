@@ -36,8 +36,8 @@ const char* name_of(PoseSource pose_source) noexcept;
 /// where the data has a clip close to how physics moves the body, to that clip and then to idle.
 /// docs/reaction.md explains it.
 ///
-/// One thread at a time may use an object. Nothing throws. After react_to() Flinch allocates
-/// nothing; the physics engine may.
+/// One thread at a time may use an object. Nothing throws. After react_to() nothing is allocated
+/// (see Reaction).
 class ReactingCharacter {
  public:
   /// `library` must be loaded and outlive this. `data` of make_reaction_data().

@@ -145,7 +145,7 @@ const char* message_of(ReactionStatus status) noexcept {
     case ReactionStatus::failed:
       break;
   }
-  return "the physics engine failed; the motion continues without it";
+  return "the simulation failed; the motion continues without it";
 }
 
 Reaction::Reaction(std::shared_ptr<const sim::FigureModel> figure,

@@ -39,7 +39,7 @@ enum class ReactionStatus : std::uint8_t {
   bad_time,     ///< a time step that is not in (0, kMaxReactionFrame_s]
   bad_pose,     ///< a number that is not finite, or a rotation that is not unit (to 1e-3)
   bad_ball,     ///< a number that is not finite, or a mass, radius or speed out of range
-  failed,       ///< the physics engine failed; from now on pose() is the motion to return to
+  failed,       ///< the simulation failed; from now on pose() is the motion to return to
 };
 /// The status in words; never null.
 const char* message_of(ReactionStatus status) noexcept;
@@ -59,9 +59,10 @@ enum class ReactionPhase : std::uint8_t {
 /// training; weaker joint springs track the kinematic response, so that the hit shows. A double
 /// blend then returns to animation (see RecoverySchedule). docs/reaction.md explains it.
 ///
-/// World frame: Z up, the ground at z = 0. Each object owns its physical world: equal calls give
+/// World frame: Z up, the ground at z = 0. Each object owns its simulation: equal calls give
 /// equal bits, whatever else is simulated on whatever threads. One thread at a time may call an
-/// object. Nothing throws. After begin() Flinch allocates nothing; the physics engine may.
+/// object. Nothing throws. After begin() nothing is allocated while there are at most 64 rows of
+/// contacts, which a figure that lies on the ground stays below.
 class Reaction {
  public:
   /// `figure` of make_figure_model(). With bad options or no figure every call returns bad_options.

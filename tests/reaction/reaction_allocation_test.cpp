@@ -15,9 +15,13 @@ TEST(Reaction, AllocatesNothingAfterBegin) {
   const ReactionClips clips(character, {});
   Reaction reaction(figure_model);
   int hits = 0;
-  for (const auto& reaction_case : scenes::random_reaction_cases(character, motions, 12, 5)) {
+  int knocked_over = 0;
+  auto cases = scenes::random_reaction_cases(character, motions, 12, 5);
+  for (auto& heavy : scenes::random_reaction_cases(character, motions, 12, 6, 20.0))
+    cases.push_back(heavy);
+  for (const auto& reaction_case : cases) {
     ASSERT_EQ(scenes::begin(reaction, reaction_case), ReactionStatus::ok);
-    for (int k = 1; k < 60; ++k) {
+    for (int k = 1; k < 180; ++k) {
       const motion::Pose wanted =
           scenes::pose_at(*reaction_case.motion, reaction_case.begin_s + k * scenes::kFrame_s);
       const motion::Pose before = reaction.pose();
@@ -27,8 +31,10 @@ TEST(Reaction, AllocatesNothingAfterBegin) {
       EXPECT_EQ(tests::allocation_count(), allocations) << "frame " << k;
     }
     if (std::isfinite(reaction.contact_s())) ++hits;
+    if (reaction.phase() == ReactionPhase::knocked_over) ++knocked_over;
   }
-  EXPECT_GT(hits, 8);
+  EXPECT_GT(hits, 16);
+  EXPECT_GT(knocked_over, 3);
 }
 
 }  // namespace
