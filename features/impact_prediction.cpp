@@ -36,8 +36,7 @@ bool is_within(float number, float max) {
 bool is_valid_input(const Threat& threat, const CollisionFigure& figure, const MotionBounds& bounds,
                     const PredictionOptions& options) {
   return figure.skeleton && figure.model && is_within(figure.reach_m, kMaxExtent) &&
-         is_within(threat.position, kMaxExtent) && is_within(threat.velocity, kMaxExtent) &&
-         is_within(threat.radius, kMaxExtent) && is_within(options.horizon_s, kMaxHorizon_s) &&
+         is_usable(threat) && is_within(options.horizon_s, kMaxHorizon_s) &&
          is_within(options.gravity_mps2, kMaxExtent) &&
          is_within(bounds.pelvis_centre, kMaxExtent) && is_within(bounds.radius, kMaxExtent) &&
          is_within(bounds.max_speed_mps, kMaxSurfaceSpeed_mps);
@@ -57,33 +56,50 @@ double safe_step(double gap, double closing_mps, double gravity_mps2) {
   return gravity_mps2 > 0 ? (root - closing_mps) / gravity_mps2 : kInfinity;
 }
 
-// Solves (x - c) . v = 0 by Newton's method, whose derivative is v^2 + (x - c) . a. The derivative
-// is bounded from below where the fall bends the path towards c.
-double time_nearest(const Ball& ball, const Eigen::Vector3d& centre, double time_s) {
-  constexpr int kIterations = 4;
+// The ball is nearest to c where f(t) = (x - c) . v changes from negative, it approaches, to
+// positive. That is later where it approaches now, or where it slows down as it departs, because
+// f'(t) = v^2 + (x - c) . a is negative; otherwise it is earlier. Newton's method finds it, with
+// bisection where a step would leave the interval that holds it: a ball that hardly moves has no
+// tangent to follow. Never outside of [0, horizon_s].
+double time_nearest(const Ball& ball, const Eigen::Vector3d& centre, double start_s,
+                    double horizon_s) {
+  constexpr int kMaxIterations = 60;  // as bisection needs; Newton's method needs about five
+  constexpr double kResolution_s = 1e-12;
   const Eigen::Vector3d fall(0, 0, -ball.gravity_mps2);
-  for (int i = 0; i < kIterations; ++i) {
+  double before_s = 0;
+  double after_s = horizon_s;
+  double time_s = start_s;
+  for (int i = 0; i < kMaxIterations; ++i) {
     const Eigen::Vector3d offset = ball.position_at(time_s) - centre;
     const Eigen::Vector3d velocity = ball.velocity_at(time_s);
-    const double square = velocity.squaredNorm();
-    if (!(square > 0)) return time_s;
-    time_s -= offset.dot(velocity) / std::max(square + offset.dot(fall), 0.5 * square);
+    const double value = offset.dot(velocity);
+    const double slope = velocity.squaredNorm() + offset.dot(fall);
+    (value < 0 || slope < 0 ? before_s : after_s) = time_s;
+    double next_s = slope > 0 ? time_s - value / slope : kInfinity;
+    if (!(next_s >= before_s && next_s <= after_s)) next_s = 0.5 * (before_s + after_s);
+    const bool is_found = std::abs(next_s - time_s) < kResolution_s;
+    time_s = next_s;
+    if (is_found) break;
   }
-  return time_s;
+  // A ball that slows down need not come back.
+  const auto distance_at = [&](double at_s) { return (ball.position_at(at_s) - centre).norm(); };
+  return distance_at(time_s) <= distance_at(start_s) ? time_s : start_s;
 }
 
 /// Searches for the impact of a ball on a figure.
 class ImpactSearch {
  public:
-  ImpactSearch(const Ball& ball, const CollisionFigure& figure, const PredictedMotion& ahead)
+  ImpactSearch(const Ball& ball, const CollisionFigure& figure, const PredictedMotion& ahead,
+               double horizon_s)
       : ball_(ball),
         figure_(figure),
         ahead_(ahead),
+        horizon_s_(horizon_s),
         pelvis_centre_(ahead.bounds().pelvis_centre.cast<double>()) {}
 
-  PredictedImpact until(double horizon_s) {
+  PredictedImpact until(double end_s) {
     double time_s = 0;
-    while (time_s <= horizon_s) {
+    while (time_s <= end_s) {
       const double step_s = step_outside(time_s);
       if (step_s > 0) {
         time_s += step_s;
@@ -183,7 +199,7 @@ class ImpactSearch {
     double time_s = touch_s;
     for (const Target target : motion::kTargets) {
       const Eigen::Vector3d centre = target_centre(*figure_.model, frames_, target).cast<double>();
-      const double nearest_s = time_nearest(ball_, centre, touch_s);
+      const double nearest_s = time_nearest(ball_, centre, touch_s, horizon_s_);
       double distance = (ball_.position_at(nearest_s) - centre).norm();
       if (target == impact.struck) distance -= kStruckTargetMargin_m;
       if (!(distance < min_distance)) continue;
@@ -194,8 +210,9 @@ class ImpactSearch {
     // The target's centre at that time.
     if (ahead_.bounds().max_speed_mps > 0) {
       const motion::JointFrames then = frames_at(time_s);
-      time_s = time_nearest(
-          ball_, target_centre(*figure_.model, then, impact.aimed_at).cast<double>(), time_s);
+      time_s =
+          time_nearest(ball_, target_centre(*figure_.model, then, impact.aimed_at).cast<double>(),
+                       time_s, horizon_s_);
     }
     impact.time_to_impact_s = static_cast<float>(std::max(time_s, touch_s));
   }
@@ -203,6 +220,7 @@ class ImpactSearch {
   Ball ball_;
   const CollisionFigure& figure_;
   const PredictedMotion& ahead_;
+  double horizon_s_;
   Eigen::Vector3d pelvis_centre_;
   motion::JointFrames frames_;
   bool has_frames_ = false;
@@ -253,7 +271,7 @@ PredictedImpact predict_impact(const Threat& threat, const CollisionFigure& figu
   if (!is_valid_input(threat, figure, ahead.bounds(), options)) return {};
   const Ball ball = ball_of(threat, static_cast<double>(options.gravity_mps2));
   const double horizon_s = static_cast<double>(options.horizon_s);
-  return ImpactSearch(ball, figure, ahead)
+  return ImpactSearch(ball, figure, ahead, horizon_s)
       .until(time_of_bounce(ball, horizon_s, 0).value_or(horizon_s));
 }
 

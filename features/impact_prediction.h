@@ -22,7 +22,8 @@ struct PredictedImpact {
   /// Time until the surfaces first touch, s from now; 0 for `touching`.
   float touch_s = 0;
   /// Time until the threat's centre is nearest to the centre of the target `aimed_at`, if it flies
-  /// on: the time to impact that scenarios hold and selectors are trained on. At least touch_s.
+  /// on: the time to impact that scenarios hold and selectors are trained on. At least touch_s, and
+  /// at most the horizon.
   float time_to_impact_s = 0;
   motion::Body body = motion::Body::head;        ///< the body that is struck first
   motion::Target struck = motion::Target::head;  ///< target_of(body)
@@ -50,17 +51,16 @@ struct PredictionOptions {
   float gravity_mps2 = kGravity;  ///< 0 for threats that fly or roll in a straight line
 };
 
-/// Inputs beyond these limits are unusable: no real scene reaches them, and sums lose precision.
-inline constexpr float kMaxHorizon_s = 100;  ///< s
-inline constexpr float kMaxExtent = 1e6F;  ///< of a position, m, a velocity, m/s, and gravity, m/s²
-inline constexpr float kMaxSurfaceSpeed_mps = 100;  ///< m/s
+/// Faster figures are unusable, m/s.
+inline constexpr float kMaxSurfaceSpeed_mps = 100;
 
 /// Predicts when, where and on which body a falling ball strikes the figure in `ahead`. Sweeps the
 /// sphere against the figure's capsules and boxes, to within a millimetre: a ball that passes a
 /// surface within that distance counts as touching it. A ball that meets the ground first misses.
 ///
-/// Unusable: numbers that are not finite or exceed the limits above, a negative radius, gravity or
-/// horizon, poses that are not finite. Allocates nothing; throws only what `ahead` throws. A miss
+/// Unusable: a threat that is not usable (is_usable), other numbers that are not finite or exceed
+/// kMaxExtent, kMaxHorizon_s or kMaxSurfaceSpeed_mps, a negative gravity or horizon, poses that are
+/// not finite. Allocates nothing; throws only what `ahead` throws. A miss
 /// by more than the figure's reach takes a fraction of a microsecond, anything else a few
 /// evaluations of `ahead`.
 PredictedImpact predict_impact(const Threat& threat, const CollisionFigure& figure,

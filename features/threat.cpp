@@ -8,7 +8,20 @@ namespace {
 
 const Eigen::Vector3f kFall(0, 0, -kGravity);
 
+bool is_within_extent(const Eigen::Vector3f& vector) {
+  return (vector.array().abs() <= kMaxExtent).all();  // false for NaN
+}
+
+bool is_within_extent(float number) {
+  return number >= 0 && number <= kMaxExtent;  // false for NaN
+}
+
 }  // namespace
+
+bool is_usable(const Threat& threat) {
+  return is_within_extent(threat.position) && is_within_extent(threat.velocity) &&
+         is_within_extent(threat.radius) && is_within_extent(threat.mass_kg);
+}
 
 Eigen::Vector3f position_at(const Threat& threat, float time_s) {
   return threat.position + time_s * threat.velocity + 0.5F * time_s * time_s * kFall;

@@ -26,6 +26,15 @@ struct Threat {
   float mass_kg = static_cast<float>(kVolleyballMass_kg);
 };
 
+/// Numbers beyond these are refused: no real scene reaches them, and sums lose precision.
+inline constexpr float kMaxHorizon_s = 100;  ///< of a time to impact, s
+/// Of a position, m, a velocity, m/s, a radius, m, a mass, kg, and gravity, m/s².
+inline constexpr float kMaxExtent = 1e6F;
+
+/// Whether all numbers are finite and within kMaxExtent, and radius and mass at least 0. Every call
+/// that takes a threat from outside refuses others.
+bool is_usable(const Threat& threat);
+
 /// The position of a falling threat `time_s` after perception: p + v t - g t^2 / 2.
 Eigen::Vector3f position_at(const Threat& threat, float time_s);
 

@@ -149,4 +149,15 @@ Eigen::Quaternionf clamp_to_limits(const JointLimits& limits, const Eigen::Quate
   return rotation_of_angles(limits, angles.cwiseMax(limits.min).cwiseMin(limits.max)).normalized();
 }
 
+Eigen::Quaternionf clamp_to_limits(const JointLimits& limits, const Eigen::Quaternionf& rotation,
+                                   const Eigen::Quaternionf& motion) {
+  if (limit_excess(limits, rotation) <= 0) return rotation;
+  const Eigen::Vector3f angles = joint_angles(limits, rotation);
+  const Eigen::Vector3f own = joint_angles(limits, motion);
+  const Eigen::Vector3f clamped =
+      angles.cwiseMax(limits.min.cwiseMin(own)).cwiseMin(limits.max.cwiseMax(own));
+  if (clamped == angles) return rotation;
+  return rotation_of_angles(limits, clamped).normalized();
+}
+
 }  // namespace flinch::motion

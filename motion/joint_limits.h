@@ -46,6 +46,11 @@ float limit_excess(const JointLimits& limits, const Eigen::Quaternionf& rotation
 /// Returns the rotation with each angle clamped to its range.
 Eigen::Quaternionf clamp_to_limits(const JointLimits& limits, const Eigen::Quaternionf& rotation);
 
+/// The same, but an angle may be as far beyond its range as that of `motion` is. A rotation whose
+/// angles need no clamping keeps its bits.
+Eigen::Quaternionf clamp_to_limits(const JointLimits& limits, const Eigen::Quaternionf& rotation,
+                                   const Eigen::Quaternionf& motion);
+
 /// Clamps the shoulder and the wrist of an arm to their limits.
 void clamp_arm_to_limits(Pose& pose, Side side);
 

@@ -96,15 +96,19 @@ HingeBend bend_for_distance(const Eigen::Vector3f& a, const Eigen::Vector3f& b,
 }
 
 // The axis about which a limb bends: perpendicular to its bones where it is bent, its hinge where
-// it is too straight for the bones to define one, and interpolated in between.
+// it is too straight for the bones to define one or is bent the wrong way, and interpolated in
+// between.
 Eigen::Vector3f bending_axis(const Eigen::Vector3f& upper_bone, const Eigen::Vector3f& lower_bone,
                              const Eigen::Vector3f& hinge) {
   constexpr float kStraight = 0.03F;  // sine of the bend
   constexpr float kBent = 0.15F;
+  constexpr float kAnatomical = 0.5F;  // cosine between the bend's axis and the hinge
   const Eigen::Vector3f perpendicular = upper_bone.cross(lower_bone);
   const float size = perpendicular.norm();
   const float sine = size / std::max(upper_bone.norm() * lower_bone.norm(), 1e-9F);
-  const float weight = ease_in_ease_out((sine - kStraight) / (kBent - kStraight));
+  const float cosine = perpendicular.dot(hinge) / std::max(size, 1e-9F);
+  const float weight = ease_in_ease_out((sine - kStraight) / (kBent - kStraight)) *
+                       ease_in_ease_out(cosine / kAnatomical);
   if (weight <= 0) return hinge;
   const Eigen::Vector3f axis = (1 - weight) * hinge + weight / size * perpendicular;
   return axis.norm() > 1e-3F ? Eigen::Vector3f(axis.normalized()) : hinge;

@@ -70,7 +70,7 @@ ReactionStatus ReactingCharacter::update(float dt_s) noexcept {
   return status_;
 }
 
-// Searches for a clip once, before the return to the destination begins.
+// Searches for a clip once, before the return to the destination begins, if anything was hit.
 void ReactingCharacter::update_from_physics(float dt_s) noexcept {
   match_age_s_ += dt_s;
   const motion::Pose wanted = character_.pose();
@@ -80,7 +80,7 @@ void ReactingCharacter::update_from_physics(float dt_s) noexcept {
   pose_ = reaction_.pose();
   if (reaction_.phase() == ReactionPhase::recovering && !has_searched_) {
     has_searched_ = true;
-    match_ = data_->clips.find(before_, pose_, dt_s);
+    if (std::isfinite(reaction_.contact_s())) match_ = data_->clips.find(before_, pose_, dt_s);
     match_age_s_ = 0;
   }
   if (reaction_.phase() == ReactionPhase::over) {

@@ -19,16 +19,17 @@ using motion::Pose;
 using motion::Role;
 
 constexpr float kVelocityInterval_s =
-    1.0F / 240;  // interval over which velocities of responses are measured
+    1.0F / 240;                     // interval over which velocities of responses are measured
+constexpr double kMaxTime_s = 1e6;  // longer times are not told apart
 constexpr float kMinPoseInterval_s = 1e-4F;  // poses less far apart say nothing about velocities
 
-bool is_usable(const features::Threat& threat) {
-  return threat.position.allFinite() && threat.velocity.allFinite() &&
-         std::isfinite(threat.radius) && threat.radius >= 0;
+bool is_time_step(float time_s) {
+  return time_s > 0 && time_s <= kMaxTimeStep_s;  // false for NaN
 }
 
-bool is_positive(float time_s) {
-  return std::isfinite(time_s) && time_s > 0;
+/// Whether a call that returns this was not refused.
+bool is_answer(Status status) {
+  return status == Status::ok || status == Status::misses || status == Status::unnoticed;
 }
 
 bool is_time_to_impact(float time_s) {
@@ -58,9 +59,9 @@ const char* message_of(Status status) noexcept {
     case Status::bad_clip:
       return "the library has no such clip, or the clip is not annotated";
     case Status::bad_threat:
-      return "a number of the threat is not finite, or its time is not positive";
+      return "a number of the threat is not finite or out of range, or its time is";
     case Status::bad_time:
-      return "the time step is not positive and finite";
+      return "the time step is not above 0 and at most 1e6 s";
     case Status::bad_pose:
       return "the pose has a number that is not finite or a rotation that is not of unit length";
     case Status::bad_placement:
@@ -113,7 +114,7 @@ Status Character::place(const Eigen::Vector2f& position, float facing, float idl
 
 Status Character::set_pose(const Pose& before, const Pose& now, float dt_s) noexcept {
   if (!library_->is_loaded()) return Status::not_loaded;
-  if (!is_positive(dt_s) || dt_s < kMinPoseInterval_s) return Status::bad_time;
+  if (!is_time_step(dt_s) || dt_s < kMinPoseInterval_s) return Status::bad_time;
   if (!is_usable(before) || !is_usable(now)) return Status::bad_pose;
   state_ = idle_state_at(library_->prepared(), now);
   inertialization_ = make_inertialization(library_->prepared(), state_, before, now, dt_s);
@@ -137,49 +138,62 @@ void Character::limit_perception(const PerceptionLimits& limits, std::uint64_t s
 
 Status Character::perceive(const features::Threat& threat, Workspace& workspace) noexcept {
   if (!library_->is_loaded()) return Status::not_loaded;
-  if (!is_usable(threat)) return Status::bad_threat;
+  if (!features::is_usable(threat)) return Status::bad_threat;
   const PreparedLibrary& library = library_->prepared();
   const Pose now = pose();
   const Eigen::Vector3f eye = eye_of(library.skeleton(), now);
-  const Perceived seen = runtime::perceive(threat, eye, limits_, seed_, threats_++);
-  if (!seen.noticed) return Status::unnoticed;
+  const Perceived seen = runtime::perceive(threat, eye, limits_, seed_, threats_);
+  if (!seen.noticed) return counted(Status::unnoticed);
   const features::PredictedImpact impact =
       is_responding() || is_settling()
           ? features::predict_impact(seen.threat, library.figure(), now)
           : features::predict_impact(seen.threat, library.figure(), library.idle(),
                                      library.motion_bounds, current_state());
   if (impact.outcome == features::Outcome::unusable) return Status::bad_threat;
-  if (impact.outcome == features::Outcome::miss) return Status::misses;
+  if (impact.outcome == features::Outcome::miss) return counted(Status::misses);
   const float time_s = std::max(impact.time_to_impact_s, 1e-3F);
-  return answer({seen.threat, impact.aimed_at, time_s, current_state()}, seen.delay_s, workspace);
+  return counted(
+      answer({seen.threat, impact.aimed_at, time_s, current_state()}, seen.delay_s, workspace));
 }
 
 Status Character::perceive(const features::Threat& threat, motion::Target target,
                            float time_to_impact_s, Workspace& workspace) noexcept {
   if (!library_->is_loaded()) return Status::not_loaded;
-  if (!is_usable(threat) || !is_time_to_impact(time_to_impact_s)) return Status::bad_threat;
+  if (!features::is_usable(threat) || !is_time_to_impact(time_to_impact_s))
+    return Status::bad_threat;
   const Eigen::Vector3f eye = eye_of(library_->prepared().skeleton(), pose());
-  const Perceived seen = runtime::perceive(threat, eye, limits_, seed_, threats_++);
-  if (!seen.noticed) return Status::unnoticed;
-  return answer({seen.threat, target, time_to_impact_s, current_state()}, seen.delay_s, workspace);
+  const Perceived seen = runtime::perceive(threat, eye, limits_, seed_, threats_);
+  if (!seen.noticed) return counted(Status::unnoticed);
+  return counted(
+      answer({seen.threat, target, time_to_impact_s, current_state()}, seen.delay_s, workspace));
+}
+
+// A refused threat draws no random numbers: the next is perceived as if the call had not been made.
+Status Character::counted(Status status) noexcept {
+  if (is_answer(status)) ++threats_;
+  return status;
 }
 
 Status Character::answer(const features::Scenario& scenario, float delay_s,
                          Workspace& workspace) noexcept {
   const features::FeatureVector x = features::feature_vector(library_->selector().layout, scenario,
                                                              library_->prepared().idling());
+  std::array<models::Candidate, kMaxCandidates> candidates{};
   const Selection selection =
-      select(workspace, library_->selector(), x, scenario.target, candidates_);
+      select(workspace, library_->selector(), x, scenario.target, candidates);
   if (selection.status != SelectStatus::ok) return Status::other_workspace;
-  candidate_count_ = selection.count;
-  target_ = scenario.target;
-  time_to_impact_s_ = double{scenario.time_to_impact_s};
   if (delay_s > 0) {
     delayed_clip_ = selection.clip;
     delay_s_ = double{delay_s};
-    return Status::ok;
+  } else if (const Status status = begin(selection.clip, scenario.time_to_impact_s);
+             status != Status::ok) {
+    return status;
   }
-  return begin(selection.clip, scenario.time_to_impact_s);
+  candidates_ = candidates;
+  candidate_count_ = selection.count;
+  target_ = scenario.target;
+  time_to_impact_s_ = double{scenario.time_to_impact_s};
+  return Status::ok;
 }
 
 Status Character::respond(int clip, float time_to_impact_s) noexcept {
@@ -232,11 +246,11 @@ void Character::finish() noexcept {
 }
 
 Status Character::update(float dt_s) noexcept {
-  if (!is_positive(dt_s)) return Status::bad_time;
+  if (!is_time_step(dt_s)) return Status::bad_time;
   if (!library_->is_loaded()) return Status::not_loaded;
   const double dt = double{dt_s};
-  time_s_ += dt;
-  time_to_impact_s_ -= dt;
+  time_s_ = std::min(time_s_ + dt, kMaxTime_s);
+  time_to_impact_s_ = std::max(time_to_impact_s_ - dt, -kMaxTime_s);
   if (delayed_clip_) {
     delay_s_ -= dt;
     // A threat that hits before the delay is over gets no response.

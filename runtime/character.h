@@ -16,6 +16,9 @@
 
 namespace flinch::runtime {
 
+/// The longest time step of a character, s.
+inline constexpr float kMaxTimeStep_s = 1e6F;
+
 /// The result of a call to a character. A call that fails changes nothing.
 enum class Status : std::uint8_t {
   ok,
@@ -24,8 +27,8 @@ enum class Status : std::uint8_t {
   not_loaded,       ///< the library is empty
   other_workspace,  ///< the workspace was reserved for a library that needs less memory
   bad_clip,         ///< no such clip, or one without an annotation
-  bad_threat,       ///< a number that is not finite or out of range, or a time out of range
-  bad_time,         ///< a time step that is not positive and finite
+  bad_threat,       ///< a threat that is not usable (features::is_usable), or a time out of range
+  bad_time,         ///< a time step that is not above 0 and at most kMaxTimeStep_s
   bad_pose,         ///< a number that is not finite, or a rotation that is not unit (to 1 %)
   bad_placement,    ///< a position, direction or time that is not finite or beyond 1e6
 };
@@ -106,7 +109,8 @@ class Character {
   /// clip's peak falls on `time_to_impact_s` from now (above 0, at most 100 s).
   Status respond(int clip, float time_to_impact_s) noexcept;
 
-  /// Advances the character by `dt_s`, which may differ from frame to frame.
+  /// Advances the character by `dt_s` (above 0, at most kMaxTimeStep_s), which may differ from
+  /// frame to frame.
   Status update(float dt_s) noexcept;
 
   /// The current pose in the world. The rest pose at the origin while nothing is loaded. Costs one
@@ -143,6 +147,7 @@ class Character {
   features::CharacterState current_state() const noexcept;
   Inertialization current_inertialization(const features::CharacterState& state) const noexcept;
   Status answer(const features::Scenario& scenario, float delay_s, Workspace& workspace) noexcept;
+  Status counted(Status status) noexcept;
   Status begin(int clip, float time_to_impact_s) noexcept;
   void finish() noexcept;
 
@@ -153,7 +158,7 @@ class Character {
   Inertialization inertialization_;  ///< of the next response, after set_pose()
   PerceptionLimits limits_;
   std::uint64_t seed_ = 0;
-  std::uint64_t threats_ = 0;  ///< perceived so far
+  std::uint64_t threats_ = 0;  ///< perceived so far; refused ones do not count
   double time_to_impact_s_ = std::numeric_limits<double>::infinity();
   motion::Target target_ = motion::Target::head;
   std::array<models::Candidate, kMaxCandidates> candidates_{};

@@ -83,9 +83,7 @@ Perceived perceive(const features::Threat& threat, const Eigen::Vector3f& eye,
   Perceived perceived{.noticed = true, .delay_s = 0, .threat = threat};
   if (!is_valid(limits)) return perceived;
   perceived.delay_s = limits.reaction_delay_s;
-  if (!threat.position.allFinite() || !threat.velocity.allFinite() || !eye.allFinite()) {
-    return perceived;
-  }
+  if (!is_usable(threat) || !eye.allFinite()) return perceived;
   const Draws draws = draw(seed, number);
   perceived.noticed = !(draws.chance < static_cast<double>(limits.chance_to_fail));
   const float distance_factor = factor(draws.distance, limits.distance_noise);
@@ -95,6 +93,8 @@ Perceived perceive(const features::Threat& threat, const Eigen::Vector3f& eye,
   }
   perceived.threat.velocity = distance_factor * factor(draws.speed, limits.speed_noise) *
                               turned(threat.velocity, draws.heading, limits.heading_noise);
+  // Noise of any size is allowed, so what is seen may be out of all range: it makes no sense.
+  perceived.noticed = perceived.noticed && is_usable(perceived.threat);
   return perceived;
 }
 

@@ -55,8 +55,8 @@ struct Perceived {
 /// Equal arguments give equal bits, whatever else was perceived. Each limit has its own draws, so
 /// changing one leaves the effect of the others as it was; a limit of 0 leaves the bits of what it
 /// acts on unchanged. Radius and mass are perceived exactly. Limits that are not valid count as
-/// none; a threat or an eye that is not finite returns the threat unchanged. Allocates nothing,
-/// throws nothing.
+/// none; a threat that is not usable (features::is_usable) or an eye that is not finite returns the
+/// threat unchanged. What noise makes unusable is not noticed. Allocates nothing, throws nothing.
 Perceived perceive(const features::Threat& threat, const Eigen::Vector3f& eye,
                    const PerceptionLimits& limits, std::uint64_t seed,
                    std::uint64_t number) noexcept;

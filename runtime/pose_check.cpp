@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "runtime/pose_check.h"
 
-#include "features/impact_prediction.h"
+#include "features/threat.h"
 
 namespace flinch::runtime {
 

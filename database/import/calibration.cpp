@@ -59,7 +59,7 @@ std::array<float, 2> planted_heights(const SourceMotion& motion, Height height) 
     }
     return {lowest, lowest};
   }
-  const float lower = std::min(left.value_or(*right), right.value_or(*left));
+  const float lower = std::min(left ? *left : *right, right ? *right : *left);
   const auto own = [&](const std::optional<float>& found) {
     return found && *found - lower < kFeetDiffer * motion.leg_length_m ? *found : lower;
   };

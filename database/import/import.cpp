@@ -150,7 +150,7 @@ void add_clip(const ManifestEntry& entry, const LoadedSource& loaded, ImportResu
       {clip.name, clip.purpose, clip.source, clip.motion.duration_s(), clip.annotation.has_value(),
        measure_foot_drift(loaded.motion, skeleton, segment, clip.motion)});
   library.clips.push_back(clip);
-  if (clip.annotation) library.clips.push_back(motion::mirrored(clip));
+  if (is_mirrored(entry)) library.clips.push_back(motion::mirrored(clip));
 }
 
 void warn_of_unannotated(ImportReport& report) {

@@ -163,7 +163,7 @@ void check_names(const Manifest& manifest) {
   };
   for (const ManifestEntry& entry : manifest.entries) add(entry.name, entry);
   for (const ManifestEntry& entry : manifest.entries) {
-    if (entry.annotation) add(entry.name + "_mirrored", entry);
+    if (is_mirrored(entry)) add(entry.name + "_mirrored", entry);
   }
 }
 
@@ -233,6 +233,10 @@ void read_sources(const toml::table& table, Manifest& manifest) {
 }
 
 }  // namespace
+
+bool is_mirrored(const ManifestEntry& entry) {
+  return entry.annotation || entry.purpose == motion::Purpose::push;
+}
 
 Manifest read_manifest(const std::string& path) {
   const toml::table file = read_toml(path);

@@ -25,6 +25,10 @@ struct ManifestEntry {
   std::string where;  ///< "FILE:LINE" of the manifest, for messages
 };
 
+/// Whether the entry's clip is added a second time, mirrored, as NAME_mirrored: annotated clips and
+/// pushes, which come from either side.
+bool is_mirrored(const ManifestEntry& entry);
+
 /// [source."folder or file"]: options for the files that it names.
 struct ManifestSource {
   std::string path;  ///< a file, or a folder that holds it, as entries write it

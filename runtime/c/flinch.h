@@ -12,8 +12,8 @@
  *
  * Units and frames. SI units, seconds, radians. The world is right-handed with Z up, the ground at
  * 0; a character whose facing is 0 looks along +X and has +Y at its left. Quaternions are unit, in
- * the order w, x, y, z. Positions are within 1e6 m of the origin; positions beyond are refused as
- * numbers that are not finite are.
+ * the order w, x, y, z. Positions are within 1e6 m of the origin, and a threat's velocity, radius
+ * and mass within 1e6 m/s, m and kg; numbers beyond are refused as those that are not finite are.
  *
  * Errors. Functions that can fail return a status. 0 is success; a status above 0 is an answer, not
  * an error; below 0 the call was refused and has changed nothing, neither the object nor what `out`
@@ -78,7 +78,7 @@ enum {
   FLINCH_BAD_INDEX = -5,      /* no such clip or target, or a capacity below 0 */
   FLINCH_BAD_CLIP = -6,       /* no such clip, or one without annotation, which cannot answer */
   FLINCH_BAD_THREAT = -7,     /* a number that is not finite or out of range */
-  FLINCH_BAD_TIME = -8,       /* a time that is not positive and finite */
+  FLINCH_BAD_TIME = -8,       /* a time step that is not above 0 and at most 1e6 s */
   FLINCH_BAD_POSE = -9,       /* a number that is not finite, a rotation that is not unit */
   FLINCH_BAD_PLACEMENT = -10, /* a number that is not finite or beyond 1e6 */
   FLINCH_BAD_LIMITS = -11,    /* of perception: not finite, or out of range */
@@ -234,13 +234,13 @@ FLINCH_API flinch_status flinch_character_limit_perception(flinch_character* cha
 FLINCH_API flinch_status flinch_human_limits(int32_t choices, flinch_perception_limits* out);
 
 /* Something that approaches in free fall, as it is now. A `size` that leaves out `radius` and
- * `mass_kg` makes them a volleyball's. */
+ * `mass_kg` makes them a volleyball's. Every call checks all of it. */
 typedef struct flinch_threat {
   uint32_t size;
   float position[3]; /* of its centre, world, m */
   float velocity[3]; /* world, m/s */
-  float radius;      /* m; default 0.105 */
-  float mass_kg;     /* default 0.27 */
+  float radius;      /* m, at least 0; default 0.105 */
+  float mass_kg;     /* at least 0; default 0.27 */
 } flinch_threat;
 
 /* Answers a threat of which only position and velocity are known: predicts whether, when and where
@@ -259,7 +259,8 @@ FLINCH_API flinch_status flinch_character_perceive_known(flinch_character* chara
 FLINCH_API flinch_status flinch_character_respond(flinch_character* character, int32_t clip,
                                                   float time_to_impact_s);
 
-/* Advances the character by `dt_s`, which may differ from frame to frame. */
+/* Advances the character by `dt_s`, above 0 and at most 1e6, which may differ from frame to frame.
+ */
 FLINCH_API flinch_status flinch_character_update(flinch_character* character, float dt_s);
 
 /* Writes the current pose, world, to `out`. */

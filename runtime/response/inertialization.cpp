@@ -2,6 +2,7 @@
 #include "runtime/response/inertialization.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -21,9 +22,74 @@ Eigen::Vector3f rotation_between(const Pose& idle, const Pose& pose, Role role) 
   return motion::rotation_vector(pose.rotation[role] * idle.rotation[role].conjugate());
 }
 
-Eigen::Vector3f decayed(const Eigen::Vector3f& x, const Eigen::Vector3f& v, float time_s,
-                        float decay) {
-  return (x + (v + kDecayRate * x) * time_s) * decay;
+Eigen::Vector3f decayed(const Eigen::Vector3f& x, const Eigen::Vector3f& v, float rate,
+                        float time_s, float decay) {
+  return (x + (v + rate * x) * time_s) * decay;
+}
+
+Eigen::Quaternionf settled(const Inertialization& inertialization, Role role, float time_s,
+                           float decay, const Eigen::Quaternionf& idle) {
+  const float stiffening = inertialization.stiffening[role];
+  if (stiffening > 0) decay *= std::exp(-stiffening * time_s);
+  const Eigen::Vector3f turn =
+      decayed(inertialization.rotation[role], inertialization.rotation_velocity[role],
+              kDecayRate + stiffening, time_s, decay);
+  return motion::rotation_from_vector<float>(turn) * idle;
+}
+
+/// Calls `visit` for each joint that turns `limits.to` against `limits.from`, the last one first.
+template <class Visit>
+void for_each_joint(const motion::JointLimits& limits, Visit visit) {
+  for (Role role = limits.to; role != limits.from; role = *motion::parent_of(role)) visit(role);
+}
+
+template <class RotationOf>
+Eigen::Vector3f angles_of(const motion::JointLimits& limits, RotationOf rotation_of) {
+  Eigen::Quaternionf rotation = Eigen::Quaternionf::Identity();
+  for_each_joint(limits, [&](Role role) { rotation = rotation_of(role) * rotation; });
+  return motion::joint_angles(limits, rotation);
+}
+
+// Stiffens joints that would swing past their limits. A difference leaves the way from x_0 to 0 by
+// at most |v_0| / (e k), some time after 1 / k at the latest; only there limits need to be looked
+// at. A joint may be as far beyond as either motion is.
+void stiffen_at_limits(const PreparedLibrary& library, const Pose& idle, const Pose& now,
+                       Inertialization& inertialization) {
+  constexpr float kTolerance = 0.02F;  // radians
+  constexpr float kGrowth = 1.5F;      // of k in one round
+  constexpr int kMaxRounds = 6;        // up to 114 1/s: more would look like a jolt
+  constexpr std::array kShares{0.5F, 1.0F, 1.5F, 2.0F};  // of 1 / k
+  for (const motion::JointLimits& limits : library.joint_limits) {
+    float speed = 0;
+    for_each_joint(limits,
+                   [&](Role role) { speed += inertialization.rotation_velocity[role].norm(); });
+    if (speed < kTolerance * std::numbers::e_v<float> * kDecayRate) continue;
+    const Eigen::Vector3f idle_angles =
+        angles_of(limits, [&](Role role) { return idle.rotation[role]; });
+    const Eigen::Vector3f angles_now =
+        angles_of(limits, [&](Role role) { return now.rotation[role]; });
+    const Eigen::Vector3f min = limits.min.cwiseMin(idle_angles).cwiseMin(angles_now);
+    const Eigen::Vector3f max = limits.max.cwiseMax(idle_angles).cwiseMax(angles_now);
+    const auto is_within = [&](float share) {
+      const Eigen::Vector3f angles = angles_of(limits, [&](Role role) {
+        const float time_s = share / (kDecayRate + inertialization.stiffening[role]);
+        return settled(inertialization, role, time_s, std::exp(-kDecayRate * time_s),
+                       idle.rotation[role]);
+      });
+      return (angles.array() <= max.array() + kTolerance).all() &&
+             (angles.array() >= min.array() - kTolerance).all();
+    };
+    const motion::PerRole<float> unchanged = inertialization.stiffening;
+    int round = 0;
+    for (; round < kMaxRounds && !std::ranges::all_of(kShares, is_within); ++round) {
+      for_each_joint(limits, [&](Role role) {
+        float& stiffening = inertialization.stiffening[role];
+        stiffening = kGrowth * (kDecayRate + stiffening) - kDecayRate;
+      });
+    }
+    // Angles of more than half a turn change sides, as those of a raised arm may.
+    if (round == kMaxRounds) inertialization.stiffening = unchanged;
+  }
 }
 
 }  // namespace
@@ -88,6 +154,7 @@ Inertialization make_inertialization(const PreparedLibrary& library,
     inertialization.rotation_velocity[role] =
         moves && change.norm() < kTurn ? Eigen::Vector3f(change / dt_s) : Eigen::Vector3f::Zero();
   }
+  stiffen_at_limits(library, idle, now, inertialization);
   const motion::JointFrames frames = motion::forward_kinematics(library.skeleton(), now);
   for (motion::Side side : motion::kSides) {
     inertialization.stands[side] =
@@ -103,12 +170,11 @@ Pose inertialized_pose(const PreparedLibrary& library, const features::Character
   Pose pose = features::idle_pose(library.idle(), state, time_s, roles);
   if (inertialization.is_zero) return pose;
   const float decay = std::exp(-kDecayRate * time_s);
-  pose.root_position += decayed(inertialization.root, inertialization.root_velocity, time_s, decay);
+  pose.root_position +=
+      decayed(inertialization.root, inertialization.root_velocity, kDecayRate, time_s, decay);
   for (Role role : roles) {
-    const Eigen::Vector3f turn = decayed(inertialization.rotation[role],
-                                         inertialization.rotation_velocity[role], time_s, decay);
     pose.rotation[role] =
-        (motion::rotation_from_vector<float>(turn) * pose.rotation[role]).normalized();
+        settled(inertialization, role, time_s, decay, pose.rotation[role]).normalized();
   }
   return pose;
 }

@@ -16,6 +16,8 @@ struct PreparedLibrary;  // opaque: runtime::Library::prepared()
 /// Each difference x follows a critically damped spring to 0,
 ///
 ///     x(t) = (x_0 + (v_0 + k x_0) t) e^(-k t),   k = kDecayRate.
+///
+/// A joint that would swing past its limit on the way has a larger k.
 struct Inertialization {
   bool is_zero = true;                                      ///< no difference
   Eigen::Vector3f root = Eigen::Vector3f::Zero();           ///< x_0 of the pelvis, world, m
@@ -24,8 +26,9 @@ struct Inertialization {
   /// character's, radians.
   motion::PerRole<Eigen::Vector3f> rotation{};
   motion::PerRole<Eigen::Vector3f> rotation_velocity{};  ///< v_0 of each joint, radians/s
-  motion::PerSide<bool> stands{};                        ///< whether the foot is on the ground
-  motion::PerSide<motion::FootPose> foot{};              ///< where it stands, if it does
+  motion::PerRole<float> stiffening{};       ///< added to kDecayRate for the k of each joint, 1/s
+  motion::PerSide<bool> stands{};            ///< whether the foot is on the ground
+  motion::PerSide<motion::FootPose> foot{};  ///< where it stands, if it does
 };
 
 /// k: how fast differences decay, 1/s.

@@ -6,6 +6,10 @@ namespace flinch::runtime {
 PreparedLibrary prepare(const database::ClipLibrary& library) {
   PreparedLibrary prepared;
   prepared.library = &library;
+  prepared.joint_limits = motion::human_joint_limits();
+  prepared.leg_limits = {
+      {{{&motion::joint_limits_named("left_hip"), &motion::joint_limits_named("left_ankle")},
+        {&motion::joint_limits_named("right_hip"), &motion::joint_limits_named("right_ankle")}}}};
   prepared.body_model = motion::make_body_model(library.character);
   const motion::Skeleton& skeleton = library.character.skeleton;
   for (motion::Side side : motion::kSides) {

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "database/library/library.h"
 #include "features/geometry.h"
 #include "features/impact_prediction.h"
+#include "motion/joint_limits.h"
 #include "runtime/response/footwork.h"
 
 namespace flinch::runtime {
@@ -20,6 +22,12 @@ struct PreparedLibrary {
   features::MotionBounds motion_bounds;  ///< of the idle clip
   float reach_m = 0;                     ///< see features::CollisionFigure
   motion::PerBody<float> body_reach_m{};
+  std::span<const motion::JointLimits> joint_limits;  ///< human ones
+  struct LegLimits {
+    const motion::JointLimits* hip = nullptr;
+    const motion::JointLimits* ankle = nullptr;
+  };
+  motion::PerSide<LegLimits> leg_limits;  ///< those among joint_limits that feet may strain
 
   const motion::Skeleton& skeleton() const { return library->character.skeleton; }
   const motion::Clip& clip(int index) const { return library->clip(index); }

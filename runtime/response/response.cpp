@@ -143,6 +143,41 @@ float pelvis_drop(const motion::Skeleton& skeleton, const JointFrames& frames,
   return std::max(drop, kMinPelvisDrop_m);
 }
 
+// Clamps a joint to its limits, or to where `motion` has it beyond them. Returns whether it moved.
+bool clamp_joint(const motion::JointLimits& limits, const Eigen::Quaternionf& motion, Pose& pose) {
+  const Eigen::Quaternionf clamped =
+      motion::clamp_to_limits(limits, pose.rotation[limits.to], motion);
+  const bool moves = clamped.coeffs() != pose.rotation[limits.to].coeffs();
+  pose.rotation[limits.to] = clamped;
+  return moves;
+}
+
+// Moves a leg to its foot. Where the body comes from another motion, the foot may be where the hip
+// and the ankle cannot follow. Then it comes as near as they allow, above the ground, which needs a
+// new solution; each comes nearer. `frames` belong to `pose`, which is as it was blended: joints
+// may be as far beyond their limits as it has them.
+void move_leg(const Response& r, Side side, const JointFrames& frames, const FootPose& foot,
+              Pose& pose) {
+  constexpr int kRounds = 4;
+  const motion::Limb leg = motion::leg_of(side);
+  const PreparedLibrary::LegLimits& limits = r.library->leg_limits[side];
+  const Eigen::Quaternionf blended_hip = pose.rotation[limits.hip->to];
+  const Eigen::Quaternionf blended_ankle = pose.rotation[limits.ankle->to];
+  motion::move_limb_end(frames, leg, foot.ankle, foot.orientation, pose);
+  if (r.inertialization.is_zero) return;
+  for (int round = 0; round < kRounds; ++round) {
+    const bool hip_moves = clamp_joint(*limits.hip, blended_hip, pose);
+    const bool ankle_moves = clamp_joint(*limits.ankle, blended_ankle, pose);
+    if (!hip_moves && !ankle_moves) return;
+    FootPose near = foot_of(r.library->skeleton(), pose, side);
+    if (!ankle_moves) near.orientation = foot.orientation;
+    near = above_ground(r, side, near, pose.rotation[motion::roles_of(side).toes]);
+    motion::move_limb_end(frames, leg, near.ankle, near.orientation, pose);
+  }
+  clamp_joint(*limits.hip, blended_hip, pose);
+  clamp_joint(*limits.ankle, blended_ankle, pose);
+}
+
 }  // namespace
 
 bool is_idle(const Response& response) noexcept {
@@ -270,8 +305,7 @@ void place_feet(const Response& r, const Legs& legs, const Eigen::Vector3f& shif
   JointFrames frames = legs.frames;
   for (Role role : kLegRoles) frames.position[role] += move;
   for (Side side : motion::kSides) {
-    const FootPose& foot = legs.feet[side];
-    motion::move_limb_end(frames, motion::leg_of(side), foot.ankle, foot.orientation, pose);
+    move_leg(r, side, frames, legs.feet[side], pose);
   }
 }
 

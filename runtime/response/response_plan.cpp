@@ -41,7 +41,8 @@ bool is_finite(const Inertialization& inertialization) {
   bool finite = inertialization.root.allFinite() && inertialization.root_velocity.allFinite();
   for (motion::Role role : motion::kRoles) {
     finite = finite && inertialization.rotation[role].allFinite() &&
-             inertialization.rotation_velocity[role].allFinite();
+             inertialization.rotation_velocity[role].allFinite() &&
+             std::isfinite(inertialization.stiffening[role]);
   }
   for (const FootPose& foot : inertialization.foot) {
     finite = finite && foot.ankle.allFinite() && foot.orientation.coeffs().allFinite();

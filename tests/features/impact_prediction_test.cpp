@@ -283,6 +283,70 @@ TEST(PredictImpact, BallInsideABodyIsTouching) {
   }
 }
 
+/// The smallest distance of a ball from a point up to the horizon, by steps of 1 ms.
+double sampled_distance(const Ball& ball, const Eigen::Vector3d& centre, float horizon_s) {
+  double min = tests::kInfinityDouble;
+  const int horizon_ms = static_cast<int>(1000 * horizon_s);
+  for (int ms = 0; ms <= horizon_ms; ++ms) {
+    min = std::min(min, (ball.position_at(0.001 * ms) - centre).norm());
+  }
+  return min;
+}
+
+/// A ball that touches the figure, at a speed of up to `max_speed_mps`.
+Threat touching_ball(std::mt19937& random, float max_speed_mps) {
+  const auto body = static_cast<Body>(random() % motion::kBodyCount);
+  Threat threat;
+  threat.position = figure().outlines(figure().standing)[body].centre.cast<float>() +
+                    uniform(random, 0, 0.12F) * tests::random_direction(random);
+  threat.velocity = uniform(random, 0, 1) * max_speed_mps * tests::random_direction(random);
+  return threat;
+}
+
+// Gravity alone brings such a ball to where it is nearest.
+TEST(PredictImpact, ABallAtRestOnTheBodyHitsWhenItsFallBringsItNearest) {
+  std::mt19937 random(6);
+  const motion::JointFrames frames =
+      forward_kinematics(figure().character.skeleton, figure().standing);
+  constexpr float kHorizon_s = 0.5F;
+  int touching = 0;
+  int falling = 0;
+  for (int i = 0; i < samples(4000); ++i) {
+    const float speed_mps = std::pow(10.0F, uniform(random, -44, -3));
+    const Threat threat = touching_ball(random, i % 10 == 0 ? 0 : speed_mps);
+    const PredictedImpact impact = predict_impact(threat, figure().collision_figure,
+                                                  figure().standing, {.horizon_s = kHorizon_s});
+    if (impact.outcome != Outcome::touching) continue;
+    ++touching;
+    const Ball ball = ball_of(threat);
+    const Eigen::Vector3d centre =
+        target_centre(figure().model, frames, impact.aimed_at).cast<double>();
+    const Eigen::Vector3d then =
+        ball.position_at(static_cast<double>(impact.time_to_impact_s)) - centre;
+    EXPECT_LE(then.norm(), sampled_distance(ball, centre, kHorizon_s) + 1e-6)
+        << threat.position.transpose();
+    falling += impact.time_to_impact_s > 0.01F ? 1 : 0;
+  }
+  EXPECT_GT(touching, samples(2000));
+  EXPECT_GT(falling, samples(400));
+}
+
+TEST(PredictImpact, TimesOfTouchingBallsStayWithinTheHorizon) {
+  std::mt19937 random(7);
+  int touching = 0;
+  for (int i = 0; i < samples(100000); ++i) {
+    const Threat threat = touching_ball(random, 1e-3F);
+    const PredictedImpact impact =
+        predict_impact(threat, figure().collision_figure, figure().standing);
+    if (impact.outcome != Outcome::touching) continue;
+    ++touching;
+    ASSERT_TRUE(impact.time_to_impact_s >= 0 && impact.time_to_impact_s <= 2)
+        << impact.time_to_impact_s << " s for a ball at " << threat.position.transpose()
+        << " that moves at " << threat.velocity.transpose();
+  }
+  EXPECT_GT(touching, samples(50000));
+}
+
 TEST(PredictImpact, IsInvariantToRigidMotionOfTheWorld) {
   std::mt19937 random(3);
   int impacts = 0;
@@ -363,9 +427,6 @@ TEST(PredictImpact, InvalidInputIsUnusable) {
       wrong.velocity[i] = bad;
       EXPECT_EQ(predicted(wrong).outcome, Outcome::unusable);
     }
-    Threat wrong = threat;
-    wrong.radius = bad;
-    EXPECT_EQ(predicted(wrong).outcome, Outcome::unusable);
     EXPECT_EQ(predicted(threat, {}, {.horizon_s = bad}).outcome, Outcome::unusable);
     EXPECT_EQ(predicted(threat, {}, {.gravity_mps2 = bad}).outcome, Outcome::unusable);
     EXPECT_EQ(predicted(threat, {.position = {bad, 0}}).outcome, Outcome::unusable);
@@ -380,9 +441,14 @@ TEST(PredictImpact, InvalidInputIsUnusable) {
     pose.root_position.y() = bad;
     EXPECT_EQ(predict_impact(threat, figure().collision_figure, pose).outcome, Outcome::unusable);
   }
-  Threat negative = threat;
-  negative.radius = -0.1F;
-  EXPECT_EQ(predicted(negative).outcome, Outcome::unusable);
+  for (float bad : {kNan, kInfinity, -1.0F, 2e6F}) {
+    Threat wrong = threat;
+    wrong.radius = bad;
+    EXPECT_EQ(predicted(wrong).outcome, Outcome::unusable);
+    wrong = threat;
+    wrong.mass_kg = bad;
+    EXPECT_EQ(predicted(wrong).outcome, Outcome::unusable);
+  }
   EXPECT_EQ(predict_impact(threat, {}, figure().standing).outcome, Outcome::unusable);
   EXPECT_EQ(predict_impact(threat, figure().collision_figure, motion::Motion{}, MotionBounds{}, {})
                 .outcome,
@@ -421,6 +487,9 @@ TEST(PredictImpact, TerminatesWithFiniteResultsForAnyInput) {
                 impact.point.allFinite() && impact.normal.allFinite());
     EXPECT_LE(0, impact.touch_s);
     EXPECT_LE(impact.touch_s, impact.time_to_impact_s);
+    if (impact.outcome != Outcome::unusable) {
+      EXPECT_LE(impact.time_to_impact_s, options.horizon_s);
+    }
   }
   EXPECT_GT(usable, samples(2000));
   EXPECT_GT(impacts, samples(200));

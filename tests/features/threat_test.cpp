@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "tests/motion/random_motion.h"
+#include "tests/scenes/not_finite.h"
 
 namespace flinch::features {
 namespace {
@@ -33,6 +34,31 @@ TEST(Threat, AdvancedStaysOnTheSamePath) {
   EXPECT_LT((position_at(later, 0.4F) - position_at(ball, 0.7F)).norm(), 1e-5F);
   EXPECT_LT((velocity_at(later, 0.4F) - velocity_at(ball, 0.7F)).norm(), 1e-5F);
   EXPECT_EQ(later.radius, ball.radius);
+}
+
+TEST(Threat, IsUsableWithinItsRanges) {
+  Threat good;
+  good.position = {1e6F, -1e6F, 0};
+  good.velocity = {0, -0.0F, -1e6F};
+  good.radius = 0;
+  good.mass_kg = 0;
+  EXPECT_TRUE(is_usable(good));
+  for (float bad : {tests::kNan, tests::kInfinity, -tests::kInfinity, 1.1e6F, -1.1e6F}) {
+    for (int i = 0; i < 8; ++i) {
+      Threat threat = good;
+      (i < 3   ? threat.position[i]
+       : i < 6 ? threat.velocity[i - 3]
+       : i < 7 ? threat.radius
+               : threat.mass_kg) = bad;
+      EXPECT_FALSE(is_usable(threat)) << "number " << i << " is " << bad;
+    }
+  }
+  Threat negative;
+  negative.mass_kg = -1e-3F;
+  EXPECT_FALSE(is_usable(negative));
+  negative = {};
+  negative.radius = -1e-3F;
+  EXPECT_FALSE(is_usable(negative));
 }
 
 // The trajectory agrees with step-by-step integration of Newton's second law.

@@ -246,6 +246,21 @@ TEST(MoveLimbEnd, ChangesNothingWhenTheEndIsAtTheGoal) {
   }
 }
 
+// A hyperextended knee that must bend does so forwards, not farther backwards.
+TEST(MoveLimbEnd, AKneeThatWasBentBackwardsBendsTheRightWay) {
+  const Skeleton skeleton = default_character().skeleton;
+  const Eigen::Vector3f hinge = hinge_axis(Limb::left_leg);
+  for (float backwards : {0.02F, 0.1F, 0.3F}) {
+    Pose pose = rest_pose(skeleton);
+    pose.rotation[Role::left_shin] = rotation_about(hinge, -backwards);
+    const JointFrames frames = forward_kinematics(skeleton, pose);
+    const Eigen::Vector3f place = frames.position[Role::left_foot] + Eigen::Vector3f(0, 0, 0.15F);
+    EXPECT_TRUE(
+        move_limb_end(frames, Limb::left_leg, place, frames.orientation[Role::left_foot], pose));
+    EXPECT_GT(rotation_vector(pose.rotation[Role::left_shin]).dot(hinge), 0.5F) << backwards;
+  }
+}
+
 TEST(MoveLimbEnd, ReachesNearbyGoalsWithSmallRotations) {
   const Skeleton skeleton = default_character().skeleton;
   std::mt19937 random(22);

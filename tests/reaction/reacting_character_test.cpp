@@ -122,6 +122,26 @@ TEST(ReactingCharacter, ContinuesWithASimilarClipAndThenIdles) {
   EXPECT_EQ(hit.character().phase(), runtime::Phase::idle);
 }
 
+// The body moves as in the test above, where a clip continues it; but the ball passes 2 m away.
+TEST(ReactingCharacter, NoClipContinuesAMotionThatNothingHit) {
+  ReactingCharacter missed(with_push(), make_reaction_data(with_push()));
+  ASSERT_EQ(missed.character().respond(kClip, kImpact_s), runtime::Status::ok);
+  bool met = false;
+  for (float time_s = 0; time_s < 3; time_s += kFrame_s) {
+    if (!met && time_s > kImpact_s) {
+      features::Ball ball = ball_at_chest(with_push(), missed.pose(), 0.27);
+      ball.position.y() += 2;
+      ASSERT_EQ(missed.react_to(ball), ReactionStatus::ok);
+      met = true;
+    }
+    ASSERT_EQ(missed.update(kFrame_s), ReactionStatus::ok);
+    ASSERT_FALSE(missed.reaction_clip());
+  }
+  EXPECT_EQ(missed.reaction().phase(), ReactionPhase::over);
+  EXPECT_EQ(missed.reaction().contact_s(), tests::kInfinityDouble);
+  EXPECT_EQ(missed.pose_source(), PoseSource::character);
+}
+
 /// Largest change of a joint's velocity between frames, rad/s.
 float velocity_step(const std::vector<motion::Pose>& poses, std::size_t k) {
   const auto way = [&](std::size_t from, Role role) {

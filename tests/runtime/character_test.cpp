@@ -295,6 +295,52 @@ TEST(Character, FailuresToNoticeFollowFromTheSeed) {
   EXPECT_LT(failed, 32);
 }
 
+std::vector<std::byte> bytes_of(const Character& character) {
+  const std::span<const Character, 1> one(&character, 1);
+  const auto bytes = std::as_bytes(one);
+  return {bytes.begin(), bytes.end()};
+}
+
+// Between two answers of a character that perceives with noise, whose next draws count too.
+TEST(Character, ARefusedCallChangesNoBit) {
+  Workspace workspace = make_workspace();
+  Workspace none;
+  const features::Threat good = threat_to(Target::head, 0, 0.5F);
+  Character character(library());
+  character.limit_perception(human_limits(), 3);
+  while (character.perceive(good, workspace) != Status::ok)
+    ASSERT_EQ(character.settle(), Status::ok);
+  character.update(0.1F);
+  const Pose pose = character.pose();
+  const std::vector<std::byte> before = bytes_of(character);
+  const auto expect_refused = [&](Status expected, Status status) {
+    EXPECT_EQ(status, expected) << message_of(expected);
+    EXPECT_EQ(bytes_of(character), before) << message_of(expected);
+  };
+  for (float bad : {kNan, kInfinity, -kInfinity, 2e6F, -2e6F}) {
+    for (int i = 0; i < 8; ++i) {
+      features::Threat threat = good;
+      (i < 3   ? threat.position[i]
+       : i < 6 ? threat.velocity[i - 3]
+       : i < 7 ? threat.radius
+               : threat.mass_kg) = bad;
+      expect_refused(Status::bad_threat, character.perceive(threat, workspace));
+      expect_refused(Status::bad_threat, character.perceive(threat, Target::legs, 0.5F, workspace));
+    }
+    expect_refused(Status::bad_threat, character.perceive(good, Target::legs, bad, workspace));
+    expect_refused(Status::bad_threat, character.respond(1, bad));
+    expect_refused(Status::bad_time, character.update(bad));
+    expect_refused(Status::bad_time, character.set_pose(pose, pose, bad));
+    expect_refused(Status::bad_placement, character.place({0, bad}, 0, 0));
+    Pose away = pose;
+    away.root_position.x() = bad;
+    expect_refused(Status::bad_pose, character.set_pose(pose, away, 0.01F));
+  }
+  expect_refused(Status::other_workspace, character.perceive(good, none));
+  expect_refused(Status::other_workspace, character.perceive(good, Target::legs, 0.5F, none));
+  expect_refused(Status::bad_clip, character.respond(-1, 0.5F));
+}
+
 TEST(Character, RejectsBadInputAndStaysUsable) {
   Workspace workspace = make_workspace();
   const features::Threat good = threat_to(Target::head, 0, 0.5F);

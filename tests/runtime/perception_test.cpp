@@ -190,6 +190,24 @@ TEST(Perception, IgnoresInvalidLimits) {
   EXPECT_TRUE(is_valid(PerceptionLimits{}));
 }
 
+TEST(Perception, WhatNoiseOfAnySizeMakesOfAThreatIsUsableIfNoticed) {
+  int noticed = 0;
+  int unnoticed = 0;
+  for (float noise : {0.1F, 10.0F, 1e6F, 3e38F}) {
+    const PerceptionLimits limits{.bearing_noise = noise,
+                                  .distance_noise = noise,
+                                  .heading_noise = noise,
+                                  .speed_noise = noise};
+    for (std::uint64_t number = 0; number < 200; ++number) {
+      const Perceived perceived = perceive(thrown(), kEye, limits, 2, number);
+      (perceived.noticed ? noticed : unnoticed) += 1;
+      EXPECT_TRUE(!perceived.noticed || features::is_usable(perceived.threat)) << noise;
+    }
+  }
+  EXPECT_GT(noticed, 200);
+  EXPECT_GT(unnoticed, 200);
+}
+
 TEST(Perception, PassesNonFiniteThreatsThrough) {
   for (int i = 0; i < 3; ++i) {
     Threat threat = thrown();

@@ -198,6 +198,22 @@ TEST(Import, CutsClipsAndMirrorsTheAnnotatedOnes) {
   EXPECT_EQ(result.report.sources.size(), 1U);
 }
 
+TEST(Import, MirrorsPushes) {
+  const TemporaryFolder folder;
+  write_standing(folder / "a.bvh");
+  const std::string push = "[[push]]\nname = \"shove\"\nfile = \"a.bvh\"\n";
+  folder.write("m.toml", std::string(kIdle) + push);
+  const ClipLibrary library = import_library({}, folder / "m.toml").library;
+  ASSERT_EQ(library.clips.size(), 3U);
+  EXPECT_EQ(library.clips[2].name, "shove_mirrored");
+  EXPECT_EQ(library.clips[2].purpose, motion::Purpose::push);
+  EXPECT_EQ(library.clips[2].mirrored_from, "shove");
+  folder.write("m.toml", std::string(kIdle) + push +
+                             "[[clip]]\nname = \"shove_mirrored\"\nfile = \"a.bvh\"\n");
+  EXPECT_THAT(error_of([&] { import_library({}, folder / "m.toml"); }),
+              HasSubstr("the name \"shove_mirrored\" is already taken"));
+}
+
 TEST(Import, RefusesFilesThatAreNotThereAndTimesOutsideThem) {
   const TemporaryFolder folder;
   write_standing(folder / "a.bvh");

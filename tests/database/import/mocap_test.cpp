@@ -70,7 +70,7 @@ TEST_F(Mocap, TheWholeManifestBecomesALibrary) {
     ++count[clip.mirrored_from.empty() ? std::string(name_of(clip.purpose)) : "mirrored"];
   }
   EXPECT_EQ(count["anticipation"], 66);
-  EXPECT_EQ(count["mirrored"], 66);
+  EXPECT_EQ(count["mirrored"], 66 + 29);
   EXPECT_EQ(count["idle"], 3);
   EXPECT_EQ(count["push"], 29);
   EXPECT_EQ(imported().library.idle_clip().name, "idle_65");

@@ -101,15 +101,20 @@ TEST_F(CApi, EveryFunctionReportsNullPointers) {
 TEST_F(CApi, RejectsNonFiniteNumbersAndChangesNothing) {
   ASSERT_EQ(flinch_character_respond(character, 9, 0.4F), FLINCH_OK);
   ASSERT_EQ(flinch_character_update(character, 0.1F), FLINCH_OK);
-  for (const float bad : {kNan, kInfinity, -kInfinity}) {
-    for (std::size_t i = 0; i < 7; ++i) {
+  for (const float bad : {kNan, kInfinity, -kInfinity, 3e38F, -2e6F}) {
+    for (std::size_t i = 0; i < 8; ++i) {
       flinch_threat threat = ball();
-      (i < 3 ? threat.position[i] : i < 6 ? threat.velocity[i - 3] : threat.radius) = bad;
+      (i < 3   ? threat.position[i]
+       : i < 6 ? threat.velocity[i - 3]
+       : i < 7 ? threat.radius
+               : threat.mass_kg) = bad;
       refuses(FLINCH_BAD_THREAT, [&] { return perceive(threat); });
       refuses(FLINCH_BAD_THREAT, [&] {
         return flinch_character_perceive_known(character, &threat, FLINCH_HEAD, 0.5F, workspace);
       });
     }
+  }
+  for (const float bad : {kNan, kInfinity, -kInfinity}) {
     for (std::size_t i = 0; i < 3 + 4 * FLINCH_JOINT_COUNT; ++i) {
       flinch_pose changed = pose();
       const flinch_pose good = pose();
@@ -136,7 +141,7 @@ TEST_F(CApi, RejectsNonFiniteNumbersAndChangesNothing) {
               [&] { return flinch_character_place(character, 0, 0, 0, *place); });
     }
   }
-  for (const float bad : {kNan, kInfinity, -kInfinity, 0.0F, -0.5F}) {
+  for (const float bad : {kNan, kInfinity, -kInfinity, 0.0F, -0.5F, 3e38F}) {
     const flinch_threat threat = ball();
     const flinch_pose good = pose();
     refuses(FLINCH_BAD_TIME, [&] { return flinch_character_update(character, bad); });
