@@ -20,8 +20,8 @@ using motion::name_of;
 using motion::PerRole;
 using motion::Role;
 
-constexpr int kMostJoints = 4096;     // no rig of a human has more; bounds the work
-constexpr double kMirroredRatio = 2;  // at most, between the lengths of mirrored bones
+constexpr std::size_t kMostJoints = 4096;  // no rig of a human has more; bounds the work
+constexpr double kMirroredRatio = 2;       // at most, between the lengths of mirrored bones
 
 constexpr std::array kRequired{
     Role::pelvis,          Role::chest,         Role::head,        Role::left_upper_arm,
@@ -63,9 +63,6 @@ class Mapper {
   }
 
   RoleMap map(const RoleOverrides& overrides) {
-    if (tree_.count() > kMostJoints) {
-      throw Error(bvh_.path, "not a human figure: " + std::to_string(tree_.count()) + " joints");
-    }
     apply(overrides);
     for (Role role : {Role::pelvis, Role::neck, Role::head}) find_by_name(role);
     find_limbs(kLeftArm, kRightArm);
@@ -443,6 +440,9 @@ bool is_required(Role role) {
 }
 
 RoleMap map_roles(const Bvh& bvh, const RoleOverrides& overrides) {
+  if (bvh.joints.size() > kMostJoints) {
+    throw Error(bvh.path, "not a human figure: " + std::to_string(bvh.joints.size()) + " joints");
+  }
   return Mapper(bvh).map(overrides);
 }
 

@@ -44,6 +44,16 @@ TEST(Limbs, ReadsAHandBelowTheWristAsFingers) {
   }
 }
 
+std::string on_the_right(std::string name) {
+  const std::pair<std::string, std::string> sides[] = {{".L", ".R"}, {"_L", "_R"}, {"左", "右"}};
+  for (const auto& [left, right] : sides) {
+    const std::size_t at = name.find(left);
+    if (at != std::string::npos) return name.replace(at, left.size(), right);
+  }
+  name.front() = 'r';
+  return name;
+}
+
 TEST(Limbs, TakesTheSecondPartOfABoneForNoJoint) {
   struct Part {
     const char* rig;
@@ -69,6 +79,7 @@ TEST(Limbs, TakesTheSecondPartOfABoneForNoJoint) {
     SCOPED_TRACE(part.name);
     Bvh bvh = named_figure(names_in(part.rig));
     insert_above(bvh, part.below, part.name, 0.5);
+    insert_above(bvh, on_the_right(part.below), on_the_right(part.name), 0.5);
     expect_roles(bvh, names_in(part.rig));
   }
 }
@@ -116,7 +127,7 @@ TEST(Limbs, TakesAToeJointAtTheAnkleForTheFoot) {
 }
 
 TEST(Limbs, MapsMirroredLimbsAlike) {
-  const motion::PerRole<std::string>& names = names_in("LaFAN1");
+  const motion::PerRole<std::string>& names = names_in("Perception Neuron");
   Bvh bvh = named_figure(names);
   // A second foot, first in the file, at another distance: the left foot tells which one is meant.
   const std::size_t shin = joint_named(bvh, "RightLeg");

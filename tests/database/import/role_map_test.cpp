@@ -117,6 +117,16 @@ TEST(RoleMap, RefusesNonHumanSkeletons) {
   EXPECT_THAT(error_of([&] { map_roles(chain); }), HasSubstr("chain.bvh: not a human figure"));
 }
 
+TEST(RoleMap, RefusesMoreJointsThanAHumanRigHas) {
+  Bvh chain;
+  chain.path = "chain.bvh";
+  for (int i = 0; i < 5000; ++i) {
+    chain.joints.push_back({"LeftUpLeg", i - 1, {0, 1, 0}, {}, 0, {}});
+  }
+  EXPECT_THAT(error_of([&] { map_roles(chain); }),
+              HasSubstr("chain.bvh: not a human figure: 5000 joints"));
+}
+
 TEST(RoleMap, RefusesDisconnectedLimbs) {
   const Bvh bvh =
       synthetic_bvh(motion::default_character().skeleton, SyntheticRig(), {motion::Pose()}, 0.01);
