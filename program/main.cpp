@@ -5,6 +5,7 @@
 #include <new>
 #include <string>
 
+#include "database/import/role_map.h"
 #include "program/command.h"
 #include "program/command_line.h"
 
@@ -46,6 +47,10 @@ int main(int argument_count, char** arguments) {
     return fail(error.what(), kWrongUsage);
   } catch (const std::bad_alloc&) {
     return fail("out of memory", kError);
+  } catch (const flinch::database::RoleError& error) {
+    const int code = fail(error.what(), kError);
+    std::cerr << error.suggestion;
+    return code;
   } catch (const std::exception& error) {
     return fail(error.what(), kError);
   }

@@ -4,21 +4,24 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <span>
+#include <string>
 #include <vector>
 
+#include "database/import/limb_match.h"
+#include "database/import/role_guess.h"
 #include "database/import/role_names.h"
-#include "motion/error.h"
 
 namespace flinch::database {
 namespace {
 
 using motion::kRoles;
 using motion::name_of;
+using motion::PerRole;
 using motion::Role;
 
-constexpr int kNone = -1;
-// fraction of the figure's size: joints nearer than this coincide
-constexpr double kNoLength = 1e-6;
+constexpr std::size_t kMostJoints = 4096;  // no rig of a human has more; bounds the work
+constexpr double kMirroredRatio = 2;       // at most, between the lengths of mirrored bones
 
 constexpr std::array kRequired{
     Role::pelvis,          Role::chest,         Role::head,        Role::left_upper_arm,
@@ -27,57 +30,54 @@ constexpr std::array kRequired{
     Role::right_foot,
 };
 
-// The roles along a limb, from the trunk outwards.
-struct LimbChain {
-  Role trunk;
-  std::array<Role, 4> roles;
-};
-constexpr std::array<LimbChain, 4> kLimbChains{{
-    {Role::chest, {Role::left_clavicle, Role::left_upper_arm, Role::left_forearm, Role::left_hand}},
-    {Role::chest,
-     {Role::right_clavicle, Role::right_upper_arm, Role::right_forearm, Role::right_hand}},
-    {Role::pelvis, {Role::left_thigh, Role::left_shin, Role::left_foot, Role::left_toes}},
-    {Role::pelvis, {Role::right_thigh, Role::right_shin, Role::right_foot, Role::right_toes}},
-}};
+constexpr std::array kLimbs{kLeftArm, kRightArm, kLeftLeg, kRightLeg};
+
+std::vector<std::string> names_of(const Bvh& bvh) {
+  std::vector<std::string> names;
+  for (const BvhJoint& joint : bvh.joints) names.push_back(joint.name);
+  return names;
+}
+
+PerRole<int> no_joints() {
+  PerRole<int> none;
+  for (Role role : kRoles) none[role] = kNoJoint;
+  return none;
+}
+
+// A name as a TOML string in double quotes.
+std::string toml_text(std::string_view name) {
+  std::string text = "\"";
+  for (const char c : name) {
+    if (c == '"' || c == '\\') text += '\\';
+    text += c;
+  }
+  return text + '"';
+}
 
 class Mapper {
  public:
   explicit Mapper(const Bvh& bvh)
-      : bvh_(bvh), rest_(rest_frame(bvh)), children_(bvh.joints.size()), used_(bvh.joints.size()) {
-    for (int joint = 0; joint < count(); ++joint) {
-      if (parent(joint) != kNone) children_[index(parent(joint))].push_back(joint);
-    }
-    double size = 0;
-    for (const Eigen::Vector3d& position : rest_.position) {
-      size = std::max(size, (position - rest_.position.front()).norm());
-    }
-    no_length_ = kNoLength * size;
-    map_.joint = {};
-    for (Role role : kRoles) map_.joint[role] = kNone;
+      : bvh_(bvh), tree_(bvh), names_(plain_names(names_of(bvh))), used_(bvh.joints.size()) {
+    given_ = no_joints();
+    map_.joint = no_joints();
   }
 
   RoleMap map(const RoleOverrides& overrides) {
     apply(overrides);
-    for (Role role : kRoles) find_by_name(role);
-    find_pelvis();
-    fill_limbs();
-    find_spine();
-    find_head_and_neck();
+    for (Role role : {Role::pelvis, Role::neck, Role::head}) find_by_name(role);
+    find_limbs(kLeftArm, kRightArm);
+    find_limbs(kLeftLeg, kRightLeg);
+    find_trunk();
     check();
     return map_;
   }
 
  private:
   static std::size_t index(int joint) { return static_cast<std::size_t>(joint); }
-  int count() const { return static_cast<int>(bvh_.joints.size()); }
-  int parent(int joint) const { return bvh_.joints[index(joint)].parent; }
   const std::string& name(int joint) const { return bvh_.joints[index(joint)].name; }
-  bool found(Role role) const { return map_.joint[role] != kNone; }
+  bool found(Role role) const { return map_.joint[role] != kNoJoint; }
   int joint(Role role) const { return map_.joint[role]; }
-
-  bool coincide(int one, int other) const {
-    return (rest_.position[index(one)] - rest_.position[index(other)]).norm() <= no_length_;
-  }
+  NamedTree figure() const { return {tree_, names_, given_}; }
 
   void assign(Role role, int joint, RoleSource source) {
     map_.joint[role] = joint;
@@ -87,7 +87,7 @@ class Mapper {
 
   void release(Role role) {
     used_[index(map_.joint[role])] = false;
-    map_.joint[role] = kNone;
+    map_.joint[role] = kNoJoint;
     map_.source[role] = RoleSource::none;
   }
 
@@ -102,119 +102,53 @@ class Mapper {
                                    "\", which the roles give for " + std::string(name_of(role)) +
                                    "; its joints are: " + list(all()));
       }
+      given_[role] = static_cast<int>(at - bvh_.joints.begin());
       assign(role, static_cast<int>(at - bvh_.joints.begin()), RoleSource::override_);
     }
   }
 
-  // Clavicles precede upper arms among the roles, but "shoulder" is a clavicle only where another
-  // joint is the upper arm.
   void find_by_name(Role role) {
     if (found(role)) return;
-    if (role == Role::left_clavicle) find_by_name(Role::left_upper_arm);
-    if (role == Role::right_clavicle) find_by_name(Role::right_upper_arm);
-    for (const auto matches : {&Mapper::matches_words, &Mapper::matches_run_together}) {
-      for (std::string_view stem : stems_of(role)) {
-        for (int candidate = 0; candidate < count(); ++candidate) {
-          if (used_[index(candidate)] || !matches(name(candidate), stem, role)) continue;
-          assign(role, candidate, RoleSource::name);
-          return;
-        }
+    for (std::string_view stem : middle_stems(role)) {
+      for (int candidate = 0; candidate < tree_.count(); ++candidate) {
+        if (used_[index(candidate)] || !is_named(names_[index(candidate)], stem)) continue;
+        assign(role, candidate, RoleSource::name);
+        return;
       }
     }
   }
 
-  static bool matches_words(const std::string& joint_name, std::string_view stem, Role role) {
-    const PlainName plain = plain_name(joint_name);
-    return plain.stem == stem && plain.side == side_of(role);
+  void find_limbs(const LimbRoles& left, const LimbRoles& right) {
+    const auto [left_limb, right_limb] = match_limbs(figure(), left, right);
+    assign_limb(left, left_limb);
+    assign_limb(right, right_limb);
   }
 
-  // "lfemur": Acclaim's names join side and stem without a separator.
-  static bool matches_run_together(const std::string& joint_name, std::string_view stem,
-                                   Role role) {
-    const NameSide side = side_of(role);
-    if (side == NameSide::none) return false;
-    const PlainName plain = plain_name(joint_name);
-    if (plain.side != NameSide::none || !plain.stem.ends_with(stem)) return false;
-    return plain.stem.size() == stem.size() + 1 &&
-           plain.stem.front() == (side == NameSide::left ? 'l' : 'r');
-  }
-
-  std::vector<int> path_to_root(int joint) const {
-    std::vector<int> path;
-    for (; joint != kNone; joint = parent(joint)) path.push_back(joint);
-    return path;
-  }
-
-  bool hangs_from(int joint, int ancestor) const {
-    const std::vector<int> path = path_to_root(joint);
-    return std::find(path.begin(), path.end(), ancestor) != path.end();
-  }
-
-  // Returns the joints between `upper` and `lower`, from `upper` downwards, without either. Returns
-  // nothing where `lower` is not a descendant of `upper`.
-  std::vector<int> between(int upper, int lower) const {
-    if (!hangs_from(lower, upper)) return {};
-    std::vector<int> path;
-    for (int at = parent(lower); at != upper && at != kNone; at = parent(at)) path.push_back(at);
-    std::reverse(path.begin(), path.end());
-    return path;
-  }
-
-  int common_ancestor(int one, int other) const {
-    for (int candidate : path_to_root(one)) {
-      if (hangs_from(other, candidate)) return candidate;
+  void assign_limb(const LimbRoles& roles, const LimbMatch& limb) {
+    for (std::size_t i = 0; i < roles.size(); ++i) {
+      if (!found(roles[i]) && limb.joint[i] != kNoJoint) {
+        assign(roles[i], limb.joint[i], limb.source[i]);
+      }
     }
-    return kNone;
+  }
+
+  void find_trunk() {
+    find_pelvis();
+    find_spine();
+    find_head_and_neck();
   }
 
   // The pelvis is where the legs branch. A pelvis found by name is kept unless the legs are not its
   // descendants.
   void find_pelvis() {
     if (!found(Role::left_thigh) || !found(Role::right_thigh)) return;
-    const int fork = common_ancestor(joint(Role::left_thigh), joint(Role::right_thigh));
-    if (fork == kNone || map_.source[Role::pelvis] == RoleSource::override_) return;
+    const int fork = tree_.common_ancestor(joint(Role::left_thigh), joint(Role::right_thigh));
+    if (fork == kNoJoint || map_.source[Role::pelvis] == RoleSource::override_) return;
     if (found(Role::pelvis)) {
-      if (hangs_from(fork, joint(Role::pelvis))) return;
+      if (tree_.hangs_from(fork, joint(Role::pelvis))) return;
       release(Role::pelvis);
     }
     assign(Role::pelvis, fork, RoleSource::topology);
-  }
-
-  // Maps limb joints without known names, where their neighbours leave one candidate.
-  void fill_limbs() {
-    for (const LimbChain& chain : kLimbChains) {
-      for (std::size_t i = 1; i < chain.roles.size(); ++i) {
-        if (found(chain.roles[i])) continue;
-        const bool has_next = i + 1 < chain.roles.size() && found(chain.roles[i + 1]);
-        const int taken = has_next ? last_with_length_above(joint(chain.roles[i + 1]))
-                                   : only_child_with_length(chain.roles[i - 1]);
-        if (taken != kNone && !used_[index(taken)]) {
-          assign(chain.roles[i], taken, RoleSource::topology);
-        }
-      }
-    }
-  }
-
-  int last_with_length_above(int joint) const {
-    for (int above = parent(joint); above != kNone; above = parent(above)) {
-      if (!coincide(above, joint)) return above;
-    }
-    return kNone;
-  }
-
-  // Returns the next joint below that is not at the same position; none if there are several.
-  int only_child_with_length(Role role) const {
-    if (!found(role)) return kNone;
-    std::vector<int> open{joint(role)};
-    std::vector<int> far;
-    while (!open.empty()) {
-      const int at = open.back();
-      open.pop_back();
-      for (int child : children_[index(at)]) {
-        (coincide(child, joint(role)) ? open : far).push_back(child);
-      }
-    }
-    return far.size() == 1 ? far.front() : kNone;
   }
 
   // Returns the joint of one arm that is nearest to the trunk.
@@ -228,13 +162,13 @@ class Mapper {
     if (!found(Role::chest)) {
       const int left = arm_root(Role::left_clavicle, Role::left_upper_arm);
       const int right = arm_root(Role::right_clavicle, Role::right_upper_arm);
-      if (left == kNone || right == kNone) return;
-      int fork = common_ancestor(left, right);
+      if (left == kNoJoint || right == kNoJoint) return;
+      int fork = tree_.common_ancestor(left, right);
       // In some rigs the clavicles are children of the neck.
-      while (fork != kNone && map_.joint[Role::neck] == fork) fork = parent(fork);
+      while (fork != kNoJoint && map_.joint[Role::neck] == fork) fork = tree_.parent(fork);
       // The pelvis may be a leaf beside the spine: then any joint above their common ancestor will
       // do.
-      if (fork == kNone || hangs_from(pelvis, fork)) return;
+      if (fork == kNoJoint || tree_.hangs_from(pelvis, fork)) return;
       assign(Role::chest, fork, RoleSource::topology);
     }
     if (!found(Role::abdomen)) find_abdomen();
@@ -243,17 +177,17 @@ class Mapper {
   void find_abdomen() {
     const int pelvis = joint(Role::pelvis);
     const int chest = joint(Role::chest);
-    const int fork = common_ancestor(pelvis, chest);
-    if (fork == kNone) return;
-    int taken = kNone;
-    for (int candidate : between(fork, chest)) {
-      if (used_[index(candidate)] || coincide(candidate, chest)) continue;
+    const int fork = tree_.common_ancestor(pelvis, chest);
+    if (fork == kNoJoint) return;
+    int taken = kNoJoint;
+    for (int candidate : tree_.between(fork, chest)) {
+      if (used_[index(candidate)] || tree_.coincide(candidate, chest)) continue;
       // A joint of zero length still rotates: better than none. Of several at one position, the
       // last has the rotations of all.
-      const bool is_better = taken == kNone || coincide(taken, pelvis);
-      if (is_better || coincide(candidate, taken)) taken = candidate;
+      const bool is_better = taken == kNoJoint || tree_.coincide(taken, pelvis);
+      if (is_better || tree_.coincide(candidate, taken)) taken = candidate;
     }
-    if (taken != kNone) assign(Role::abdomen, taken, RoleSource::topology);
+    if (taken != kNoJoint) assign(Role::abdomen, taken, RoleSource::topology);
   }
 
   void find_head_and_neck() {
@@ -266,22 +200,22 @@ class Mapper {
     if (map_.source[Role::neck] == RoleSource::override_) return;
     if (found(Role::neck)) {
       // A named neck at the position of the chest joint has no length of its own.
-      if (!coincide(joint(Role::neck), joint(Role::chest))) return;
+      if (!tree_.coincide(joint(Role::neck), joint(Role::chest))) return;
       release(Role::neck);
     }
-    int taken = kNone;
-    for (int candidate : between(joint(Role::chest), joint(Role::head))) {
-      const bool has_length =
-          !coincide(candidate, joint(Role::chest)) && !coincide(candidate, joint(Role::head));
+    int taken = kNoJoint;
+    for (int candidate : tree_.between(joint(Role::chest), joint(Role::head))) {
+      const bool has_length = !tree_.coincide(candidate, joint(Role::chest)) &&
+                              !tree_.coincide(candidate, joint(Role::head));
       // As with the abdomen, the last of several at one position.
-      if (has_length && (taken == kNone || coincide(candidate, taken))) taken = candidate;
+      if (has_length && (taken == kNoJoint || tree_.coincide(candidate, taken))) taken = candidate;
     }
-    if (taken != kNone) assign(Role::neck, taken, RoleSource::topology);
+    if (taken != kNoJoint) assign(Role::neck, taken, RoleSource::topology);
   }
 
   std::vector<int> all() const {
     std::vector<int> joints(bvh_.joints.size());
-    for (int i = 0; i < count(); ++i) joints[index(i)] = i;
+    for (int i = 0; i < tree_.count(); ++i) joints[index(i)] = i;
     return joints;
   }
 
@@ -295,53 +229,193 @@ class Mapper {
     return text;
   }
 
+  bool has_limb(const LimbRoles& roles) const {
+    return std::ranges::all_of(roles,
+                               [this](Role role) { return found(role) || !is_required(role); });
+  }
+
   void check() const {
+    PerRole<int> named = map_.joint;
+    for (const LimbRoles& roles : kLimbs) {
+      if (!has_limb(roles)) name_limb(roles, named);
+    }
     std::vector<Role> missing;
     for (Role role : kRequired) {
-      if (!found(role)) missing.push_back(role);
+      // The chest is where the arms branch off, the pelvis where the legs do: without limbs, it is
+      // they that are missing.
+      const bool says_nothing =
+          (role == Role::chest && !(has_limb(kLeftArm) && has_limb(kRightArm))) ||
+          (role == Role::pelvis && !(has_limb(kLeftLeg) && has_limb(kRightLeg)));
+      if (named[role] == kNoJoint && !says_nothing) missing.push_back(role);
     }
-    if (!missing.empty()) throw_missing(missing);
-    for (const LimbChain& chain : kLimbChains) check_chain(chain);
+    if (!missing.empty()) fail_missing(missing);
+    for (const LimbRoles& roles : kLimbs) check_chain(roles, named);
+    for (const LimbRoles& roles : kLimbs) {
+      if (!has_limb(roles)) fail_impossible(roles, named);
+    }
+    check_mirrored(kLeftArm);
+    check_mirrored(kLeftLeg);
   }
 
-  [[noreturn]] void throw_missing(const std::vector<Role>& missing) const {
+  // The joints that the names alone give to a limb that is no chain, to say what is wrong with it.
+  void name_limb(const LimbRoles& roles, PerRole<int>& named) const {
+    for (Role role : roles) {
+      if (given_[role] != kNoJoint) continue;
+      NameFit best = NameFit::possible;
+      for (int candidate = 0; candidate < tree_.count(); ++candidate) {
+        const NameFit fit = fit_of(names_[index(candidate)], role);
+        if (fit <= best) continue;
+        best = fit;
+        named[role] = candidate;
+      }
+    }
+  }
+
+  std::string titled(Role role, const PerRole<int>& named) const {
+    return std::string(name_of(role)) + " (" + name(named[role]) + ")";
+  }
+
+  [[noreturn]] void fail(const std::string& what) const {
+    throw RoleError(bvh_.path, what + "; map both under [roles] in a TOML file",
+                    table_of(suggested_roles()));
+  }
+
+  [[noreturn]] void fail_missing(const std::vector<Role>& missing) const {
+    constexpr std::size_t kMostMissing = 4;
+    std::string names;
+    for (std::size_t i = 0; i < missing.size(); ++i) {
+      if (i == kMostMissing && missing.size() > kMostMissing + 1) {
+        names += " and " + std::to_string(missing.size() - i) + " more roles";
+        break;
+      }
+      names += (i == 0 ? "" : ", ") + std::string(name_of(missing[i]));
+    }
     std::vector<int> free = all();
     std::erase_if(free, [&](int candidate) { return used_[index(candidate)]; });
-    std::string names;
-    for (Role role : missing) names += (names.empty() ? "" : ", ") + std::string(name_of(role));
-    const std::string joints =
-        free.empty() ? "it has no joint left" : "joints left over: " + list(free);
-    if (2 * missing.size() > kRequired.size()) {
-      throw Error(bvh_.path, "not a human figure that is known: " + std::to_string(count()) +
-                                 " joints, and none for " + names + "; " + joints +
-                                 "; if it is one, map its joints under [roles] in a TOML file");
+    const std::string left_over =
+        free.empty() ? "; it has no joint left" : "; joints left over: " + list(free);
+    const std::optional<PerRole<int>> suggested = suggested_roles();
+    if (!suggested && 2 * missing.size() > kRequired.size()) {
+      throw RoleError(bvh_.path,
+                      "not a human figure that is known: " + std::to_string(tree_.count()) +
+                          " joints, and none for " + names + left_over +
+                          "; if it is one, map its joints under [roles] in a TOML file",
+                      "");
     }
-    throw Error(bvh_.path, "no joint found for " + names + "; " + joints +
-                               "; map it in a TOML file: [roles] " +
-                               std::string(name_of(missing.front())) + " = \"" +
-                               (free.empty() ? "JOINT" : name(free.front())) + "\"");
+    const std::string example = suggested      ? name((*suggested)[missing.front()])
+                                : free.empty() ? "JOINT"
+                                               : name(free.front());
+    throw RoleError(bvh_.path,
+                    "no joint found for " + names + (suggested ? "" : left_over) +
+                        "; map it in a TOML file: [roles] " +
+                        std::string(name_of(missing.front())) + " = " + toml_text(example),
+                    table_of(suggested));
   }
 
-  void check_chain(const LimbChain& chain) const {
-    Role above = chain.trunk;
-    for (Role role : chain.roles) {
-      if (!found(role)) continue;
-      // A clavicle may be a child of the neck instead of the chest, and a thigh may be a sibling of
-      // the pelvis.
-      if (above != chain.trunk && !hangs_from(joint(role), joint(above))) {
-        throw Error(bvh_.path, std::string(name_of(role)) + " (" + name(joint(role)) +
-                                   ") does not hang from " + std::string(name_of(above)) + " (" +
-                                   name(joint(above)) + "); map both under [roles] in a TOML file");
-      }
+  void check_chain(const LimbRoles& roles, const PerRole<int>& named) const {
+    std::optional<Role> above;
+    for (Role role : roles) {
+      if (named[role] == kNoJoint) continue;
+      if (above) check_link(*above, role, named);
       above = role;
     }
   }
 
+  void check_link(Role upper, Role lower, const PerRole<int>& named) const {
+    const bool both_given = given_[upper] != kNoJoint && given_[lower] != kNoJoint;
+    if (!tree_.hangs_from(named[lower], named[upper])) {
+      fail(titled(lower, named) + " does not hang from " + titled(upper, named));
+    }
+    for (int between : tree_.between(named[upper], named[lower])) {
+      if (both_given ||
+          needs_no_role(figure(), between, {upper, named[upper]}, {lower, named[lower]})) {
+        continue;
+      }
+      fail("the joint " + name(between) + " between " + titled(upper, named) + " and " +
+           titled(lower, named) + " has a length but no role");
+    }
+  }
+
+  [[noreturn]] void fail_impossible(const LimbRoles& roles, const PerRole<int>& named) const {
+    const Role first = is_required(roles[0]) ? roles[0] : roles[1];
+    if (tree_.coincide(named[first], named[motion::mirrored(first)])) {
+      fail(titled(first, named) + " and " + titled(motion::mirrored(first), named) +
+           " are at one place");
+    }
+    std::string limb;
+    for (Role role : roles) {
+      if (named[role] != kNoJoint) limb += (limb.empty() ? "" : ", ") + titled(role, named);
+    }
+    fail("no human has bones as long as those of " + limb);
+  }
+
+  void check_mirrored(const LimbRoles& left) const {
+    for (std::size_t i = 1; i < left.size(); ++i) {
+      const Role upper = left[i - 1];
+      const Role lower = left[i];
+      if (!is_required(upper) || !is_required(lower)) continue;
+      const double one = length(upper, lower);
+      const double other = length(motion::mirrored(upper), motion::mirrored(lower));
+      if (std::max(one, other) <= kMirroredRatio * std::min(one, other)) continue;
+      if (is_given(upper) || is_given(lower)) continue;
+      fail(titled(upper, map_.joint) + " is more than twice as long or short as " +
+           titled(motion::mirrored(upper), map_.joint));
+    }
+  }
+
+  double length(Role upper, Role lower) const { return tree_.distance(joint(upper), joint(lower)); }
+
+  bool is_given(Role role) const {
+    return given_[role] != kNoJoint || given_[motion::mirrored(role)] != kNoJoint;
+  }
+
+  // What was found by name, completed by the skeleton's shape; nothing where that does not give all
+  // required roles.
+  std::optional<PerRole<int>> suggested_roles() const {
+    const std::optional<PerRole<int>> guess = guess_roles(tree_, names_);
+    if (!guess) return std::nullopt;
+    Mapper other(bvh_);
+    for (Role role : kRoles) {
+      if (given_[role] != kNoJoint) other.assign(role, given_[role], RoleSource::override_);
+    }
+    for (const LimbRoles& roles : kLimbs) {
+      other.complete(roles, has_limb(roles) ? map_.joint : *guess);
+    }
+    for (Role role : {Role::pelvis, Role::neck, Role::head}) other.find_by_name(role);
+    other.complete(std::array{Role::head}, *guess);
+    other.find_trunk();
+    if (!std::ranges::all_of(kRequired, [&](Role role) { return other.found(role); })) {
+      return std::nullopt;
+    }
+    return other.map_.joint;
+  }
+
+  std::string table_of(const std::optional<PerRole<int>>& joints) const {
+    if (!joints) return "";
+    std::string table =
+        "# Suggested by the skeleton's shape. Correct it, save it, and give the file with "
+        "--roles.\n"
+        "[roles]\n";
+    for (Role role : kRoles) {
+      if ((*joints)[role] == kNoJoint) continue;
+      table += std::string(name_of(role)) + " = " + toml_text(name((*joints)[role])) + '\n';
+    }
+    return table;
+  }
+
+  void complete(std::span<const Role> roles, const PerRole<int>& joints) {
+    for (Role role : roles) {
+      if (!found(role) && joints[role] != kNoJoint && !used_[index(joints[role])]) {
+        assign(role, joints[role], RoleSource::topology);
+      }
+    }
+  }
+
   const Bvh& bvh_;
-  BvhFrame rest_;
-  std::vector<std::vector<int>> children_;
-  std::vector<bool> used_;
-  double no_length_ = 0;
+  JointTree tree_;
+  std::vector<PlainName> names_;  ///< one per joint
+  std::vector<bool> used_;        ///< per joint: whether it has a role
+  PerRole<int> given_;            ///< joints that the user gives
   RoleMap map_;
 };
 
@@ -366,6 +440,9 @@ bool is_required(Role role) {
 }
 
 RoleMap map_roles(const Bvh& bvh, const RoleOverrides& overrides) {
+  if (bvh.joints.size() > kMostJoints) {
+    throw Error(bvh.path, "not a human figure: " + std::to_string(bvh.joints.size()) + " joints");
+  }
   return Mapper(bvh).map(overrides);
 }
 

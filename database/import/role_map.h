@@ -4,8 +4,10 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "database/import/bvh.h"
+#include "motion/error.h"
 #include "motion/role.h"
 
 namespace flinch::database {
@@ -15,7 +17,7 @@ enum class RoleSource : std::uint8_t {
   none,       ///< no such joint; the role follows its neighbours
   override_,  ///< given by the user
   name,       ///< by its known name
-  topology,   ///< by its place in the hierarchy
+  topology,   ///< by its place in the hierarchy, and its lengths
 };
 std::string_view name_of(RoleSource source);
 
@@ -32,17 +34,28 @@ using RoleOverrides = std::map<motion::Role, std::string>;
 /// optional.
 bool is_required(motion::Role role);
 
-/// Maps a file's joints to roles: first by overrides, then by whole names as known rigs use them,
-/// then by topology for the others.
+/// Thrown where a file's joints cannot be mapped. what() is one line; `suggestion` is a table for a
+/// TOML file that a user can correct and give as the roles: a comment, `[roles]`, and lines of
+/// `role = "joint name"`. Empty where the skeleton's shape suggests nothing.
+class RoleError : public Error {
+ public:
+  RoleError(const std::string& where, const std::string& what, std::string suggestion_text)
+      : Error(where, what), suggestion(std::move(suggestion_text)) {}
+  std::string suggestion;
+};
+
+/// Maps a file's joints to roles: overrides first, then names as known rigs use them, then
+/// topology.
 ///
-/// The chest is the joint where the arms branch off; the abdomen the first joint with non-zero
-/// length above the pelvis and below the chest; the neck the first with non-zero length between
-/// chest and head. A neck without a head is the head. In the limbs, a joint without a known name is
-/// taken from between its neighbours where only one candidate exists.
+/// Limbs are matched whole, both of a pair together (limb_match.h). The chest is the joint where
+/// the arms branch off; the abdomen the first joint with non-zero length above the pelvis and below
+/// the chest; the neck the first with non-zero length between chest and head. A neck without a head
+/// is the head.
 ///
-/// Throws Error when an override names a joint that the file does not have, when a required role is
-/// missing (the message lists the unmapped joints and the TOML line that maps one), when a limb's
-/// joints are not descendants of each other, or when the file holds no human figure.
+/// Throws Error when an override names a joint that the file does not have, and RoleError when a
+/// required role is missing, when a limb's joints are not descendants of each other, when a joint
+/// with length lies between two roles of a limb and has no role, when lengths or mirrored limbs
+/// contradict the names, or when the file holds no human figure.
 RoleMap map_roles(const Bvh& bvh, const RoleOverrides& overrides = {});
 
 /// Reads the table `[roles]` of a TOML file: `role = "joint name"`. Throws Error.

@@ -2,9 +2,11 @@
 # SPDX-License-Identifier: MIT
 """For bad input, the program prints one line that says what is wrong and leaves no partial file."""
 
+import itertools
+import re
 import unittest
 
-from flinch_program import ProgramTest, make_library
+from flinch_program import ProgramTest, make_library, run
 
 BVH = """HIERARCHY
 ROOT Hips
@@ -114,6 +116,20 @@ class BadInput(ProgramTest):
                 path.write_bytes(whole[:-40] + bytes(40))
                 self.refuse(1, str(path), *commands[0])
             path.write_bytes(whole)
+
+    def test_unknown_joint_names_come_with_roles_to_correct_and_give(self):
+        self.make_store_and_selector()
+        bvh = self.folder / "out.bvh"
+        self.succeed("respond", self.selector, "--out", bvh)
+        numbers = itertools.count()
+        bvh.write_text(re.sub(r"(ROOT|JOINT) \S+", lambda word: f"{word[1]} bone{next(numbers)}",
+                              bvh.read_text()))
+        done = run("info", bvh)
+        self.assertEqual(done.returncode, 1, done.stderr)
+        line, _, table = done.stderr.partition("\n")
+        self.assertTrue(line.startswith(f"flinch: {bvh}: no joint found for "), line)
+        self.succeed("info", bvh, "--roles", self.file("roles.toml", table))
+        type(self).cases += 1
 
     def test_bvh_and_manifests(self):
         frames = BVH.splitlines(keepends=True)

@@ -4,8 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "database/import/role_names.h"
 #include "motion/default_character.h"
+#include "tests/database/import/named_rigs.h"
 #include "tests/database/import/synthetic_figure.h"
 #include "tests/scenes/error_of.h"
 #include "tests/scenes/temporary_folder.h"
@@ -17,129 +17,68 @@ using motion::kRoles;
 using motion::Role;
 using testing::HasSubstr;
 using tests::error_of;
-using tests::rig_names;
+using tests::expect_roles;
+using tests::joint_of;
+using tests::named_figure;
+using tests::named_rigs;
+using tests::NamedRig;
+using tests::names_in;
 using tests::synthetic_bvh;
 using tests::SyntheticRig;
 
-struct NamedRig {
-  const char* title;
-  motion::PerRole<std::string> names;
-};
-
-// Joint names as tools and data sets write them.
-const NamedRig kRigs[] = {
-    {"LaFAN1", rig_names({"Hips", "Spine", "Spine2", "Neck", "Head"},
-                         {"LeftShoulder", "LeftArm", "LeftForeArm", "LeftHand"},
-                         {"LeftUpLeg", "LeftLeg", "LeftFoot", "LeftToe"}, "Left", "Right")},
-    {"CMU, MotionBuilder-friendly",
-     rig_names({"Hips", "Spine", "Spine1", "Neck1", "Head"},
-               {"LeftShoulder", "LeftArm", "LeftForeArm", "LeftHand"},
-               {"LeftUpLeg", "LeftLeg", "LeftFoot", "LeftToeBase"}, "Left", "Right")},
-    {"CMU, 3dsMax-friendly",
-     rig_names({"Hips", "Chest", "Chest2", "Neck", "Head"},
-               {"LeftCollar", "LeftShoulder", "LeftElbow", "LeftWrist"},
-               {"LeftHip", "LeftKnee", "LeftAnkle", "LeftToe"}, "Left", "Right")},
-    {"CMU, Daz-friendly", rig_names({"hip", "abdomen", "chest", "neck", "head"},
-                                    {"lCollar", "lShldr", "lForeArm", "lHand"},
-                                    {"lThigh", "lShin", "lFoot", "-"}, "l", "r")},
-    {"Acclaim", rig_names({"root", "upperback", "thorax", "lowerneck", "head"},
-                          {"lclavicle", "lhumerus", "lradius", "lwrist"},
-                          {"lfemur", "ltibia", "lfoot", "ltoes"}, "l", "r")},
-    {"Bandai-Namco", rig_names({"Hips", "Spine", "Chest", "Neck", "Head"},
-                               {"Shoulder_L", "UpperArm_L", "LowerArm_L", "Hand_L"},
-                               {"UpperLeg_L", "LowerLeg_L", "Foot_L", "Toes_L"}, "_L", "_R")},
-    {"Mixamo", rig_names({"mixamorig:Hips", "mixamorig:Spine", "mixamorig:Spine2", "mixamorig:Neck",
-                          "mixamorig:Head"},
-                         {"mixamorig:LeftShoulder", "mixamorig:LeftArm", "mixamorig:LeftForeArm",
-                          "mixamorig:LeftHand"},
-                         {"mixamorig:LeftUpLeg", "mixamorig:LeftLeg", "mixamorig:LeftFoot",
-                          "mixamorig:LeftToeBase"},
-                         "Left", "Right")},
-    {"Unity humanoid",
-     rig_names({"Hips", "Spine", "UpperChest", "Neck", "Head"},
-               {"LeftShoulder", "LeftUpperArm", "LeftLowerArm", "LeftHand"},
-               {"LeftUpperLeg", "LeftLowerLeg", "LeftFoot", "LeftToes"}, "Left", "Right")},
-    {"VRM humanoid",
-     rig_names({"hips", "spine", "upperChest", "neck", "head"},
-               {"leftShoulder", "leftUpperArm", "leftLowerArm", "leftHand"},
-               {"leftUpperLeg", "leftLowerLeg", "leftFoot", "leftToes"}, "left", "right")},
-    {"VRoid's VRM",
-     rig_names(
-         {"J_Bip_C_Hips", "J_Bip_C_Spine", "J_Bip_C_UpperChest", "J_Bip_C_Neck", "J_Bip_C_Head"},
-         {"J_Bip_L_Shoulder", "J_Bip_L_UpperArm", "J_Bip_L_LowerArm", "J_Bip_L_Hand"},
-         {"J_Bip_L_UpperLeg", "J_Bip_L_LowerLeg", "J_Bip_L_Foot", "J_Bip_L_ToeBase"}, "_L_",
-         "_R_")},
-    {"Unreal mannequin", rig_names({"pelvis", "spine_01", "spine_03", "neck_01", "head"},
-                                   {"clavicle_l", "upperarm_l", "lowerarm_l", "hand_l"},
-                                   {"thigh_l", "calf_l", "foot_l", "ball_l"}, "_l", "_r")},
-    {"Rigify", rig_names({"spine", "spine.001", "spine.003", "spine.004", "spine.006"},
-                         {"shoulder.L", "upper_arm.L", "forearm.L", "hand.L"},
-                         {"thigh.L", "shin.L", "foot.L", "toe.L"}, ".L", ".R")},
-    {"ReActIdle", rig_names({"pelvis", "spine", "spine.001", "neck", "face"},
-                            {"shoulder.L", "upper_arm.L", "forearm.L", "-"},
-                            {"thigh.L", "shin.L", "foot.L", "-"}, ".L", ".R")},
-    {"Character Creator",
-     rig_names(
-         {"CC_Base_Hip", "CC_Base_Waist", "CC_Base_Spine02", "CC_Base_NeckTwist01", "CC_Base_Head"},
-         {"CC_Base_L_Clavicle", "CC_Base_L_Upperarm", "CC_Base_L_Forearm", "CC_Base_L_Hand"},
-         {"CC_Base_L_Thigh", "CC_Base_L_Calf", "CC_Base_L_Foot", "CC_Base_L_ToeBase"}, "_L_",
-         "_R_")},
-    {"SNU",
-     [] {
-       auto names = rig_names({"Hips", "Spine", "Spine1", "-", "Head"},
-                              {"LeftShoulder1", "LeftArm", "LeftForeArm", "LeftHand"},
-                              {"LeftUpLeg", "LeftLeg", "LeftFoot", "LeftToes"}, "Left", "Right");
-       names[Role::right_clavicle] = "RightShoulder";
-       return names;
-     }()},
-    {"DeepMimic",
-     rig_names({"root", "-", "chest", "-", "neck"}, {"-", "left_shoulder", "left_elbow", "-"},
-               {"left_hip", "left_knee", "left_ankle", "-"}, "left", "right")},
-    {"3ds Max Biped",
-     rig_names({"Bip01 Pelvis", "Bip01 Spine", "Bip01 Spine1", "Bip01 Neck", "Bip01 Head"},
-               {"Bip01 L Clavicle", "Bip01 L UpperArm", "Bip01 L Forearm", "Bip01 L Hand"},
-               {"Bip01 L Thigh", "Bip01 L Calf", "Bip01 L Foot", "Bip01 L Toe0"}, " L ", " R ")},
-};
-
-void expect_mapped(const NamedRig& named, const SyntheticRig& made) {
-  const Bvh bvh = synthetic_bvh(motion::default_character().skeleton, made, {motion::Pose()}, 0.01);
-  const RoleMap map = map_roles(bvh);
-  for (Role role : kRoles) {
-    const int joint = map.joint[role];
-    const std::string found = joint < 0 ? "" : bvh.joints[static_cast<std::size_t>(joint)].name;
-    EXPECT_EQ(found, named.names[role]) << named.title << ", " << motion::name_of(role);
-    EXPECT_EQ(map.source[role] == RoleSource::none, joint < 0);
-  }
-}
-
 TEST(RoleMap, FindsEveryRoleOfKnownRigs) {
-  for (const NamedRig& named : kRigs) {
-    SyntheticRig rig;
-    rig.names = named.names;
-    expect_mapped(named, rig);
+  for (const NamedRig& named : named_rigs()) {
+    SCOPED_TRACE(named.title);
+    expect_roles(named_figure(named.names), named.names);
   }
 }
 
 TEST(RoleMap, IsNotMisledByDummiesAndTwistBones) {
-  for (const NamedRig& named : kRigs) {
+  for (const NamedRig& named : named_rigs()) {
+    SCOPED_TRACE(named.title);
     SyntheticRig rig;
     rig.names = named.names;
     rig.dummy_suffix = "Dummy";
     rig.twist_suffix = "Twist";
-    expect_mapped(named, rig);
+    expect_roles(synthetic_bvh(motion::default_character().skeleton, rig, {motion::Pose()}, 0.01),
+                 named.names);
   }
 }
 
-TEST(RoleMap, KeepsSidesApart) {
-  EXPECT_EQ(plain_name("LeftUpLeg").side, NameSide::left);
-  EXPECT_EQ(plain_name("RightUpLeg").side, NameSide::right);
-  EXPECT_EQ(plain_name("thigh_r").side, NameSide::right);
-  EXPECT_EQ(plain_name("Bip01 L Thigh").side, NameSide::left);
-  EXPECT_EQ(plain_name("upper_arm.R").stem, "upperarm");
-  EXPECT_EQ(plain_name("lShldr").stem, "shldr");
-  EXPECT_EQ(plain_name("LHipJoint").stem, "hipjoint");
-  EXPECT_EQ(plain_name("a|b:mixamorig:Hips").stem, "hips");
-  EXPECT_EQ(plain_name("Root").side, NameSide::none);
+// Names that say nothing: the roles come from the skeleton's shape, as a table to correct and give.
+TEST(RoleMap, SuggestsRolesByShapeThatMapTheFileWhenGiven) {
+  motion::PerRole<std::string> names;
+  int number = 0;
+  for (Role role : kRoles) names[role] = "bone\"" + std::to_string(100 - ++number);
+  const Bvh bvh = named_figure(names);
+  const tests::TemporaryFolder folder;
+  try {
+    map_roles(bvh);
+    FAIL() << "mapped names that say nothing";
+  } catch (const RoleError& error) {
+    EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos);
+    const std::string path = folder.write("roles.toml", error.suggestion);
+    const RoleMap map = map_roles(bvh, read_role_overrides(path));
+    for (Role role : kRoles) {
+      EXPECT_EQ(joint_of(bvh, map, role), names[role]) << motion::name_of(role);
+    }
+  }
+}
+
+TEST(RoleMap, SuggestsWhatNamesSayBesideWhatTheShapeSays) {
+  motion::PerRole<std::string> names = names_in("LaFAN1");
+  names[Role::left_thigh] = "muslo";
+  names[Role::left_shin] = "pantorrilla";
+  const Bvh bvh = named_figure(names);
+  try {
+    map_roles(bvh);
+    FAIL() << "mapped a thigh without a known name";
+  } catch (const RoleError& error) {
+    for (Role role : kRoles) {
+      EXPECT_THAT(error.suggestion, HasSubstr("\n" + std::string(motion::name_of(role)) + " = \"" +
+                                              names[role] + "\"\n"));
+    }
+  }
 }
 
 TEST(RoleMap, FindsALimbJointBetweenItsNeighbours) {
@@ -176,6 +115,16 @@ TEST(RoleMap, RefusesNonHumanSkeletons) {
     chain.joints.push_back({"link" + std::to_string(i), i - 1, {0, 1, 0}, {}, 0, {}});
   }
   EXPECT_THAT(error_of([&] { map_roles(chain); }), HasSubstr("chain.bvh: not a human figure"));
+}
+
+TEST(RoleMap, RefusesMoreJointsThanAHumanRigHas) {
+  Bvh chain;
+  chain.path = "chain.bvh";
+  for (int i = 0; i < 5000; ++i) {
+    chain.joints.push_back({"LeftUpLeg", i - 1, {0, 1, 0}, {}, 0, {}});
+  }
+  EXPECT_THAT(error_of([&] { map_roles(chain); }),
+              HasSubstr("chain.bvh: not a human figure: 5000 joints"));
 }
 
 TEST(RoleMap, RefusesDisconnectedLimbs) {
