@@ -13,6 +13,7 @@ namespace flinch::program {
 /// The commands. Each call returns a command with its own destinations for options.
 Command author_command();
 Command import_command();
+Command annotate_command();
 Command info_command();
 Command simulate_command();
 Command merge_command();

@@ -32,9 +32,9 @@ flinch::program::Program flinch_program() {
               "  flinch train real.flinchobs --out real.flinch\n"
               "  flinch select real.flinch --azimuth 40 --target head\n\n"
               "flinch COMMAND --help explains each command.",
-          .commands = {author_command(), import_command(), info_command(), simulate_command(),
-                       merge_command(), train_command(), compare_command(), export_command(),
-                       select_command(), respond_command()}};
+          .commands = {author_command(), import_command(), annotate_command(), info_command(),
+                       simulate_command(), merge_command(), train_command(), compare_command(),
+                       export_command(), select_command(), respond_command()}};
 }
 
 }  // namespace

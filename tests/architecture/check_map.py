@@ -41,6 +41,8 @@ MAP = {
     "database/export": Folder(OFFLINE, ["motion", "features", "database/library",
                                         "database/import"], ["Eigen/", "nlohmann/"]),
     "database/quality": Folder(OFFLINE, ["motion", "database/library"], ["Eigen/"]),
+    "database/annotate": Folder(OFFLINE, ["motion", "database/library", "database/import",
+                                          "database/export"], ["Eigen/"]),
     "models": Folder(RUN_TIME, ["motion", "features"], ["Eigen/"]),
     "models/fit": Folder(OFFLINE, ["motion", "features", "models"],
                          ["Eigen/", "libsvm/", "flann/", "omp.h"]),
