@@ -153,14 +153,14 @@ TEST(Trunk, BendsSmoothlyWhereTheSourcesSpineIsNearlyStraight) {
   // A spine whose length flickers by 4 mm would fold by many degrees if its end were to follow.
   const Source source = analyse_source(bow_file());
   SourceMotion motion = source_motion(source);
-  motion.frames.resize(2, motion.frames.front());
-  motion.frames[1] = motion.frames[0];
+  const SourceFrame slightly_bent = motion.frames[6];
+  motion.frames.assign(2, slightly_bent);
   motion.frames[1].trunk.shoulders *= 0.99F;
   motion.frames[1].trunk.head *= 0.99F;
   const motion::Motion clip = retarget(motion, skeleton(), {0, motion.duration_s(), 0}, 30);
   for (Role role : {Role::abdomen, Role::chest, Role::neck}) {
     EXPECT_LT(clip.poses[0].rotation[role].angularDistance(clip.poses[1].rotation[role]),
-              radians(3))
+              radians(5))
         << motion::name_of(role);
   }
 }
