@@ -76,16 +76,24 @@ struct HingeBend {
   bool in_reach;  // false: beta had to be clamped to the limits
 };
 
+// The constants of that equation: d^2 = rigid + 2 product cos(beta).
+struct BendTerms {
+  float rigid, product;
+};
+
+BendTerms bend_terms(const Eigen::Vector3f& a, const Eigen::Vector3f& b,
+                     const Eigen::Vector3f& hinge) {
+  const float along = a.dot(hinge) * b.dot(hinge);
+  return {a.squaredNorm() + b.squaredNorm() + 2 * along,
+          rejection_from(a, hinge).norm() * rejection_from(b, hinge).norm()};
+}
+
 HingeBend bend_for_distance(const Eigen::Vector3f& a, const Eigen::Vector3f& b,
                             const Eigen::Vector3f& hinge, float rest_bend, float distance,
                             const HingeLimits& limits) {
-  const Eigen::Vector3f a_perpendicular = rejection_from(a, hinge);
-  const Eigen::Vector3f b_perpendicular = rejection_from(b, hinge);
-  const float along = a.dot(hinge) * b.dot(hinge);
-  const float product = a_perpendicular.norm() * b_perpendicular.norm();
+  const auto [rigid, product] = bend_terms(a, b, hinge);
   if (product <= 0) return {0, false};  // a bone of zero length
 
-  const float rigid = a.squaredNorm() + b.squaredNorm() + 2 * along;
   const float cosine = (distance * distance - rigid) / (2 * product);
   const float wanted = std::acos(std::clamp(cosine, -1.0F, 1.0F));
   const float bend = std::clamp(wanted, limits.min, limits.max);
@@ -147,6 +155,13 @@ float max_upper_height(const Eigen::Vector3f& upper_position, const Eigen::Vecto
                        float reach) {
   const float across = (upper_position - end_position).head<2>().squaredNorm();
   return end_position.z() + std::sqrt(std::max(reach * reach - across, 0.0F));
+}
+
+float folded_limb_length(const Skeleton& skeleton, Limb limb, const HingeLimits& limits) {
+  const LimbRoles roles = roles_of(limb);
+  const auto [rigid, product] =
+      bend_terms(skeleton.offset[roles.lower], skeleton.offset[roles.end], hinge_axis(limb));
+  return std::sqrt(std::max(rigid + 2 * product * std::cos(limits.max), 0.0F));
 }
 
 Eigen::Vector3f hinge_axis(Limb limb) {

@@ -46,6 +46,9 @@ struct HingeLimits {
   float max = 2.618F;
 };
 
+/// Distance between the limb's ends when it is bent as far as `limits` allow, m.
+float folded_limb_length(const Skeleton& skeleton, Limb limb, const HingeLimits& limits = {});
+
 /// Result of solving a limb.
 struct LimbSolution {
   Eigen::Quaternionf upper;  ///< orientation of the upper joint, world

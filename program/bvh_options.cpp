@@ -14,7 +14,10 @@ std::vector<Option> bvh_options(BvhOptions& options) {
           {"--up", "axis that points up in BVH files (default: detected)", &options.up,
            OneOf{{"x", "y", "z", "-x", "-y", "-z"}}},
           {"--roles", "TOML file with a table [roles] that has lines like head = \"Bip01 Head\"",
-           &options.roles}};
+           &options.roles},
+          {"--rest",
+           "BVH file of the same skeleton in which it stands, for files in which it never does",
+           &options.rest}};
 }
 
 database::SourceOptions source_options(const BvhOptions& options) {
@@ -22,6 +25,7 @@ database::SourceOptions source_options(const BvhOptions& options) {
   source.unit = database::length_unit_named(options.unit);
   source.up = database::up_axis_named(options.up);
   if (!options.roles.empty()) source.roles = database::read_role_overrides(options.roles);
+  if (!options.rest.empty()) source.rest = options.rest;
   return source;
 }
 

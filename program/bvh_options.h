@@ -15,8 +15,9 @@ struct BvhOptions {
   std::string unit;
   std::string up;
   std::string roles;  ///< path of a TOML file
+  std::string rest;   ///< path of a BVH file in which the same skeleton stands
 
-  bool given() const { return !unit.empty() || !up.empty() || !roles.empty(); }
+  bool given() const { return !unit.empty() || !up.empty() || !roles.empty() || !rest.empty(); }
 };
 std::vector<Option> bvh_options(BvhOptions& options);
 

@@ -6,6 +6,7 @@
 
 #include "motion/foot.h"
 #include "motion/interpolation.h"
+#include "motion/rotation.h"
 #include "motion/support_polygon.h"
 
 namespace flinch::database {
@@ -74,14 +75,27 @@ struct Foot {
   Vector3f to_ball;
   float ankle_height;
   float ball_height;
-  std::vector<Vector3f> sole;
+  motion::SoleOutline sole;
 };
 
 Foot foot_of(const motion::Skeleton& skeleton, motion::Side side) {
   const motion::JointFrames rest = forward_kinematics(skeleton, motion::rest_pose(skeleton));
   const motion::FootRoles roles = motion::roles_of(side);
   return {roles, skeleton.offset[roles.toes], rest.position[roles.foot].z(),
-          rest.position[roles.toes].z(), motion::sole_outline(skeleton, side).foot};
+          rest.position[roles.toes].z(), motion::sole_outline(skeleton, side)};
+}
+
+// Returns the least height of the ankle at which no point of the foot is below the ground, nor of
+// the toes, whether they are in line with the foot or bent so that they are level.
+float lowest_ankle(const Foot& foot, const Vector3f& to_ball, const Quaternionf& orientation) {
+  const Vector3f along = orientation * Vector3f::UnitX();
+  const Vector3f up = orientation * Vector3f::UnitZ();
+  // X turned about Y by the angle a is cos(a) X - sin(a) Z.
+  const float angle = std::atan2(along.z(), up.z());
+  const Quaternionf level = orientation * motion::rotation_about(Vector3f::UnitY(), angle);
+  const float toes = std::max(motion::min_height(foot.sole.toes, orientation),
+                              motion::min_height(foot.sole.toes, level));
+  return std::max(-motion::min_height(foot.sole.foot, orientation), -to_ball.z() - toes);
 }
 
 // The ankle's height according to the source's ankle and to its ball, weighted towards whichever is
@@ -113,13 +127,10 @@ std::vector<AnkleGoals> compute_ankle_goals(const SourceMotion& source,
       const float ball_lift = scale * (from.ball.z() - source.ball_height_m[side]);
       Vector3f& goal = goals[k][side];
       goal = scale * from.ankle;
-      goal.z() = foot.ankle_height + ankle_lift;
-      if (source.has_ball[side]) {
-        goal.head<2>() += follower.follow(scale * from.ankle, scale * from.ball, to_ball.head<2>(),
-                                          std::min(ankle_lift, ball_lift));
-        goal.z() = ankle_height(foot, to_ball, ankle_lift, ball_lift);
-      }
-      goal.z() = std::max(goal.z(), -motion::min_height(foot.sole, orientation));
+      goal.head<2>() += follower.follow(scale * from.ankle, scale * from.ball, to_ball.head<2>(),
+                                        std::min(ankle_lift, ball_lift));
+      goal.z() = ankle_height(foot, to_ball, ankle_lift, ball_lift);
+      goal.z() = std::max(goal.z(), lowest_ankle(foot, to_ball, orientation));
     }
   }
   return goals;

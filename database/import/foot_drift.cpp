@@ -87,7 +87,6 @@ FootDrift measure_foot_drift(const SourceMotion& source, const motion::Skeleton&
       };
       const SourceFoot& foot = frame.foot[side];
       add(tracks[side][0], foot.ankle, source.ankle_height_m[side], roles.foot);
-      if (!source.has_ball[side]) continue;
       add(tracks[side][1], foot.ball, source.ball_height_m[side], roles.toes);
     }
   }

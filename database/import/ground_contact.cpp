@@ -85,7 +85,7 @@ std::vector<float> correction(const SourceMotion& motion, std::size_t side) {
   }
   std::vector<float> lifts(motion.frames.size(), kInTheAir);
   mark_standing(ankle, motion.frame_time_s, lifts);
-  if (motion.has_ball[side]) mark_standing(ball, motion.frame_time_s, lifts);
+  mark_standing(ball, motion.frame_time_s, lifts);
   interpolate(lifts);
   return smoothed(lifts, motion.frame_time_s);
 }

@@ -52,23 +52,12 @@ class SourceSet {
   const std::vector<LoadedSource>& all() const { return loaded_; }
 
  private:
-  static bool same_skeleton(const Bvh& one, const Bvh& other) {
-    return std::equal(one.joints.begin(), one.joints.end(), other.joints.begin(),
-                      other.joints.end(), [](const BvhJoint& a, const BvhJoint& b) {
-                        return a.name == b.name && a.parent == b.parent && a.offset == b.offset;
-                      });
-  }
-
   void share_reference(Source& source) const {
     if (source.reference.frame < 0) return;
     for (const LoadedSource& other : loaded_) {
       const ReferencePose& theirs = other.source.reference;
       if (theirs.frame < 0 || theirs.doubt >= source.reference.doubt) continue;
-      const motion::PerRole<int>& joints = source.figure.joint;
-      if (std::equal(joints.begin(), joints.end(), other.source.figure.joint.begin()) &&
-          same_skeleton(other.source.bvh, source.bvh)) {
-        source.reference = theirs;
-      }
+      if (has_same_skeleton(other.source, source)) adopt_reference(source, other.source);
     }
   }
 
@@ -185,6 +174,7 @@ ImportResult build(const Manifest& manifest, const std::vector<std::string>& pat
 SourceOptions merged(SourceOptions options, const SourceOptions& stronger) {
   if (stronger.unit) options.unit = stronger.unit;
   if (stronger.up) options.up = stronger.up;
+  if (stronger.rest) options.rest = stronger.rest;
   for (const auto& [role, joint] : stronger.roles) options.roles[role] = joint;
   return options;
 }
@@ -197,7 +187,9 @@ ImportResult import_with_manifest(const std::vector<std::string>& paths,
   SourceSet sources;
   const auto add = [&](const std::string& file, const std::string& where) {
     const std::string path = resolved(file, folders, where);
-    sources.add(path, merged(options.source, options_for(manifest, file)));
+    SourceOptions own = options_for(manifest, file);
+    if (own.rest) own.rest = resolved(*own.rest, folders, where);
+    sources.add(path, merged(options.source, own));
     return path;
   };
   const std::string skeleton = add(manifest.skeleton, manifest.skeleton_where);

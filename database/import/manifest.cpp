@@ -199,7 +199,7 @@ void read_character(const toml::table& table, Manifest& manifest) {
 }
 
 ManifestSource read_source(const std::string& path, const TomlReader& reader) {
-  reader.expect_keys({"units", "up", "roles"});
+  reader.expect_keys({"units", "up", "rest", "roles"});
   ManifestSource source;
   source.path = path;
   while (source.path.ends_with('/')) source.path.pop_back();
@@ -211,6 +211,7 @@ ManifestSource read_source(const std::string& path, const TomlReader& reader) {
     source.options.up =
         named<UpAxis>(reader, "up", up_axis_named, {"x", "y", "z", "-x", "-y", "-z"});
   }
+  if (reader.has("rest")) source.options.rest = reader.needed_text("rest");
   if (reader.has("roles")) {
     const toml::table* roles = reader.table()["roles"].as_table();
     if (roles == nullptr) reader.fail("roles", "needs a table of lines: role = \"joint\"");

@@ -131,37 +131,17 @@ class Straightener {
   PerRole<Quaterniond> turn_;
 };
 
-ReferencePose reference_from(const SourceFigure& figure, const FigureFrame& frame, int number) {
-  const PerRole<Quaterniond> turn = Straightener(figure, frame, number < 0).turns();
-  ReferencePose reference;
-  reference.frame = number;
-  for (Role role : kRoles) {
-    reference.orientation[role].setIdentity();
-    reference.position[role].setZero();
-    reference.end[role].setZero();
-    if (!figure.has(role)) continue;
-    reference.orientation[role] = turn[role] * frame.orientation[role];
-    if (const std::optional<Role> parent = parent_in(figure, role)) {
-      reference.position[role] = reference.position[*parent] +
-                                 turn[*parent] * (frame.position[role] - frame.position[*parent]);
-    }
-    reference.end[role] =
-        reference.position[role] + turn[role] * (frame.end[role] - frame.position[role]);
-  }
-  return reference;
-}
-
 // Rest figures face along an axis: a direction close to one is replaced by that axis.
 Vector3d snapped(const Vector3d& direction) {
   const Vector3d axis = direction_of(nearest_axis(direction));
   return direction.normalized().dot(axis) > std::cos(0.25) ? axis : direction;
 }
 
-FigureFrame facing_x(const SourceFigure& figure, const BvhFrame& frame, const Vector3d& up,
-                     bool is_rest) {
+Quaterniond to_facing_x(const SourceFigure& figure, const BvhFrame& frame, const Vector3d& up,
+                        bool is_rest) {
   const FigureFrame as_it_is = figure_frame(figure, frame, Quaterniond::Identity());
   const Vector3d forward = leftward(as_it_is).cross(up);
-  return figure_frame(figure, frame, to_world(up, is_rest ? snapped(forward) : forward));
+  return to_world(up, is_rest ? snapped(forward) : forward);
 }
 
 }  // namespace
@@ -183,12 +163,12 @@ bool stands_like_human(const SourceFigure& figure, const FigureFrame& frame) {
   });
 }
 
-ReferencePose find_reference_pose(const Bvh& bvh, const SourceFigure& figure, UpAxis up) {
+StandingPose find_standing_pose(const Bvh& bvh, const SourceFigure& figure, UpAxis up) {
   const BvhFrame rest = rest_frame(bvh);
   const Vector3d rest_up =
       direction_of(nearest_axis(feet_to_head(figure_frame(figure, rest, Quaterniond::Identity()))));
-  const FigureFrame standing = facing_x(figure, rest, rest_up, true);
-  if (stands_like_human(figure, standing)) return reference_from(figure, standing, -1);
+  const Quaterniond turn = to_facing_x(figure, rest, rest_up, true);
+  if (stands_like_human(figure, figure_frame(figure, rest, turn))) return {rest, turn, -1, 0};
 
   const int step = std::max(1, bvh.frame_count / kFramesLookedAt);
   double min_doubt = std::numeric_limits<double>::infinity();
@@ -200,10 +180,31 @@ ReferencePose find_reference_pose(const Bvh& bvh, const SourceFigure& figure, Up
     min_doubt = doubt;
     best = number;
   }
-  const FigureFrame frame =
-      facing_x(figure, forward_kinematics(bvh, best), direction_of(up), false);
-  ReferencePose reference = reference_from(figure, frame, best);
-  reference.doubt = min_doubt;
+  const BvhFrame most_upright = forward_kinematics(bvh, best);
+  return {most_upright, to_facing_x(figure, most_upright, direction_of(up), false), best,
+          min_doubt};
+}
+
+ReferencePose make_reference_pose(const SourceFigure& figure, const StandingPose& standing) {
+  const FigureFrame frame = figure_frame(figure, standing.joints, standing.to_world);
+  const PerRole<Quaterniond> turn = Straightener(figure, frame, standing.frame < 0).turns();
+  ReferencePose reference;
+  reference.frame = standing.frame;
+  reference.doubt = standing.doubt;
+  for (Role role : kRoles) {
+    reference.orientation[role].setIdentity();
+    reference.position[role].setZero();
+    reference.end[role].setZero();
+    if (!figure.has(role)) continue;
+    reference.orientation[role] = turn[role] * frame.orientation[role];
+    if (const std::optional<Role> parent = parent_in(figure, role)) {
+      reference.position[role] = reference.position[*parent] +
+                                 turn[*parent] * (frame.position[role] - frame.position[*parent]);
+    }
+    if (!figure.end[role]) continue;
+    reference.end[role] =
+        reference.position[role] + turn[role] * (frame.end[role] - frame.position[role]);
+  }
   return reference;
 }
 

@@ -21,15 +21,24 @@ struct ReferencePose {
   double doubt = 0;
 };
 
-/// Finds the reference pose: from the rest figure where that stands like a human, whatever its arms
-/// do; otherwise from the most upright, symmetric frame of the motion, in which the feet are
-/// assumed flat and the trunk straight. From there each bone of the limbs is rotated by the
-/// shortest rotation to its direction in the T-pose, from the trunk outwards, so that elbows and
-/// knees straighten about their own hinges. Feet rotate only about the vertical, because they are
-/// already flat.
-///
-/// `up` is the motion's; the rest figure may have another.
-ReferencePose find_reference_pose(const Bvh& bvh, const SourceFigure& figure, UpAxis up);
+/// A standing pose of a source, from which its reference pose is made.
+struct StandingPose {
+  BvhFrame joints;              ///< in the file's space
+  Eigen::Quaterniond to_world;  ///< to Z up and facing +X
+  int frame = -1;               ///< as ReferencePose::frame
+  double doubt = 0;             ///< as ReferencePose::doubt
+};
+
+/// Finds the standing pose: the rest figure where that stands like a human, whatever its arms do;
+/// otherwise the most upright, symmetric frame of the motion. `up` is the motion's; the rest figure
+/// may have another.
+StandingPose find_standing_pose(const Bvh& bvh, const SourceFigure& figure, UpAxis up);
+
+/// Makes the reference pose from a standing pose, whose feet are assumed flat and, in a frame of
+/// the motion, whose trunk straight. Each bone of the limbs is rotated by the shortest rotation to
+/// its direction in the T-pose, from the trunk outwards, so that elbows and knees straighten about
+/// their own hinges. Feet rotate only about the vertical, because they are already flat.
+ReferencePose make_reference_pose(const SourceFigure& figure, const StandingPose& standing);
 
 /// Returns whether a figure stands like a human, with Z up: legs straight down, head above the
 /// pelvis, hips level, arms straight and not raised.

@@ -5,8 +5,10 @@
 #include <cmath>
 
 #include "database/import/ankle_goals.h"
+#include "database/import/trunk_fit.h"
 #include "motion/interpolation.h"
 #include "motion/limb_ik.h"
+#include "motion/rotation.h"
 #include "motion/support_polygon.h"
 
 namespace flinch::database {
@@ -36,12 +38,16 @@ struct RetargetContext {
   const SourceMotion& source;
   const Skeleton& skeleton;
   float scale;
+  TrunkFit trunk;
   JointFrames rest;
   motion::PerSide<motion::SoleOutline> sole;
 };
 
 RetargetContext make_retarget_context(const SourceMotion& source, const Skeleton& skeleton) {
-  return {source, skeleton, leg_ratio(source, skeleton),
+  return {source,
+          skeleton,
+          leg_ratio(source, skeleton),
+          TrunkFit(source, skeleton),
           forward_kinematics(skeleton, motion::rest_pose(skeleton)),
           motion::sole_outlines(skeleton)};
 }
@@ -58,6 +64,7 @@ float planted_ankle_height(const SourceMotion& source) {
 Pose transferred(const RetargetContext& context, const SourceFrame& frame) {
   JointFrames frames;
   frames.orientation = frame.orientation;
+  context.trunk.bend(frame, frames.orientation);
   Vector3f hips = context.scale * frame.hip_centre;
   hips.z() = context.scale * (frame.hip_centre.z() - planted_ankle_height(context.source)) +
              context.rest.position[Role::left_foot].z();
@@ -69,12 +76,21 @@ Pose transferred(const RetargetContext& context, const SourceFrame& frame) {
 // Returns by how much the pelvis must be lowered for a leg to reach, m. A hip at horizontal
 // distance d from the ankle can be at most sqrt(L^2 - d^2) above it.
 float sinking_needed(const RetargetContext& context, const Vector3f& hip, const Vector3f& ankle,
-                     std::size_t side) {
+                     Limb leg) {
   constexpr float kNearlyStraight = 0.99998F;  // of the leg's length; within the hinge's limit
-  const float reach = kNearlyStraight * motion::limb_length(context.skeleton, kLegs[side].limb);
+  const float reach = kNearlyStraight * motion::limb_length(context.skeleton, leg);
   const float across = (ankle - hip).head<2>().norm();
   if (across >= reach) return 0;  // lowering does not help
   return std::max(0.0F, hip.z() - motion::max_upper_height(hip, ankle, reach));
+}
+
+// Returns by how much the pelvis must be raised for a leg that cannot fold further, m. A hip at
+// horizontal distance d from the ankle must be at least sqrt(l^2 - d^2) above it.
+float raising_needed(const RetargetContext& context, const Vector3f& hip, const Vector3f& ankle,
+                     Limb leg) {
+  const float folded = motion::folded_limb_length(context.skeleton, leg);
+  if ((ankle - hip).head<2>().norm() >= folded) return 0;
+  return std::max(0.0F, motion::max_upper_height(hip, ankle, folded) - hip.z());
 }
 
 // 1 while a foot is down, falling smoothly to 0 while it is lifted: only supporting feet lower the
@@ -86,31 +102,62 @@ float groundedness(const RetargetContext& context, const Vector3f& ankle, std::s
   return 1 - motion::ease_in_ease_out((lift - kDown) / (kUp - kDown));
 }
 
-void sink_pelvis(const RetargetContext& context, const AnkleGoals& goals, Pose& pose) {
+// Returns the largest change of the pelvis' height that a leg needs whose foot is down.
+template <class Needed>
+float most_needed(const RetargetContext& context, const AnkleGoals& goals, const Pose& pose,
+                  Needed needed) {
   const JointFrames frames = forward_kinematics(context.skeleton, pose);
-  float sinking = 0;
+  float most = 0;
   for (std::size_t side = 0; side < 2; ++side) {
-    sinking = std::max(sinking, groundedness(context, goals[side], side) *
-                                    sinking_needed(context, frames.position[kLegs[side].thigh],
-                                                   goals[side], side));
+    const Leg& leg = kLegs[side];
+    most = std::max(most, groundedness(context, goals[side], side) *
+                              needed(context, frames.position[leg.thigh], goals[side], leg.limb));
   }
-  pose.root_position.z() -= sinking;
+  return most;
 }
 
-// Bends toes up, about the foot's lateral axis, where they would be below the ground.
+// Lowers the pelvis where a leg is too short and raises it where one cannot fold enough, so that
+// feet that are down keep their places.
+void fit_pelvis_height(const RetargetContext& context, const AnkleGoals& goals, Pose& pose) {
+  pose.root_position.z() -= most_needed(context, goals, pose, sinking_needed);
+  pose.root_position.z() += most_needed(context, goals, pose, raising_needed);
+}
+
+// Bends toes up, about the foot's lateral axis, where they would be below the ground: as far as
+// needed, or where that is not enough as far as it raises them noticeably.
 void keep_toes_up(const RetargetContext& context, std::size_t side, Pose& pose) {
+  constexpr float kMaxBend = 1.5F;   // radians
+  constexpr float kMinGain = 0.02F;  // m/rad
+  constexpr int kThirds = 20;        // of the range of angles: to less than 0.1 degrees
+  constexpr int kHalvings = 12;
   const Leg& leg = kLegs[side];
   const JointFrames frames = forward_kinematics(context.skeleton, pose);
-  const float ball = frames.position[leg.toes].z();
-  const float depth =
-      -motion::min_height(context.sole[leg.side].toes, frames.orientation[leg.toes]) - ball;
-  if (depth <= 0) return;
-  const float length = context.skeleton.tip[leg.toes].norm();
-  const Vector3f tip = frames.orientation[leg.toes] * context.skeleton.tip[leg.toes];
-  const float slope = std::asin(std::clamp(tip.z() / length, -1.0F, 1.0F));
-  const float needed = std::asin(std::clamp((tip.z() + depth) / length, -1.0F, 1.0F)) - slope;
-  const Eigen::AngleAxisf bend(-needed, Vector3f::UnitY());
-  pose.rotation[leg.toes] = (pose.rotation[leg.toes] * Quaternionf(bend)).normalized();
+  const auto lowest = [&](float bend) {
+    const Quaternionf bent =
+        frames.orientation[leg.toes] * motion::rotation_about(Vector3f::UnitY(), -bend);
+    return frames.position[leg.toes].z() + motion::min_height(context.sole[leg.side].toes, bent);
+  };
+  constexpr float kTouches = -1e-4F;  // m: flat feet are this near to the ground
+  if (lowest(0) >= kTouches) return;
+  float least = 0;
+  float most = kMaxBend;
+  for (int i = 0; i < kThirds; ++i) {
+    const float third = (most - least) / 3;
+    if (lowest(least + third) + kMinGain * third < lowest(most - third)) {
+      least += third;
+    } else {
+      most -= third;
+    }
+  }
+  if (lowest(most) > 0) {
+    least = 0;
+    for (int i = 0; i < kHalvings; ++i) {
+      const float middle = 0.5F * (least + most);
+      (lowest(middle) < 0 ? least : most) = middle;
+    }
+  }
+  const Quaternionf bend = motion::rotation_about(Vector3f::UnitY(), -most);
+  pose.rotation[leg.toes] = (pose.rotation[leg.toes] * bend).normalized();
 }
 
 // In a nearly straight leg, bow legs and noise determine the direction of the knee. There the knee
@@ -128,7 +175,7 @@ void straighten_bow_leg(Limb limb, Pose& pose) {
 Pose retargeted(const RetargetContext& context, const SourceFrame& frame, const AnkleGoals& goals) {
   Pose pose = transferred(context, frame);
   for (const Leg& leg : kLegs) straighten_bow_leg(leg.limb, pose);
-  sink_pelvis(context, goals, pose);
+  fit_pelvis_height(context, goals, pose);
   for (std::size_t side = 0; side < 2; ++side) {
     const Leg& leg = kLegs[side];
     pose = motion::with_limb_end(context.skeleton, pose, leg.limb, goals[side],
@@ -184,6 +231,11 @@ SourceFrame sample(const SourceMotion& source, double time_s) {
     frame.orientation[role] = motion::slerp(from.orientation[role], to.orientation[role], weight);
   }
   frame.hip_centre = mixed(from.hip_centre, to.hip_centre);
+  for (auto point :
+       {&SourceTrunk::abdomen, &SourceTrunk::chest, &SourceTrunk::shoulders,
+        &SourceTrunk::left_shoulder, &SourceTrunk::right_shoulder, &SourceTrunk::head}) {
+    frame.trunk.*point = mixed(from.trunk.*point, to.trunk.*point);
+  }
   for (std::size_t side = 0; side < 2; ++side) {
     frame.foot[side].ankle = mixed(from.foot[side].ankle, to.foot[side].ankle);
     frame.foot[side].ball = mixed(from.foot[side].ball, to.foot[side].ball);

@@ -26,6 +26,13 @@ constexpr double kMaxChest = 0.75;
 // character, rounded.
 constexpr double kNeckAboveShoulders = 0.3;
 
+// Greatest distance of a clavicle's joint from the plane of symmetry over that of the shoulder. The
+// default character has 0.12.
+constexpr double kMaxClavicle = 0.35;
+// A hand's length over the forearm's. The default character has 0.70.
+constexpr double kMinHand = 0.5;
+constexpr double kMaxHand = 1;
+
 // Lengths of a source's reference pose: metres, left side, averaged with the right.
 class SourceMeasurements {
  public:
@@ -93,73 +100,98 @@ void set_tip(Skeleton& skeleton, Role left, const Vector3d& tip) {
   skeleton.tip[mirrored(left)].y() = -skeleton.tip[left].y();
 }
 
-// Returns the height of a spine joint above the hips, m.
+// Returns the height of a spine joint, m, between those of hips and neck.
 double spine_height(const SourceMeasurements& measures, Role role, double hips, double neck,
                     double min_fraction, double max_fraction) {
   const double fraction =
       measures.has(role) ? (measures.place(role).z() - hips) / (neck - hips) : 0;
   const bool plausible = fraction >= min_fraction && fraction <= max_fraction;
-  return (plausible ? fraction : measures.default_fraction(role)) * (neck - hips);
+  return hips + (plausible ? fraction : measures.default_fraction(role)) * (neck - hips);
 }
 
-// Heights of the trunk's joints above the hips, m.
+// The trunk's joints relative to the pelvis joint, m, in the plane of symmetry.
 struct Trunk {
-  double hips;  // relative to the pelvis joint: negative or zero
-  double abdomen, chest, neck, head;
+  Vector3d abdomen, chest, neck, head;
 };
+
+// Returns the point at a height of the line from the hips through the source's spine joints to the
+// neck.
+Vector3d point_of_spine(const SourceMeasurements& measures, const Vector3d& neck, double height) {
+  Vector3d below = measures.place(Role::left_thigh);
+  below.y() = 0;
+  for (Role role : {Role::abdomen, Role::chest}) {
+    const Vector3d joint = measures.place(role);
+    const bool is_next = measures.has(role) && joint.z() > below.z() && joint.z() < neck.z();
+    if (!is_next) continue;
+    if (height <= joint.z()) {
+      return below + (height - below.z()) / (joint.z() - below.z()) * (joint - below);
+    }
+    below = joint;
+  }
+  return below + (height - below.z()) / (neck.z() - below.z()) * (neck - below);
+}
 
 Trunk measure_trunk(const SourceMeasurements& measures) {
   const double hips = measures.place(Role::left_thigh).z();
-  const double shoulders = measures.place(Role::left_upper_arm).z();
-  double head = measures.place(Role::head).z();
-  double neck = shoulders + kNeckAboveShoulders * (head - shoulders);
+  Vector3d shoulders = measures.place(Role::left_upper_arm);
+  shoulders.y() = 0;
+  Trunk trunk;
+  trunk.head = measures.place(Role::head);
+  trunk.neck = shoulders + kNeckAboveShoulders * (trunk.head - shoulders);
   const double neck_length = measures.default_offset(Role::head).z();
   if (measures.has(Role::neck)) {
-    neck = measures.place(Role::neck).z();
-  } else if (head - shoulders < 0.5 * neck_length) {
+    trunk.neck = measures.place(Role::neck);
+  } else if (trunk.head.z() - shoulders.z() < 0.5 * neck_length) {
     // A head joint at the height of the shoulders is a neck.
-    neck = head;
-    head = neck + neck_length;
+    trunk.neck = trunk.head;
+    trunk.head.z() += neck_length;
   }
-  return {hips, spine_height(measures, Role::abdomen, hips, neck, kMinAbdomen, kMaxAbdomen),
-          spine_height(measures, Role::chest, hips, neck, kMinChest, kMaxChest), neck - hips,
-          head - hips};
+  // No neck leans more than 45 degrees while its owner stands.
+  const double height = std::abs(trunk.head.z() - trunk.neck.z());
+  trunk.head.x() = std::clamp(trunk.head.x(), trunk.neck.x() - height, trunk.neck.x() + height);
+  const double neck = trunk.neck.z();
+  trunk.abdomen =
+      point_of_spine(measures, trunk.neck,
+                     spine_height(measures, Role::abdomen, hips, neck, kMinAbdomen, kMaxAbdomen));
+  trunk.chest = point_of_spine(
+      measures, trunk.neck, spine_height(measures, Role::chest, hips, neck, kMinChest, kMaxChest));
+  return trunk;
 }
 
 void set_trunk(Skeleton& skeleton, const SourceMeasurements& measures, const Trunk& trunk) {
-  const auto up = [](double z) { return Vector3d(0, 0, z); };
-  set_offset(skeleton, Role::abdomen, up(trunk.abdomen + trunk.hips));
-  set_offset(skeleton, Role::chest, up(trunk.chest - trunk.abdomen));
-  set_offset(skeleton, Role::neck, up(trunk.neck - trunk.chest));
-  set_offset(skeleton, Role::head, up(trunk.head - trunk.neck));
+  set_offset(skeleton, Role::abdomen, trunk.abdomen);
+  set_offset(skeleton, Role::chest, trunk.chest - trunk.abdomen);
+  set_offset(skeleton, Role::neck, trunk.neck - trunk.chest);
+  set_offset(skeleton, Role::head, trunk.head - trunk.neck);
   // A head's End Site is its crown only if it is about as high as one.
   const double crown = measures.default_tip(Role::head).z();
   const double own = measures.has_end(Role::head)
                          ? measures.end(Role::head).z() - measures.place(Role::head).z()
                          : 0;
-  set_tip(skeleton, Role::head, up(own > 0.5 * crown && own < 2 * crown ? own : crown));
+  set_tip(skeleton, Role::head, {0, 0, own > 0.5 * crown && own < 2 * crown ? own : crown});
 }
 
 void set_arms(Skeleton& skeleton, const SourceMeasurements& measures, const Trunk& trunk) {
-  const Vector3d chest(0, 0, trunk.hips + trunk.chest);
   const Vector3d shoulder = measures.place(Role::left_upper_arm);
   const double between = measures.default_offset(Role::left_clavicle).y() /
                          (measures.default_offset(Role::left_clavicle).y() +
                           measures.default_offset(Role::left_upper_arm).y());
-  const Vector3d clavicle = measures.has(Role::left_clavicle)
-                                ? measures.place(Role::left_clavicle)
-                                : Vector3d(shoulder.x(), between * shoulder.y(), shoulder.z());
-  set_offset(skeleton, Role::left_clavicle, clavicle - chest);
+  Vector3d clavicle = measures.place(Role::left_clavicle);
+  if (!measures.has(Role::left_clavicle) || clavicle.y() > kMaxClavicle * shoulder.y()) {
+    clavicle = {shoulder.x(), between * shoulder.y(), shoulder.z()};
+  }
+  set_offset(skeleton, Role::left_clavicle, clavicle - trunk.chest);
   set_offset(skeleton, Role::left_upper_arm, shoulder - clavicle);
   set_offset(skeleton, Role::left_forearm, {0, measures.length(Role::left_upper_arm), 0});
   const double forearm = measures.has_end(Role::left_forearm)
                              ? measures.length(Role::left_forearm)
                              : measures.default_offset(Role::left_hand).y();
   set_offset(skeleton, Role::left_hand, {0, forearm, 0});
-  const double hand = measures.has(Role::left_hand) && measures.has_end(Role::left_hand)
-                          ? measures.length(Role::left_hand)
-                          : measures.default_tip(Role::left_hand).y();
-  set_tip(skeleton, Role::left_hand, {0, hand, 0});
+  // An end at the palm or at the knuckles is no fingertip.
+  const double own = measures.has_end(Role::left_hand) ? measures.length(Role::left_hand) : 0;
+  const bool is_hand = own >= kMinHand * forearm && own <= kMaxHand * forearm;
+  set_tip(skeleton, Role::left_hand,
+          {0, is_hand ? own : measures.default_tip(Role::left_hand).y(), 0});
 }
 
 // Returns the height of the ankle above the ground, m.
@@ -170,14 +202,14 @@ double set_legs(Skeleton& skeleton, const SourceMeasurements& measures) {
   set_offset(skeleton, Role::left_shin, {0, 0, -measures.length(Role::left_thigh)});
   set_offset(skeleton, foot, {0, 0, -measures.length(Role::left_shin)});
 
-  Vector3d ball = measures.default_offset(Role::left_toes);
-  if (measures.has_end(foot)) ball = measures.end(foot) - measures.place(foot);
+  const Vector3d ball = measures.end(foot) - measures.place(foot);
   const double sole = measures.default_height(Role::left_toes);  // below the ball
   const double ankle = std::max(measures.default_height(foot), sole - ball.z());
   set_offset(skeleton, Role::left_toes, {ball.x(), 0, std::min(ball.z(), 0.0)});
-  const bool has_toes = measures.has(Role::left_toes) && measures.has_end(Role::left_toes);
-  const double toes =
-      has_toes ? measures.length(Role::left_toes) : measures.default_tip(Role::left_toes).x();
+  const double toes_to_ball =
+      measures.default_tip(Role::left_toes).x() / measures.default_offset(Role::left_toes).x();
+  const double toes = measures.has_end(Role::left_toes) ? measures.length(Role::left_toes)
+                                                        : toes_to_ball * ball.head<2>().norm();
   set_tip(skeleton, Role::left_toes, {toes, 0, 0});
   return ankle;
 }

@@ -20,11 +20,11 @@ struct CharacterOptions {
 inline constexpr float kDefaultBodyMassIndex = 23;
 
 /// Makes the library's character from a source's reference pose: bone lengths in metres, averaged
-/// over left and right so that the sides are exact mirror images; straight limbs and spine; soles
-/// on the ground. Parts that the source does not have (neck, hands, toes, crown) have the
-/// proportions of motion::default_character. The same applies to the position of abdomen and chest
-/// on the spine where the source's spine joints are not at their anatomical places: some rigs bend
-/// only at the shoulders.
+/// over left and right so that the sides are exact mirror images; straight limbs; the spine in the
+/// plane of symmetry, with the source's curvature; soles on the ground. Parts that the source does
+/// not have (neck, hands, toes, crown) have the proportions of motion::default_character. The same
+/// applies to the heights of abdomen and chest and to the clavicles where the source's joints are
+/// not at their anatomical places: some rigs bend only at the shoulders.
 motion::Physique character_of(const Source& source, const CharacterOptions& options = {});
 
 }  // namespace flinch::database

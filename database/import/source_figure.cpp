@@ -107,6 +107,7 @@ std::optional<Landmark> end_of(const Bvh& bvh, const SourceFigure& figure, Role 
 SourceFigure source_figure(const Bvh& bvh, const RoleMap& roles) {
   SourceFigure figure;
   figure.joint = roles.joint;
+  figure.carrier = roles.joint;
   for (Role role : kRoles) figure.end[role] = end_of(bvh, figure, role);
   return figure;
 }
@@ -121,13 +122,22 @@ FigureFrame figure_frame(const SourceFigure& figure, const BvhFrame& frame,
     if (!figure.has(role)) continue;
     const auto joint = static_cast<std::size_t>(figure.joint[role]);
     result.position[role] = turn * frame.position[joint];
-    result.orientation[role] = turn * frame.orientation[joint];
+    const auto carried_by = static_cast<std::size_t>(figure.carrier[role]);
+    result.orientation[role] = turn * frame.orientation[carried_by];
     if (!figure.end[role]) continue;
     const Landmark& end = *figure.end[role];
-    const auto carrier = static_cast<std::size_t>(end.joint);
-    result.end[role] = turn * (frame.position[carrier] + frame.orientation[carrier] * end.offset);
+    const auto fixed_to = static_cast<std::size_t>(end.joint);
+    result.end[role] = turn * (frame.position[fixed_to] + frame.orientation[fixed_to] * end.offset);
   }
   return result;
+}
+
+double leg_length(const FigureFrame& frame) {
+  double sum = 0;
+  for (Role role : {Role::left_thigh, Role::left_shin, Role::right_thigh, Role::right_shin}) {
+    sum += (frame.end[role] - frame.position[role]).norm();
+  }
+  return 0.5 * sum;
 }
 
 Eigen::Vector3d hip_centre(const FigureFrame& frame) {

@@ -20,6 +20,9 @@ struct Landmark {
 /// the farthest fingertip; in a head its own End Site. Nothing where the file has none.
 struct SourceFigure {
   motion::PerRole<int> joint{};
+  /// The joint that the segment turns with: that of the role but for a foot whose ankle is split
+  /// in two joints.
+  motion::PerRole<int> carrier{};
   motion::PerRole<std::optional<Landmark>> end;
 
   bool has(motion::Role role) const { return joint[role] >= 0; }
@@ -30,11 +33,14 @@ SourceFigure source_figure(const Bvh& bvh, const RoleMap& roles);
 /// does not have are zero.
 struct FigureFrame {
   motion::PerRole<Eigen::Vector3d> position;
-  motion::PerRole<Eigen::Quaterniond> orientation;  ///< from the joint's own frame
+  motion::PerRole<Eigen::Quaterniond> orientation;  ///< from the frame of SourceFigure::carrier
   motion::PerRole<Eigen::Vector3d> end;             ///< position of SourceFigure::end
 };
 FigureFrame figure_frame(const SourceFigure& figure, const BvhFrame& frame,
                          const Eigen::Quaterniond& turn);
+
+/// Returns the sum of the lengths of thigh and shin, mean of both sides.
+double leg_length(const FigureFrame& frame);
 
 /// Returns the midpoint between the hip joints.
 Eigen::Vector3d hip_centre(const FigureFrame& frame);

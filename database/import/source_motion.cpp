@@ -4,11 +4,16 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <numbers>
 #include <utility>
 
 #include "database/import/calibration.h"
 #include "database/import/ground_contact.h"
+#include "database/import/human_ends.h"
+#include "database/import/position_channels.h"
+#include "motion/error.h"
 #include "motion/interpolation.h"
+#include "motion/rotation.h"
 
 namespace flinch::database {
 namespace {
@@ -30,13 +35,22 @@ double leg_length(const ReferencePose& reference) {
                 length(reference, Role::right_shin, Role::right_foot));
 }
 
-double standing_head_height(const SourceFigure& figure, const ReferencePose& reference) {
+double standing_head_height(const ReferencePose& reference) {
   double lowest = reference.position[Role::left_foot].z();
   for (Role foot : kFeet) {
-    lowest = std::min(lowest, reference.position[foot].z());
-    if (figure.end[foot]) lowest = std::min(lowest, reference.end[foot].z());
+    lowest = std::min({lowest, reference.position[foot].z(), reference.end[foot].z()});
   }
   return reference.position[Role::head].z() - lowest;
+}
+
+// Halfway from one joint's orientation to another's, for a joint between them that the file does
+// not have. Beyond a quarter turn the share falls from a half to nothing at half a turn, where the
+// shorter way round changes sides.
+Eigen::Quaternionf halfway(const Eigen::Quaternionf& from, const Eigen::Quaternionf& to) {
+  constexpr float kQuarterTurn = std::numbers::pi_v<float> / 2;
+  const Eigen::Vector3f way = motion::rotation_vector<float>(from.conjugate() * to);
+  const float share = 0.5F - 0.5F * motion::ease_in_ease_out(way.norm() / kQuarterTurn - 1);
+  return (from * motion::rotation_from_vector<float>(share * way)).normalized();
 }
 
 // Fills in roles that the file does not have: a neck between chest and head, an abdomen between
@@ -45,13 +59,37 @@ void fill_missing(const SourceFigure& figure, PerRole<Eigen::Quaternionf>& orien
   for (Role role : kRoles) {
     if (figure.has(role)) continue;
     if (role == Role::neck) {
-      orientation[role] = motion::slerp(orientation[Role::chest], orientation[Role::head], 0.5F);
+      orientation[role] = halfway(orientation[Role::chest], orientation[Role::head]);
     } else if (role == Role::abdomen) {
-      orientation[role] = motion::slerp(orientation[Role::pelvis], orientation[Role::chest], 0.5F);
+      orientation[role] = halfway(orientation[Role::pelvis], orientation[Role::chest]);
     } else if (const std::optional<Role> parent = motion::parent_of(role)) {
       orientation[role] = orientation[*parent];
     }
   }
+}
+
+Eigen::Vector3d middle_of_shoulders(const ReferencePose& reference) {
+  return 0.5 *
+         (reference.position[Role::left_upper_arm] + reference.position[Role::right_upper_arm]);
+}
+
+SourceTrunk trunk_of(const Source& source, const PerRole<Eigen::Vector3d>& position,
+                     const Eigen::Quaterniond& chest_turn) {
+  const ReferencePose& reference = source.reference;
+  const Eigen::Vector3d hips = 0.5 * (position[Role::left_thigh] + position[Role::right_thigh]);
+  const auto from_hips = [&](const Eigen::Vector3d& point) -> Eigen::Vector3f {
+    return (source.metres_per_unit * (point - hips)).cast<float>();
+  };
+  SourceTrunk trunk;
+  if (source.figure.has(Role::abdomen)) trunk.abdomen = from_hips(position[Role::abdomen]);
+  trunk.chest = from_hips(position[Role::chest]);
+  trunk.shoulders =
+      from_hips(position[Role::chest] +
+                chest_turn * (middle_of_shoulders(reference) - reference.position[Role::chest]));
+  trunk.left_shoulder = from_hips(position[Role::left_upper_arm]);
+  trunk.right_shoulder = from_hips(position[Role::right_upper_arm]);
+  trunk.head = from_hips(position[Role::head]);
+  return trunk;
 }
 
 SourceFrame source_frame(const Source& source, int number) {
@@ -70,9 +108,11 @@ SourceFrame source_frame(const Source& source, int number) {
   for (std::size_t side = 0; side < 2; ++side) {
     const Role role = kFeet[side];
     frame.foot[side].ankle = (scale * figure.position[role]).cast<float>();
-    frame.foot[side].ball =
-        source.figure.end[role] ? (scale * figure.end[role]).cast<float>() : frame.foot[side].ankle;
+    frame.foot[side].ball = (scale * figure.end[role]).cast<float>();
   }
+  const Eigen::Quaterniond chest_turn =
+      figure.orientation[Role::chest] * source.reference.orientation[Role::chest].conjugate();
+  frame.trunk = trunk_of(source, figure.position, chest_turn);
   return frame;
 }
 
@@ -94,9 +134,43 @@ void find_space(Source& source, const SourceOptions& options) {
   source.to_world = to_world(report.up);
 }
 
+void find_reference(Source& source, const SourceOptions& options) {
+  SourceReport& report = source.report;
+  std::string looked_at = "the OFFSETs";
+  if (options.rest) {
+    SourceOptions of_rest = options;
+    of_rest.rest.reset();
+    const Source rest = analyse_source(read_bvh(*options.rest), of_rest);
+    if (!has_same_skeleton(source, rest)) {
+      throw Error(*options.rest, "its skeleton is not that of " + report.path +
+                                     ": a rest file needs the same joints and OFFSETs");
+    }
+    adopt_reference(source, rest);
+    looked_at += " of " + *options.rest;
+  } else {
+    const StandingPose standing = find_standing_pose(source.bvh, source.figure, report.up);
+    source.figure = with_human_ends(source.figure, standing);
+    source.reference = make_reference_pose(source.figure, standing);
+  }
+  for (Role role : {Role::left_toes, Role::right_toes}) {
+    if (report.joint_name[role].empty() || source.figure.has(role)) continue;
+    report.warnings.push_back(report.joint_name[role] +
+                              " is not at the ball of the foot and does not bend the toes");
+  }
+  report.reference_frame = source.reference.frame;
+  if (source.reference.doubt > 0.5) {
+    report.warnings.push_back("neither " + looked_at +
+                              " nor any frame is a standing figure: the reference pose is taken "
+                              "from frame " +
+                              std::to_string(source.reference.frame) +
+                              ", the most upright, and may be wrong; name a file in which it "
+                              "stands with `rest`");
+  }
+}
+
 void find_unit(Source& source, const SourceOptions& options) {
   SourceReport& report = source.report;
-  const double head_height = standing_head_height(source.figure, source.reference);
+  const double head_height = standing_head_height(source.reference);
   report.unit = options.unit.value_or(likeliest_unit(head_height));
   report.unit_given = options.unit.has_value();
   source.metres_per_unit = metres_in(report.unit);
@@ -114,6 +188,7 @@ void find_unit(Source& source, const SourceOptions& options) {
 Source analyse_source(Bvh bvh, const SourceOptions& options) {
   Source source;
   source.bvh = std::move(bvh);
+  const std::optional<std::string> positions = unify_position_channels(source.bvh);
   const RoleMap roles = map_roles(source.bvh, options.roles);
   source.figure = source_figure(source.bvh, roles);
 
@@ -124,6 +199,7 @@ Source analyse_source(Bvh bvh, const SourceOptions& options) {
   report.frame_time_s = source.bvh.frame_time_s;
   report.duration_s = source.bvh.duration_s();
   report.warnings = source.bvh.warnings;
+  if (positions) report.warnings.push_back(*positions);
   report.joint_source = roles.source;
   for (Role role : kRoles) {
     if (!source.figure.has(role)) continue;
@@ -132,25 +208,33 @@ Source analyse_source(Bvh bvh, const SourceOptions& options) {
   }
 
   find_space(source, options);
-  source.reference = find_reference_pose(source.bvh, source.figure, report.up);
-  report.reference_frame = source.reference.frame;
-  if (source.reference.doubt > 0.5) {
-    report.warnings.push_back(
-        "neither the OFFSETs nor any frame is a standing figure: the reference pose is taken from "
-        "frame " +
-        std::to_string(source.reference.frame) + ", the most upright, and may be wrong");
-  }
+  find_reference(source, options);
   find_unit(source, options);
   return source;
+}
+
+bool has_same_skeleton(const Source& one, const Source& other) {
+  constexpr double kSame = 1e-3;
+  const std::vector<BvhJoint>& joints = one.bvh.joints;
+  return one.report.joint_name == other.report.joint_name &&
+         std::equal(joints.begin(), joints.end(), other.bvh.joints.begin(), other.bvh.joints.end(),
+                    [](const BvhJoint& a, const BvhJoint& b) {
+                      return a.name == b.name && a.parent == b.parent &&
+                             (a.offset - b.offset).norm() <= kSame * a.offset.norm();
+                    });
+}
+
+void adopt_reference(Source& source, const Source& from) {
+  source.reference = from.reference;
+  source.figure = from.figure;
 }
 
 SourceMotion source_motion(const Source& source) {
   SourceMotion motion;
   motion.frame_time_s = source.bvh.frame_time_s;
   motion.leg_length_m = static_cast<float>(source.metres_per_unit * leg_length(source.reference));
-  for (std::size_t side = 0; side < 2; ++side) {
-    motion.has_ball[side] = source.figure.end[kFeet[side]].has_value();
-  }
+  motion.trunk_at_rest =
+      trunk_of(source, source.reference.position, Eigen::Quaterniond::Identity());
   motion.frames.reserve(static_cast<std::size_t>(source.bvh.frame_count));
   for (int number = 0; number < source.bvh.frame_count; ++number) {
     motion.frames.push_back(source_frame(source, number));

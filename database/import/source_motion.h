@@ -16,12 +16,26 @@ struct SourceOptions {
   std::optional<LengthUnit> unit;
   std::optional<UpAxis> up;
   RoleOverrides roles;
+  /// File with the same skeleton in which the figure stands: the reference pose is taken from it.
+  std::optional<std::string> rest;
 };
 
 /// One foot of a source in one frame, m.
 struct SourceFoot {
   Eigen::Vector3f ankle = Eigen::Vector3f::Zero();
-  Eigen::Vector3f ball = Eigen::Vector3f::Zero();  ///< the toes' joint, or the foot's End Site
+  Eigen::Vector3f ball = Eigen::Vector3f::Zero();  ///< see with_human_ends
+};
+
+/// Points of a source's trunk, relative to the middle between the hips, m. Zero where the file has
+/// no such joint.
+struct SourceTrunk {
+  Eigen::Vector3f abdomen = Eigen::Vector3f::Zero();
+  Eigen::Vector3f chest = Eigen::Vector3f::Zero();
+  /// The middle between the shoulders of the reference pose, fixed to the chest.
+  Eigen::Vector3f shoulders = Eigen::Vector3f::Zero();
+  Eigen::Vector3f left_shoulder = Eigen::Vector3f::Zero();  ///< the upper arm's joint
+  Eigen::Vector3f right_shoulder = Eigen::Vector3f::Zero();
+  Eigen::Vector3f head = Eigen::Vector3f::Zero();
 };
 
 /// One frame of a source in the library's terms: X forward, Y left, Z up, m, the ground at 0.
@@ -30,6 +44,7 @@ struct SourceFrame {
   /// follow their neighbours.
   motion::PerRole<Eigen::Quaternionf> orientation;
   Eigen::Vector3f hip_centre = Eigen::Vector3f::Zero();
+  SourceTrunk trunk;
   std::array<SourceFoot, 2> foot;  ///< left, right
 };
 
@@ -38,10 +53,10 @@ struct SourceFrame {
 struct SourceMotion {
   double frame_time_s = 0;
   std::vector<SourceFrame> frames;
+  SourceTrunk trunk_at_rest;              ///< in the reference pose
   float leg_length_m = 0;                 ///< hip to knee to ankle, mean of both
   std::array<float, 2> ankle_height_m{};  ///< of each ankle while its foot is flat on the ground
   std::array<float, 2> ball_height_m{};   ///< of each ball, likewise
-  std::array<bool, 2> has_ball{};         ///< false: SourceFoot::ball is the ankle
 
   double duration_s() const { return static_cast<double>(frames.size() - 1) * frame_time_s; }
 };
@@ -75,8 +90,16 @@ struct Source {
   Eigen::Quaterniond to_world = Eigen::Quaterniond::Identity();
 };
 
-/// Maps the roles, and detects up axis, units and reference pose. Throws Error.
+/// Maps the roles, and detects up axis, units and reference pose. Throws Error, also for a rest
+/// file with another skeleton.
 Source analyse_source(Bvh bvh, const SourceOptions& options = {});
+
+/// Returns whether two files have the same joints, with OFFSETs equal to 0.1 %, in the same roles.
+bool has_same_skeleton(const Source& one, const Source& other);
+
+/// Takes the reference pose from a file with the same skeleton, and the figure's ends, which were
+/// judged in that pose.
+void adopt_reference(Source& source, const Source& from);
 
 /// Returns all frames of a source in the library's terms, calibrated by the motion itself (see
 /// calibration.h and ground_contact.h): the ground is where the feet are lowest, planted feet are

@@ -14,6 +14,7 @@
 #include "database/import/source_character.h"
 #include "motion/error.h"
 #include "motion/limb_ik.h"
+#include "tests/database/import/place_deviation.h"
 
 namespace flinch::database {
 namespace {
@@ -249,6 +250,29 @@ TEST_F(Mocap, RetargetingAddsAtMostOneCentimetreOfFootDrift) {
     planted_s += drift.planted_s;
   }
   EXPECT_GT(planted_s, 400);  // so that the bound above covers a real amount
+}
+
+// Each file with a character of its own, so that both have the same size.
+TEST_F(Mocap, HeadShouldersAndHandsStayWhereTheSourceHasThem) {
+  int count = 0;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(kMocap)) {
+    const std::string path = entry.path().string();
+    // odd/ holds files to break parsers, and figures that are not human.
+    if (entry.path().extension() != ".bvh" || path.find("/odd/") != std::string::npos) continue;
+    const Source source = analyse_source(read_bvh(path));
+    const SourceMotion motion = source_motion(source);
+    const motion::Skeleton skeleton = character_of(source).skeleton;
+    const Segment whole{0, motion.duration_s(), 0};
+    const motion::Motion clip =
+        retarget(motion, skeleton, whole, static_cast<float>(1 / motion.frame_time_s));
+    const tests::PlaceDeviation deviation =
+        tests::largest(tests::place_deviations(source, skeleton, whole, clip));
+    EXPECT_LT(deviation.head, 0.03F) << path;
+    EXPECT_LT(deviation.shoulder, 0.03F) << path;
+    EXPECT_LT(deviation.hand, 0.03F) << path;
+    ++count;
+  }
+  EXPECT_GT(count, 50);
 }
 
 TEST_F(Mocap, ClipsStartAtTheOriginFacingForward) {
