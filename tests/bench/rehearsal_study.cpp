@@ -85,7 +85,7 @@ Pair try_both_ways(const train::SimulationSetup& setup, const features::Scenario
   double time_s = bench::process_cpu_s();
   const motion::Motion motion = performed(setup, scenario, clip, duration_s);
   add_time(time_s, study.posing_s);
-  const sim::SimulationResult slow = setup.simulator.simulate(motion, &ball, duration_s);
+  const sim::SimulationResult slow = setup.reference_simulator.simulate(motion, &ball, duration_s);
   add_time(time_s, study.unabridged_s);
   const sim::Rehearsal rehearsal = setup.simulator.rehearse(motion, 0, duration_s);
   add_time(time_s, study.rehearsing_s);

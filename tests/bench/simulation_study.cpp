@@ -9,6 +9,7 @@
 #include <cstdio>
 
 #include "database/import/library_writer.h"
+#include "sim/ode/ode_simulator.h"
 #include "tests/bench/measures.h"
 #include "tests/bench/study.h"
 #include "tests/sim/random_hits.h"

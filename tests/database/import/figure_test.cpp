@@ -31,9 +31,9 @@ using motion::Role;
 using tests::synthetic_bvh;
 using tests::SyntheticRig;
 
-constexpr double kFrameTime = 1.0 / 30;
+constexpr double kFrameTime_s = 1.0 / 30;
 
-const motion::Skeleton& skeleton() {
+const motion::Skeleton& character_skeleton() {
   static const motion::Skeleton kSkeleton = motion::default_character().skeleton;
   return kSkeleton;
 }
@@ -65,7 +65,8 @@ std::vector<Pose> bows(const motion::Skeleton& figure, float largest) {
 }
 
 Bvh bow_file() {
-  return synthetic_bvh(skeleton(), SyntheticRig(), bows(skeleton(), 0.5F), kFrameTime);
+  return synthetic_bvh(character_skeleton(), SyntheticRig(), bows(character_skeleton(), 0.5F),
+                       kFrameTime_s);
 }
 
 BvhJoint& joint_of(Bvh& bvh, const std::string& name) {
@@ -119,7 +120,7 @@ tests::PlaceDeviation deviation_of(const Source& source) {
 
 // Moves the joints of the spine to other heights; shoulders and head stay.
 motion::Skeleton with_spine(float abdomen_up, float chest_up) {
-  motion::Skeleton moved = skeleton();
+  motion::Skeleton moved = character_skeleton();
   moved.offset[Role::abdomen].z() += abdomen_up;
   moved.offset[Role::chest].z() += chest_up - abdomen_up;
   for (Role role : {Role::neck, Role::left_clavicle, Role::right_clavicle}) {
@@ -140,7 +141,8 @@ TEST(Trunk, FollowsSourcesWhoseSpineBendsElsewhere) {
     for (bool has_neck : {true, false}) {
       SyntheticRig rig;
       if (!has_neck) rig.names[Role::neck].clear();
-      const Source source = analyse_source(synthetic_bvh(moved, rig, bows(moved, bow), kFrameTime));
+      const Source source =
+          analyse_source(synthetic_bvh(moved, rig, bows(moved, bow), kFrameTime_s));
       const tests::PlaceDeviation deviation = deviation_of(source);
       EXPECT_LT(deviation.head, 0.03F) << chest_up;
       EXPECT_LT(deviation.shoulder, 0.03F) << chest_up;
@@ -157,7 +159,8 @@ TEST(Trunk, BendsSmoothlyWhereTheSourcesSpineIsNearlyStraight) {
   motion.frames.assign(2, slightly_bent);
   motion.frames[1].trunk.shoulders *= 0.99F;
   motion.frames[1].trunk.head *= 0.99F;
-  const motion::Motion clip = retarget(motion, skeleton(), {0, motion.duration_s(), 0}, 30);
+  const motion::Motion clip =
+      retarget(motion, character_skeleton(), {0, motion.duration_s(), 0}, 30);
   for (Role role : {Role::abdomen, Role::chest, Role::neck}) {
     EXPECT_LT(clip.poses[0].rotation[role].angularDistance(clip.poses[1].rotation[role]),
               radians(5))
@@ -199,7 +202,8 @@ TEST(HumanEnds, ReplaceTailsThatPointUp) {
   SyntheticRig rig;
   rig.names[Role::left_toes].clear();
   rig.names[Role::right_toes].clear();
-  Bvh bvh = synthetic_bvh(skeleton(), rig, bows(skeleton(), 0.5F), kFrameTime);
+  Bvh bvh =
+      synthetic_bvh(character_skeleton(), rig, bows(character_skeleton(), 0.5F), kFrameTime_s);
   for (const Vector3d& tail : {Vector3d(0, 14, 0), Vector3d(0, -14, 0), Vector3d(0, 0, -14)}) {
     change_both(bvh, "foot", [&](BvhJoint& foot) { foot.end_sites = {tail}; });
     change_both(bvh, "hand", [](BvhJoint& hand) { hand.end_sites = {Vector3d(0, 18, 0)}; });
@@ -238,7 +242,7 @@ TEST(PositionChannels, GiveTheBonesTheirLengths) {
   const Source source = analyse_source(bvh);
   const motion::Skeleton figure = character_of(source).skeleton;
   for (Role role : {Role::left_shin, Role::left_foot}) {
-    EXPECT_NEAR(figure.offset[role].norm(), skeleton().offset[role].norm(), 1e-4F);
+    EXPECT_NEAR(figure.offset[role].norm(), character_skeleton().offset[role].norm(), 1e-4F);
   }
   EXPECT_TRUE(source.report.warnings.empty());
 }
@@ -247,8 +251,8 @@ TEST(PositionChannels, MayBeDisplacementsFromTheOffsets) {
   const Source source = analyse_source(with_positions(bow_file(), 0));
   EXPECT_THAT(source.report.warnings, testing::ElementsAre(testing::HasSubstr("are added")));
   const Source plain = analyse_source(bow_file());
-  const motion::Motion one = retargeted(source, skeleton());
-  const motion::Motion other = retargeted(plain, skeleton());
+  const motion::Motion one = retargeted(source, character_skeleton());
+  const motion::Motion other = retargeted(plain, character_skeleton());
   for (Role role : motion::kRoles) {
     EXPECT_LT(one.poses.back().rotation[role].angularDistance(other.poses.back().rotation[role]),
               1e-3F);
@@ -259,18 +263,19 @@ TEST(Crouch, RaisesThePelvisWhereALegCannotFold) {
   // Heels and buttocks meet: the knees bend by about 165 degrees.
   std::vector<Pose> poses;
   const motion::HingeLimits wide{0.01F, 3.1F};
-  const JointFrames rest = forward_kinematics(skeleton(), motion::rest_pose(skeleton()));
+  const JointFrames rest =
+      forward_kinematics(character_skeleton(), motion::rest_pose(character_skeleton()));
   for (int k = 0; k <= 30; ++k) {
-    Pose pose = motion::rest_pose(skeleton());
+    Pose pose = motion::rest_pose(character_skeleton());
     const float hips = 0.86F - 0.75F * static_cast<float>(k) / 30;  // above the ankles
     pose.root_position.z() += hips - 0.859F;
     pose.root_position.x() -= 0.03F;
     for (motion::Limb leg : {motion::Limb::left_leg, motion::Limb::right_leg}) {
-      const JointFrames frames = forward_kinematics(skeleton(), pose);
+      const JointFrames frames = forward_kinematics(character_skeleton(), pose);
       const motion::LimbRoles roles = motion::roles_of(leg);
       const motion::LimbSolution bent =
-          solve_limb(skeleton(), leg, frames.position[roles.upper], rest.position[roles.end],
-                     Vector3f::UnitX(), 0, wide);
+          solve_limb(character_skeleton(), leg, frames.position[roles.upper],
+                     rest.position[roles.end], Vector3f::UnitX(), 0, wide);
       pose.rotation[roles.upper] = bent.upper;
       pose.rotation[roles.lower] = bent.upper.conjugate() * bent.lower;
       pose.rotation[roles.end] = bent.lower.conjugate();
@@ -278,11 +283,11 @@ TEST(Crouch, RaisesThePelvisWhereALegCannotFold) {
     poses.push_back(pose);
   }
   const Source source =
-      analyse_source(synthetic_bvh(skeleton(), SyntheticRig(), poses, kFrameTime));
+      analyse_source(synthetic_bvh(character_skeleton(), SyntheticRig(), poses, kFrameTime_s));
   const SourceMotion motion = source_motion(source);
   const Segment whole{0, motion.duration_s(), 0};
-  const motion::Motion clip = retarget(motion, skeleton(), whole, 30);
-  const FootDrift drift = measure_foot_drift(motion, skeleton(), whole, clip);
+  const motion::Motion clip = retarget(motion, character_skeleton(), whole, 30);
+  const FootDrift drift = measure_foot_drift(motion, character_skeleton(), whole, clip);
   EXPECT_GT(drift.lowest_sole_m, -0.012F);
   EXPECT_LT(drift.added_m, 0.01F);
   EXPECT_GT(clip.poses.back().root_position.z(), poses.back().root_position.z() + 0.05F);
@@ -324,19 +329,19 @@ std::string text_of(const Bvh& bvh) {
 
 // A guard in a file whose OFFSETs do not stand.
 TEST(RestFile, ShowsHowAFigureStandsThatNeverDoes) {
-  std::vector<Pose> guard = bows(skeleton(), 0.8F);
+  std::vector<Pose> guard = bows(character_skeleton(), 0.8F);
   for (Pose& pose : guard) {
     pose.rotation[Role::pelvis] = motion::rotation_about(Vector3f::UnitY(), 0.2F);
     pose.rotation[Role::head] = motion::rotation_about(Vector3f::UnitZ(), 0.6F);
-    pose = with_feet_on_ground(skeleton(), pose);
+    pose = with_feet_on_ground(character_skeleton(), pose);
   }
   SyntheticRig lying;
   lying.rest.rotation[Role::left_thigh] = motion::rotation_about(Vector3f::UnitY(), 3.1F);
   lying.rest.rotation[Role::right_thigh] = motion::rotation_about(Vector3f::UnitY(), 3.1F);
   lying.rest.rotation[Role::abdomen] = motion::rotation_about(Vector3f::UnitY(), 1.5F);
-  const Bvh take = synthetic_bvh(skeleton(), lying, guard, kFrameTime);
-  const Bvh standing =
-      synthetic_bvh(skeleton(), lying, {motion::rest_pose(skeleton())}, kFrameTime);
+  const Bvh take = synthetic_bvh(character_skeleton(), lying, guard, kFrameTime_s);
+  const Bvh standing = synthetic_bvh(character_skeleton(), lying,
+                                     {motion::rest_pose(character_skeleton())}, kFrameTime_s);
 
   const tests::TemporaryFolder folder;
   SourceOptions options;
@@ -344,9 +349,9 @@ TEST(RestFile, ShowsHowAFigureStandsThatNeverDoes) {
   const Source own = analyse_source(take);
   const Source source = analyse_source(take, options);
   const auto head_error = [&](const Source& of) {
-    const motion::Motion clip = retargeted(of, skeleton());
-    const JointFrames frames = forward_kinematics(skeleton(), clip.poses.front());
-    const JointFrames wanted = forward_kinematics(skeleton(), guard.front());
+    const motion::Motion clip = retargeted(of, character_skeleton());
+    const JointFrames frames = forward_kinematics(character_skeleton(), clip.poses.front());
+    const JointFrames wanted = forward_kinematics(character_skeleton(), guard.front());
     const auto relative = [](const JointFrames& joints) {
       return joints.orientation[Role::pelvis].conjugate() * joints.orientation[Role::head];
     };
