@@ -56,9 +56,9 @@ float external_speed(const TakeSignals& signals, const FrameSpan& span);
 /// | lift | raises a foot by 0.45 m, as high as the other knee, or both by 0.15 m: a jump |
 /// | duck | takes the head down by 0.3 m, out of a ball's way, and no hand comes above it |
 /// | block | raises a wrist above the head joint by 0.05 m, or throws a hand (kThrownHand_mps) |
-/// | push | carries the body as a step, but 0.2 m, and other forces gave it a quarter of its speed
-/// | | step | carries the body 0.3 m, and 1.5 times as far as the head leans | | flinch | leans the
-/// head away from above the pelvis: all the rest |
+/// | push | carries the body 0.2 m, with a quarter of its speed from other forces than the feet's |
+/// | step | carries the body 0.3 m, and 1.5 times as far as the head leans |
+/// | flinch | leans the head away from above the pelvis: all the rest |
 ///
 /// 0.3 m is the height of a head and a volleyball's radius (0.2 + 0.1). The confidence is that of
 /// the least certain of the answers that led to the kind.

@@ -28,11 +28,14 @@ struct Protection {
 /// | duck | head | front; where the head moves 0.19 m aside, from the other side |
 /// | dodge | head | against the head's displacement |
 /// | flinch | head; trunk where the head goes forward | against it; front where it goes forward |
-/// | block | by the higher wrist: head from 0.1 m below its joint on, trunk above the navel, pelvis
-/// | | front for thrown hands; else the side of the raised hand, away from head and face |
+/// | block | by the height of the higher wrist | front; else the side of the raised hand |
 /// | step | pelvis; trunk from 0.57 m on | against the pelvis' displacement |
 /// | lift | legs | front; behind where the body jumps 0.5 m forward |
 /// | push | trunk | against the pelvis' displacement |
+///
+/// A block's wrist from 0.1 m below the head's joint on guards the head, above the navel the trunk,
+/// below it the pelvis. It guards the front where the hands are thrown (kThrownHand_mps), and else
+/// the side of the raised hand, away from which head and face go.
 ///
 /// The degree is exaggerated from these sizes on, m: duck 0.4; block head moved or sunk 0.19, hand
 /// 0.16 over the head, face turned by 80 degrees, or for thrown hands a step of 1.05; flinch 0.29,

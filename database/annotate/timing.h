@@ -20,7 +20,7 @@ struct MovementTimes {
 /// | duck, dodge | the head is lowest |
 /// | step | the pelvis is farthest from where it was |
 /// | lift | the foot is highest; in a jump, the lower foot |
-/// | block with thrown hands | the hands first slow to a quarter of their speed |
+/// | block by thrown hands (kThrownHand_mps) | the hands slow to a quarter of their speed |
 /// | other blocks, flinch | the pose is farthest from the first, relative to the stance |
 /// | push | the pelvis is farthest, as in a step |
 ///

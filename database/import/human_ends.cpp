@@ -34,9 +34,11 @@ constexpr Range kToes{0.2, 1.2};
 constexpr double kMaxHandAngle = 75;
 constexpr double kMaxToeAngle = 60;
 
-// A foot over the length of the leg: the ball of a mean recorded skeleton from the ankle, and the
-// share of the way over the ground to the tip of the toes, which is the default character's.
+// The ball of the foot from the ankle, forward and up, as a fraction of the leg's length: the mean
+// of recorded skeletons.
 const Vector3d kMeanBall(0.15, 0, -0.055);
+// How far the ball is on the way from the ankle to the tip of the toes, along the ground, in the
+// default character.
 constexpr double kBallShare = 0.47 / 0.75;
 
 double angle_deg(const Vector3d& one, const Vector3d& other) {

@@ -44,8 +44,8 @@ NameSide side_of(motion::Role role);
 /// joints that they belong to.
 NameFit fit_of(const PlainName& name, motion::Role role);
 
-/// Returns whether the name is this stem of a role in the middle of the body, with the number of a
-/// first joint or none: "neck01" is a neck, "neck02" is not.
+/// Returns whether a joint of the spine, neck or head has this name, alone or as the first of
+/// several: "neck" and "neck01" are a neck, "neck02" is not.
 bool is_named(const PlainName& name, std::string_view middle_stem);
 
 }  // namespace flinch::database

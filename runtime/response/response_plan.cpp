@@ -165,8 +165,9 @@ void plan_foot(Response& r, Side side, const Start& start) {
   plan.tilt = from.orientation * clip.orientation.conjugate();
 }
 
-// How far a point is from being kMargin inside of a sole, on the way to the sole's middle, in whole
-// steps of 1/4096 of that way.
+// How far a point is from being kMargin inside of a sole, on the way to the sole's middle. Whole
+// steps of 1/4096 of that way hide what rounding does to the fraction, and with it to every later
+// pose.
 Eigen::Vector2f offset_to_sole(const Sole& sole, const Eigen::Vector2f& point) {
   constexpr float kMargin = 0.015F;      // m
   constexpr float kTolerance_m = 1e-4F;  // by which a point may be nearer to the edge

@@ -26,6 +26,7 @@ constexpr BodySet supported_bodies(const Drive& drive) {
   return drive.is_falling ? kAllBodies
                           : set_of(motion::Body::left_foot) | set_of(motion::Body::right_foot);
 }
+
 /// Returns the support of a body in a step that ends at `target`: of feet that nothing else holds,
 /// at heel and toe, or of every part of a figure that falls. Where the reference itself sinks a
 /// sole into the ground, the ground gives way by that depth, so that an error of the recording does

@@ -5,12 +5,10 @@
 
 #include <random>
 
-#include "database/author/authored_library.h"
-#include "motion/default_character.h"
 #include "runtime/character.h"
 #include "runtime/response/prepared_library.h"
 #include "tests/motion/random_motion.h"
-#include "tests/runtime/made_up_selector.h"
+#include "tests/runtime/loaded_selector.h"
 
 namespace flinch::runtime {
 namespace {
@@ -25,11 +23,8 @@ struct Loaded {
 
 /// The authored clips with a model over made-up observations.
 Loaded load(tests::ModelKind model) {
-  Loaded made;
-  const std::string file =
-      tests::made_up_selector(database::authored_library(motion::default_character()), 2000, model)
-          .file();
-  if (made.library.load(std::as_bytes(std::span(file))) != database::LoadStatus::ok ||
+  Loaded made{tests::loaded_selector(2000, model), {}};
+  if (!made.library.is_loaded() ||
       made.workspace.reserve_memory(made.library.selection_bytes()) != database::LoadStatus::ok) {
     std::abort();
   }

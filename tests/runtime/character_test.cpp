@@ -6,12 +6,10 @@
 #include <cmath>
 #include <random>
 
-#include "database/author/authored_library.h"
-#include "motion/default_character.h"
 #include "motion/rotation.h"
 #include "runtime/response/prepared_library.h"
 #include "tests/motion/random_motion.h"
-#include "tests/runtime/made_up_selector.h"
+#include "tests/runtime/loaded_selector.h"
 #include "tests/scenes/allocation_count.h"
 #include "tests/scenes/not_finite.h"
 
@@ -26,15 +24,7 @@ using tests::kInfinity;
 using tests::kNan;
 
 const Library& library() {
-  static const Library kLibrary = [] {
-    const std::string file =
-        tests::made_up_selector(database::authored_library(motion::default_character()), 400,
-                                tests::ModelKind::knn)
-            .file();
-    Library loaded;
-    loaded.load(std::as_bytes(std::span(file)));
-    return loaded;
-  }();
+  static const Library kLibrary = tests::loaded_selector(400, tests::ModelKind::knn);
   return kLibrary;
 }
 

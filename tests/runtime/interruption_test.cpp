@@ -7,15 +7,13 @@
 #include <string_view>
 #include <utility>
 
-#include "database/author/authored_library.h"
-#include "motion/default_character.h"
 #include "motion/figure.h"
 #include "motion/joint_limits.h"
 #include "motion/rotation.h"
 #include "runtime/character.h"
 #include "runtime/response/prepared_library.h"
 #include "tests/motion/random_motion.h"
-#include "tests/runtime/made_up_selector.h"
+#include "tests/runtime/loaded_selector.h"
 #include "tests/scenes/sample_count.h"
 
 namespace flinch::runtime {
@@ -27,15 +25,7 @@ using tests::uniform;
 constexpr float kFrame_s = 1.0F / 60;
 
 const Library& authored_selector() {
-  static const Library kLibrary = [] {
-    const std::string file =
-        tests::made_up_selector(database::authored_library(motion::default_character()), 60,
-                                tests::ModelKind::knn)
-            .file();
-    Library loaded;
-    loaded.load(std::as_bytes(std::span(file)));
-    return loaded;
-  }();
+  static const Library kLibrary = tests::loaded_selector(60, tests::ModelKind::knn);
   return kLibrary;
 }
 
