@@ -60,25 +60,32 @@ void standardise(const TrainingSet& set, NetworkModel& model) {
   model.scale_root = variance > 1e-12 ? static_cast<float>(std::sqrt(variance)) : 1.0F;
 }
 
-/// Returns the whole set as one batch.
-NetworkBatch make_batch(const TrainingSet& set, const NetworkModel& model) {
-  NetworkBatch batch;
-  batch.inputs.resize(set.feature_count, set.size());
+/// What the network is fitted to, one column per observation: contiguous, as they are read in
+/// random order.
+struct Observations {
+  MatrixXf inputs;
+  MatrixXf targets;       ///< standardised square roots of costs; 0 where the clip was not tried
+  MatrixXf loss_weights;  ///< 1 / number of clips tried; 0 where the clip was not tried
+};
+
+Observations observations_of(const TrainingSet& set, const NetworkModel& model) {
+  Observations all;
+  all.inputs.resize(set.feature_count, set.size());
   for (int i = 0; i < set.size(); ++i) {
-    std::transform(set.point(i).begin(), set.point(i).end(), batch.inputs.col(i).begin(),
+    std::transform(set.point(i).begin(), set.point(i).end(), all.inputs.col(i).begin(),
                    network_input);
   }
-  batch.targets = MatrixXf::Zero(static_cast<Eigen::Index>(model.clip.size()), set.size());
-  batch.loss_weights = batch.targets;
+  all.targets = MatrixXf::Zero(static_cast<Eigen::Index>(model.clip.size()), set.size());
+  all.loss_weights = all.targets;
   for_each_trial(set, model.clip, [&](Eigen::Index output, Eigen::Index i, double cost) {
     const auto root = static_cast<float>(std::sqrt(std::max(cost, 0.0)));
-    batch.targets(output, i) = (root - model.mean_root) / model.scale_root;
-    batch.loss_weights(output, i) = 1;
+    all.targets(output, i) = (root - model.mean_root) / model.scale_root;
+    all.loss_weights(output, i) = 1;
   });
-  for (Eigen::Index i = 0; i < batch.loss_weights.cols(); ++i) {
-    batch.loss_weights.col(i) /= std::max(batch.loss_weights.col(i).sum(), 1.0F);
+  for (auto weights : all.loss_weights.colwise()) {
+    weights /= static_cast<float>(std::max((weights.array() > 0).count(), Eigen::Index{1}));
   }
-  return batch;
+  return all;
 }
 
 /// Normally distributed weights with the variance that preserves that of the activations from layer
@@ -102,19 +109,22 @@ VectorXf initial_weights(const NetworkShape& shape, features::Random& random) {
 //   w -= rate (m / (1 - b1^t) / (sqrt(v / (1 - b2^t)) + 1e-8) + decay w).
 class AdamW {
  public:
-  AdamW(Eigen::Index size, double decay)
-      : mean_(VectorXf::Zero(size)), square_(VectorXf::Zero(size)), decay_(decay) {}
+  AdamW(Eigen::Index size, double decay, const Kernels& kernels)
+      : mean_(VectorXf::Zero(size)),
+        square_(VectorXf::Zero(size)),
+        decay_(decay),
+        kernels_(kernels) {}
 
   void step(const VectorXf& gradient, double rate, VectorXf& weights) {
-    ++steps_;
-    mean_ += static_cast<float>(1 - kMeanDecay) * (gradient - mean_);
-    square_ += static_cast<float>(1 - kSquareDecay) * (gradient.cwiseAbs2() - square_);
-    const double mean_share = 1 - std::pow(kMeanDecay, steps_);
-    const double square_share = 1 - std::pow(kSquareDecay, steps_);
-    const auto root_scale = static_cast<float>(1 / std::sqrt(square_share));
-    weights *= static_cast<float>(1 - rate * decay_);
-    weights.array() -= static_cast<float>(rate / mean_share) * mean_.array() /
-                       (square_.array().sqrt() * root_scale + 1e-8F);
+    mean_decay_power_ *= kMeanDecay;
+    square_decay_power_ *= kSquareDecay;
+    kernels_.adamw_step({.mean_gain = static_cast<float>(1 - kMeanDecay),
+                         .square_gain = static_cast<float>(1 - kSquareDecay),
+                         .rate = static_cast<float>(rate / (1 - mean_decay_power_)),
+                         .root_scale = static_cast<float>(1 / std::sqrt(1 - square_decay_power_)),
+                         .kept = static_cast<float>(1 - rate * decay_)},
+                        static_cast<std::size_t>(weights.size()), gradient.data(), mean_.data(),
+                        square_.data(), weights.data());
   }
 
  private:
@@ -122,25 +132,36 @@ class AdamW {
   static constexpr double kSquareDecay = 0.999;
   VectorXf mean_, square_;
   double decay_;
-  int steps_ = 0;
+  double mean_decay_power_ = 1;    ///< b1^t
+  double square_decay_power_ = 1;  ///< b2^t
+  const Kernels& kernels_;
 };
 
-NetworkBatch columns(const NetworkBatch& all, std::span<const int> chosen) {
-  return {all.inputs(Eigen::all, chosen), all.targets(Eigen::all, chosen),
-          all.loss_weights(Eigen::all, chosen)};
+/// Sets the batch to the chosen observations, followed by rows of zeros. The loss is their mean.
+void choose(const Observations& all, std::span<const int> chosen, NetworkBatch& batch) {
+  const auto rows = Eigen::seqN(0, static_cast<Eigen::Index>(chosen.size()));
+  const auto fill = [&](const MatrixXf& from, MatrixXf& to) {
+    to.setZero(kBatchSize, from.rows());
+    to(rows, Eigen::all) = from(Eigen::all, chosen).transpose();
+  };
+  fill(all.inputs, batch.inputs);
+  fill(all.targets, batch.targets);
+  fill(all.loss_weights, batch.loss_weights);
+  batch.loss_weights /= static_cast<float>(chosen.size());
 }
 
-VectorXf fit_member(const NetworkShape& shape, const NetworkBatch& all,
-                    const NetworkParameters& parameters, std::size_t member) {
+VectorXf fit_member(const NetworkShape& shape, const Observations& all,
+                    const NetworkParameters& parameters, std::size_t member,
+                    const Kernels& kernels) {
   constexpr double kFirstRate = 3e-3;
   features::Random random(parameters.seed, features::RandomStream::fitting, member);
   VectorXf weights = initial_weights(shape, random);
-  VectorXf gradient;
-  AdamW adam(weights.size(), parameters.weight_decay);
+  AdamW adam(weights.size(), parameters.weight_decay, kernels);
   std::vector<int> order(static_cast<std::size_t>(all.inputs.cols()));
   std::iota(order.begin(), order.end(), 0);
   const double seen_in_all = static_cast<double>(order.size()) * parameters.epoch_count;
   double seen = 0;
+  NetworkBatch batch;
   for (int epoch = 0; epoch < parameters.epoch_count; ++epoch) {
     for (std::size_t i = order.size(); i > 1; --i) {
       std::swap(order[i - 1], order[random.index(i)]);
@@ -148,9 +169,9 @@ VectorXf fit_member(const NetworkShape& shape, const NetworkBatch& all,
     for (std::size_t first = 0; first < order.size(); first += kBatchSize) {
       const auto chosen =
           std::span(order).subspan(first, std::min(std::size_t{kBatchSize}, order.size() - first));
-      network_loss(shape, columns(all, chosen), weights, gradient);
+      choose(all, chosen, batch);
       const double rate = kFirstRate * (1 + std::cos(std::numbers::pi * seen / seen_in_all)) / 2;
-      adam.step(gradient, rate, weights);
+      adam.step(network_gradient(shape, batch, weights, kernels), rate, weights);
       seen += static_cast<double>(chosen.size());
     }
   }
@@ -159,7 +180,8 @@ VectorXf fit_member(const NetworkShape& shape, const NetworkBatch& all,
 
 }  // namespace
 
-NetworkModel fit_network(const TrainingSet& set, const NetworkParameters& parameters) {
+NetworkModel fit_network(const TrainingSet& set, const NetworkParameters& parameters,
+                         const Kernels& kernels) {
   check(set);
   check_costs(set);
   check_parameters(parameters);
@@ -170,10 +192,10 @@ NetworkModel fit_network(const TrainingSet& set, const NetworkParameters& parame
   model.clip = tried_clips(set);
   standardise(set, model);
   const NetworkShape shape = model.shape();
-  const NetworkBatch all = make_batch(set, model);
+  const Observations all = observations_of(set, model);
   model.weights.resize(shape.weight_count() * static_cast<std::size_t>(parameters.member_count));
   parallel_for(static_cast<std::size_t>(parameters.member_count), [&](std::size_t member) {
-    const VectorXf weights = fit_member(shape, all, parameters, member);
+    const VectorXf weights = fit_member(shape, all, parameters, member, kernels);
     if (!(weights.cwiseAbs().maxCoeff() <= kMaxNetworkWeight)) {
       throw Error("", "the network's weights diverge; look for extreme costs");
     }

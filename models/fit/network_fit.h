@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "models/fit/kernels.h"
 #include "models/fit/training_set.h"
 #include "models/network.h"
 
@@ -19,10 +20,11 @@ struct NetworkParameters {
 
 /// Fits the member networks to the set's costs, each from its own initial weights, by AdamW
 /// (Loshchilov and Hutter 2019) in batches of 32, with a cosine-annealed step that ends at zero.
-/// Members are fitted in parallel by OpenMP; the bits do not depend on the number of threads.
-/// `variance_ns` is measured on the training set and therefore too small. Throws Error for a set
-/// that check() rejects, for a set without costs, and for invalid parameters.
-NetworkModel fit_network(const TrainingSet& set, const NetworkParameters& parameters);
+/// Members are fitted in parallel by OpenMP; the bits depend neither on the number of threads nor
+/// on the kernels. `variance_ns` is measured on the training set and therefore too small. Throws
+/// Error for a set that check() rejects, for a set without costs, and for invalid parameters.
+NetworkModel fit_network(const TrainingSet& set, const NetworkParameters& parameters,
+                         const Kernels& kernels = widest_kernels());
 
 /// Mean of cost - (expected cost - variance_ns) over the tried clips and the observations: the
 /// value of variance_ns with which expected costs are right on average for these observations.

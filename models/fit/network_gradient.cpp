@@ -1,44 +1,99 @@
 // SPDX-License-Identifier: MIT
 #include "models/fit/network_gradient.h"
 
+#include <algorithm>
+
 namespace flinch::models {
 namespace {
 
 using Eigen::MatrixXf;
 using Eigen::VectorXf;
 
-/// Views of the weights of each layer, in place; `Matrix` and `Vector` may be const.
-template <typename Matrix, typename Vector, typename Number>
-struct Layers {
-  Eigen::Map<Matrix> first, second, output;  // output's is transposed, by clip
-  Eigen::Map<Vector> first_biases, second_biases, output_biases;
+std::size_t size_of(Eigen::Index count) {
+  return static_cast<std::size_t>(count);
+}
 
-  Layers(const NetworkShape& shape, Number* weights)
-      : first(weights, shape.hidden_count, shape.feature_count),
-        second(weights + shape.second_weights(), shape.hidden_count, shape.hidden_count),
-        output(weights + shape.output_weights(), shape.hidden_count, shape.output_count),
-        first_biases(weights + shape.first_biases(), shape.hidden_count),
-        second_biases(weights + shape.second_biases(), shape.hidden_count),
-        output_biases(weights + shape.output_biases(), shape.output_count) {}
-};
-using Weights = Layers<const MatrixXf, const VectorXf, const float>;
-using Gradient = Layers<MatrixXf, VectorXf, float>;
-
-struct Activations {
-  MatrixXf first, second, output;
+/// A layer's weights within a network's. Element (from, to) is at from * from_step + to * to_step.
+struct Layer {
+  std::size_t in = 0;   ///< number of units, or of features, that it reads
+  std::size_t out = 0;  ///< number of units, or of clips, that it computes
+  std::size_t weights = 0;
+  std::size_t biases = 0;
+  std::size_t from_step = 0;
+  std::size_t to_step = 0;
 };
 
-Activations forward_pass(const Weights& layers, const MatrixXf& inputs) {
-  Activations a;
-  a.first = ((layers.first * inputs).colwise() + layers.first_biases).cwiseMax(0.0F);
-  a.second = ((layers.second * a.first).colwise() + layers.second_biases).cwiseMax(0.0F);
-  a.output = (layers.output.transpose() * a.second).colwise() + layers.output_biases;
-  return a;
+Layer first_layer(const NetworkShape& shape) {
+  return {shape.features(), shape.hidden(), 0, shape.first_biases(), shape.hidden(), 1};
+}
+Layer second_layer(const NetworkShape& shape) {
+  return {shape.hidden(),        shape.hidden(), shape.second_weights(),
+          shape.second_biases(), shape.hidden(), 1};
+}
+Layer output_layer(const NetworkShape& shape) {
+  return {shape.hidden(), shape.outputs(), shape.output_weights(), shape.output_biases(), 1,
+          shape.hidden()};
+}
+
+/// Weighted sums of the inputs: biases + inputs * weights.
+MatrixXf sums_of(const Layer& layer, const MatrixXf& inputs, const VectorXf& weights,
+                 const Kernels& kernels) {
+  MatrixXf sums(inputs.rows(), static_cast<Eigen::Index>(layer.out));
+  for (Eigen::Index to = 0; to < sums.cols(); ++to)
+    sums.col(to).setConstant(weights[static_cast<Eigen::Index>(layer.biases) + to]);
+  kernels.add_product({.rows = size_of(inputs.rows()),
+                       .columns = layer.out,
+                       .depth = layer.in,
+                       .b_row = layer.from_step,
+                       .b_column = layer.to_step},
+                      inputs.data(), weights.data() + layer.weights, sums.data());
+  return sums;
+}
+
+/// Derivatives by the inputs of a layer: errors * weights^T, where errors are those by its sums.
+MatrixXf errors_before(const Layer& layer, const MatrixXf& errors, const VectorXf& weights,
+                       const Kernels& kernels) {
+  MatrixXf before = MatrixXf::Zero(errors.rows(), static_cast<Eigen::Index>(layer.in));
+  kernels.add_product({.rows = size_of(errors.rows()),
+                       .columns = layer.in,
+                       .depth = layer.out,
+                       .b_row = layer.to_step,
+                       .b_column = layer.from_step},
+                      errors.data(), weights.data() + layer.weights, before.data());
+  return before;
+}
+
+/// product += rows^T * columns, where both have one row per observation.
+void add_sums_over_observations(const MatrixXf& rows, const MatrixXf& columns, float* product,
+                                const Kernels& kernels) {
+  const MatrixXf transposed = rows.transpose();
+  kernels.add_product({.rows = size_of(transposed.rows()),
+                       .columns = size_of(columns.cols()),
+                       .depth = size_of(columns.rows()),
+                       .b_row = 1,
+                       .b_column = size_of(columns.rows())},
+                      transposed.data(), columns.data(), product);
+}
+
+void add_bias_gradient(const Layer& layer, const MatrixXf& errors, VectorXf& gradient,
+                       const Kernels& kernels) {
+  const VectorXf ones = VectorXf::Ones(errors.rows());
+  for (Eigen::Index to = 0; to < errors.cols(); ++to)
+    gradient[static_cast<Eigen::Index>(layer.biases) + to] +=
+        kernels.dot(size_of(errors.rows()), errors.col(to).data(), ones.data());
+}
+
+/// The outputs of hidden units.
+MatrixXf relu(MatrixXf sums) {
+  for (float& sum : sums.reshaped()) sum = sum > 0 ? sum : 0;
+  return sums;
 }
 
 /// Passes errors back through the units whose output was above 0.
-MatrixXf relu_gradient(const MatrixXf& errors, const MatrixXf& unit_outputs) {
-  return (unit_outputs.array() > 0).select(errors, 0.0F);
+MatrixXf relu_gradient(MatrixXf errors, const MatrixXf& unit_outputs) {
+  for (Eigen::Index i = 0; i < errors.size(); ++i)
+    errors.data()[i] = unit_outputs.data()[i] > 0 ? errors.data()[i] : 0;
+  return errors;
 }
 
 }  // namespace
@@ -46,29 +101,30 @@ MatrixXf relu_gradient(const MatrixXf& errors, const MatrixXf& unit_outputs) {
 // Back-propagation (Rumelhart, Hinton and Williams 1986): computes the derivative of the loss by
 // each layer's sums, from the last layer to the first. The derivative by a weight is that of its
 // unit's sum times the weight's input.
-float network_loss(const NetworkShape& shape, const NetworkBatch& batch, const VectorXf& weights,
-                   VectorXf& gradient) {
-  const Weights layers(shape, weights.data());
-  gradient.resize(weights.size());
-  Gradient by(shape, gradient.data());
-  const Activations a = forward_pass(layers, batch.inputs);
-  const MatrixXf difference = a.output - batch.targets;
-  const auto count = static_cast<float>(batch.inputs.cols());
-  const MatrixXf output_errors = difference.cwiseProduct(batch.loss_weights) / count;
-  by.output.noalias() = a.second * output_errors.transpose();
-  by.output_biases = output_errors.rowwise().sum();
-  const MatrixXf second_errors = relu_gradient(layers.output * output_errors, a.second);
-  by.second.noalias() = second_errors * a.first.transpose();
-  by.second_biases = second_errors.rowwise().sum();
-  const MatrixXf first_errors = relu_gradient(layers.second.transpose() * second_errors, a.first);
-  by.first.noalias() = first_errors * batch.inputs.transpose();
-  by.first_biases = first_errors.rowwise().sum();
-  return difference.cwiseProduct(output_errors).sum() / 2;
-}
+VectorXf network_gradient(const NetworkShape& shape, const NetworkBatch& batch,
+                          const VectorXf& weights, const Kernels& kernels) {
+  const Layer to_first = first_layer(shape);
+  const Layer to_second = second_layer(shape);
+  const Layer to_output = output_layer(shape);
+  const MatrixXf first = relu(sums_of(to_first, batch.inputs, weights, kernels));
+  const MatrixXf second = relu(sums_of(to_second, first, weights, kernels));
+  const MatrixXf output = sums_of(to_output, second, weights, kernels);
 
-MatrixXf network_outputs(const NetworkShape& shape, const MatrixXf& inputs,
-                         const VectorXf& weights) {
-  return forward_pass(Weights(shape, weights.data()), inputs).output;
+  const MatrixXf output_errors = (output - batch.targets).cwiseProduct(batch.loss_weights);
+  const MatrixXf second_errors =
+      relu_gradient(errors_before(to_output, output_errors, weights, kernels), second);
+  const MatrixXf first_errors =
+      relu_gradient(errors_before(to_second, second_errors, weights, kernels), first);
+
+  VectorXf gradient = VectorXf::Zero(weights.size());
+  add_sums_over_observations(second, output_errors, gradient.data() + to_output.weights, kernels);
+  add_sums_over_observations(second_errors, first, gradient.data() + to_second.weights, kernels);
+  add_sums_over_observations(first_errors, batch.inputs, gradient.data() + to_first.weights,
+                             kernels);
+  add_bias_gradient(to_output, output_errors, gradient, kernels);
+  add_bias_gradient(to_second, second_errors, gradient, kernels);
+  add_bias_gradient(to_first, first_errors, gradient, kernels);
+  return gradient;
 }
 
 }  // namespace flinch::models

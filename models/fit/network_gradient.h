@@ -3,27 +3,23 @@
 
 #include <Eigen/Core>
 
+#include "models/fit/kernels.h"
 #include "models/network.h"
 
 namespace flinch::models {
 
-/// Observations that a network is fitted to, one per column.
+/// Observations that a network is fitted to, one per row. The number of rows is a multiple of
+/// kKernelBlock; rows of zeros fill the last block.
 struct NetworkBatch {
-  Eigen::MatrixXf inputs;   ///< feature_count rows
-  Eigen::MatrixXf targets;  ///< output_count rows; 0 where the clip was not tried
-  Eigen::MatrixXf
-      /// 1 / number of clips tried on the observation; 0 where the clip was not tried
-      loss_weights;
+  Eigen::MatrixXf inputs;        ///< feature_count columns
+  Eigen::MatrixXf targets;       ///< output_count columns; 0 where the clip was not tried
+  Eigen::MatrixXf loss_weights;  ///< output_count columns; 0 where the clip was not tried
 };
 
-/// Returns the loss of one member network on the batch: the mean over observations of the mean over
-/// the tried clips of (output - target)^2 / 2. Sets `gradient` to its derivative by each weight.
-/// The order of summation depends only on the shape and the batch size.
-float network_loss(const NetworkShape& shape, const NetworkBatch& batch,
-                   const Eigen::VectorXf& weights, Eigen::VectorXf& gradient);
-
-/// Returns the outputs of the member network, one column per observation.
-Eigen::MatrixXf network_outputs(const NetworkShape& shape, const Eigen::MatrixXf& inputs,
-                                const Eigen::VectorXf& weights);
+/// Returns the derivative by each weight of the batch's loss: the sum over observations and clips
+/// of loss weight times (output - target)^2 / 2. Its bits depend neither on the kernels nor on the
+/// processor.
+Eigen::VectorXf network_gradient(const NetworkShape& shape, const NetworkBatch& batch,
+                                 const Eigen::VectorXf& weights, const Kernels& kernels);
 
 }  // namespace flinch::models

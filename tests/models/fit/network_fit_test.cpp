@@ -13,6 +13,7 @@
 #include "models/selector.h"
 #include "motion/error.h"
 #include "tests/models/fit/held_out.h"
+#include "tests/models/fit/kernel_sets.h"
 #include "tests/models/network_reference.h"
 #include "tests/models/training_sets.h"
 
@@ -21,36 +22,39 @@ namespace {
 
 constexpr NetworkShape kShape{4, 16, 3};
 
-/// Returns a batch of six observations, on each of which one clip was not tried.
+constexpr Eigen::Index kObservations = 6;
+
+/// Returns a batch of six observations, on each of which one clip was not tried, and ten rows of
+/// zeros.
 NetworkBatch random_batch(std::mt19937_64& random) {
-  NetworkBatch batch{Eigen::MatrixXf(4, 6), Eigen::MatrixXf(3, 6), Eigen::MatrixXf(3, 6)};
-  for (float& value : batch.inputs.reshaped())
-    value = static_cast<float>(random_point(random, 1)[0]);
-  for (float& value : batch.targets.reshaped())
-    value = static_cast<float>(random_point(random, 1)[0]);
-  batch.loss_weights.setConstant(0.5F);
-  for (int i = 0; i < 6; ++i) {
-    batch.loss_weights(i % 3, i) = 0;
-    batch.targets(i % 3, i) = 0;
+  NetworkBatch batch{Eigen::MatrixXf::Zero(16, 4), Eigen::MatrixXf::Zero(16, 3),
+                     Eigen::MatrixXf::Zero(16, 3)};
+  for (Eigen::Index i = 0; i < kObservations; ++i) {
+    for (float& value : batch.inputs.row(i)) value = static_cast<float>(random_point(random, 1)[0]);
+    for (Eigen::Index output = 0; output < 3; ++output) {
+      if (output == i % 3) continue;
+      batch.targets(i, output) = static_cast<float>(random_point(random, 1)[0]);
+      batch.loss_weights(i, output) = 0.5F;
+    }
   }
   return batch;
 }
 
-std::vector<double> column(const Eigen::MatrixXf& matrix, Eigen::Index i) {
-  return {matrix.col(i).begin(), matrix.col(i).end()};
+std::vector<double> row(const Eigen::MatrixXf& matrix, Eigen::Index i) {
+  return {matrix.row(i).begin(), matrix.row(i).end()};
 }
 
 double reference_loss(const NetworkBatch& batch, const std::vector<double>& weights) {
   double loss = 0;
-  for (Eigen::Index i = 0; i < batch.inputs.cols(); ++i) {
-    const auto answers = reference_outputs(kShape, weights, column(batch.inputs, i));
+  for (Eigen::Index i = 0; i < kObservations; ++i) {
+    const auto answers = reference_outputs(kShape, weights, row(batch.inputs, i));
     for (Eigen::Index output = 0; output < 3; ++output) {
       const double difference =
-          answers[static_cast<std::size_t>(output)] - double{batch.targets(output, i)};
-      loss += double{batch.loss_weights(output, i)} * difference * difference / 2;
+          answers[static_cast<std::size_t>(output)] - double{batch.targets(i, output)};
+      loss += double{batch.loss_weights(i, output)} * difference * difference / 2;
     }
   }
-  return loss / static_cast<double>(batch.inputs.cols());
+  return loss;
 }
 
 TEST(NetworkGradient, MatchesFiniteDifferences) {
@@ -62,8 +66,7 @@ TEST(NetworkGradient, MatchesFiniteDifferences) {
     weight = static_cast<float>(random_point(random, 1)[0]);
     weights.push_back(double{weight});
   }
-  Eigen::VectorXf gradient;
-  EXPECT_NEAR(network_loss(kShape, batch, floats, gradient), reference_loss(batch, weights), 1e-5);
+  const Eigen::VectorXf gradient = network_gradient(kShape, batch, floats, widest_kernels());
   for (std::size_t i = 0; i < weights.size(); ++i) {
     constexpr double kStep = 1e-6;
     std::vector<double> moved = weights;
@@ -136,6 +139,17 @@ TEST(NetworkFit, HasTheSameBitsForAnyNumberOfThreads) {
   NetworkParameters other = parameters;
   other.seed = 2;
   EXPECT_NE(fit_network(set, other).weights, alone.weights);
+}
+
+TEST(NetworkFit, HasTheSameBitsForAnyInstructionSet) {
+  const TrainingSet set = set_with_costs(90);
+  const NetworkParameters parameters{.hidden_count = 48, .member_count = 1, .epoch_count = 3};
+  const NetworkModel expected =
+      fit_network(set, parameters, *kernels_for(InstructionSet::baseline));
+  for (const Kernels* kernels : kernel_sets()) {
+    EXPECT_EQ(fit_network(set, parameters, *kernels).weights, expected.weights)
+        << kernels->instruction_set;
+  }
 }
 
 TEST(NetworkFit, IsValidatedOnHeldOutObservations) {
