@@ -10,12 +10,21 @@
 
 namespace flinch::program {
 
+namespace {
+
+// Paths may hold any bytes: what is not UTF-8 becomes U+FFFD.
+std::string text_of(const Json& document, int indent) {
+  return document.dump(indent, ' ', false, Json::error_handler_t::replace);
+}
+
+}  // namespace
+
 void print(const Json& document) {
-  std::cout << document.dump(2) << '\n';
+  std::cout << text_of(document, 2) << '\n';
 }
 
 void print_line(const Json& document) {
-  std::cout << document.dump() << std::endl;
+  std::cout << text_of(document, -1) << std::endl;
 }
 
 double rounded_degrees(double radians) {

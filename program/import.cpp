@@ -74,6 +74,16 @@ std::string clip_table(const database::ImportReport& report) {
   return table.text();
 }
 
+// Notes say which file they are about, if not in which line.
+void print_source_notes(const std::vector<database::SourceReport>& sources) {
+  for (const database::SourceReport& source : sources) {
+    for (const std::string& warning : source.warnings) {
+      const bool has_path = warning.starts_with(source.path + ":");
+      std::cout << "note: " << (has_path ? "" : source.path + ": ") << warning << '\n';
+    }
+  }
+}
+
 void print_text(const ImportOptions& options, const database::ImportResult& result) {
   if (options.verbose) {
     for (const database::SourceReport& source : result.report.sources)
@@ -86,6 +96,7 @@ void print_text(const ImportOptions& options, const database::ImportResult& resu
   }
   for (const database::SkippedFile& file : result.report.skipped)
     std::cout << "skipped " << file.path << ": " << file.reason << '\n';
+  if (!options.verbose) print_source_notes(result.report.sources);
   for (const std::string& warning : result.report.warnings)
     std::cout << "note: " << warning << '\n';
   const database::ClipLibrary& library = result.library;

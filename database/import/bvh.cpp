@@ -10,6 +10,7 @@
 #include "database/import/bvh_lexer.h"
 #include "database/import/bvh_motion.h"
 #include "database/import/file_io.h"
+#include "database/import/text_encoding.h"
 
 namespace flinch::database {
 namespace {
@@ -105,7 +106,11 @@ class HierarchyParser {
       lexer_.fail("joints nested more than " + std::to_string(kMaxDepth) + " deep");
     }
     BvhJoint joint;
-    joint.name = name;
+    joint.name = printable_text(name);
+    if (!is_utf8(name) && !std::exchange(has_guessed_encoding_, true)) {
+      bvh_.warnings.push_back(lexer_.where(line) + ": the name " + quoted(name) +
+                              " is not UTF-8; such names are read as Latin-1");
+    }
     joint.first_channel = bvh_.channel_count;
     if (!open_.empty()) {
       joint.parent = static_cast<int>(open_.back().index);
@@ -165,13 +170,22 @@ class HierarchyParser {
   void parse_end_site() {
     lexer_.rest_of_line();  // "Site", and sometimes a name that nothing refers to
     expect("{", "an End Site");
-    if (!equals_ignoring_case(lexer_.peek_word(), "OFFSET")) {
+    if (!accept("OFFSET")) {
       const std::string found = quoted(lexer_.peek_word());
       lexer_.fail("expected the OFFSET of an End Site, found " + found);
     }
-    lexer_.next_word();
     joint().end_sites.push_back(parse_vector());
+    if (accept("CHANNELS") && lexer_.next_whole_number("the number of channels") != 0) {
+      lexer_.fail("an End Site has CHANNELS, but only joints move; make it a JOINT");
+    }
     expect("}", "an End Site");
+  }
+
+  /// Moves past the next word if it is this one.
+  bool accept(std::string_view wanted) {
+    if (!equals_ignoring_case(lexer_.peek_word(), wanted)) return false;
+    lexer_.next_word();
+    return true;
   }
 
   Eigen::Vector3d parse_vector() {
@@ -190,6 +204,7 @@ class HierarchyParser {
   Bvh& bvh_;
   std::vector<OpenJoint> open_;
   std::set<std::string> names_;
+  bool has_guessed_encoding_ = false;
 };
 
 }  // namespace

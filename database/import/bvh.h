@@ -21,7 +21,7 @@ enum class BvhChannel : std::uint8_t {
 
 /// A joint as in the file, with its own name, units and axes.
 struct BvhJoint {
-  std::string name;
+  std::string name;                                  ///< see printable_text
   int parent = -1;                                   ///< index into Bvh::joints; -1 for the root
   Eigen::Vector3d offset = Eigen::Vector3d::Zero();  ///< from the parent, in the parent's frame
   std::vector<BvhChannel> channels;                  ///< in the file's order; may be empty
@@ -48,12 +48,15 @@ struct Bvh {
 
 /// Parses BVH text as found in practice: any channel order per joint, position channels on any
 /// joint, any whitespace and line ends, frames that span several lines, scientific notation, joints
-/// with no, one or several End Sites, keywords in any case, names with dots, colons or spaces, a
-/// byte-order mark. Does not depend on the locale. `path` is for messages only.
+/// with no, one or several End Sites, `CHANNELS 0`, keywords in any case, names with dots, colons
+/// or spaces, blank lines, comments (# or //), a byte-order mark. Where `Frames` is not the number
+/// of rows, or the last row is cut short, the whole rows are read, with a warning. Does not depend
+/// on the locale. `path` is for messages only.
 ///
 /// Throws Error "FILE:LINE: …" for anything ambiguous or invalid: text that is not BVH, no ROOT or
-/// several, a missing OFFSET, numbers that are not finite, counts that do not match the data.
-/// Memory is bounded by the size of the text, whatever its counts say.
+/// several, a missing OFFSET, numbers that are not finite, rows that do not match the CHANNELS,
+/// fewer than half of the declared rows. Memory is bounded by the size of the text, whatever its
+/// counts say.
 Bvh parse_bvh(std::string_view text, const std::string& path);
 
 /// The same from a file.

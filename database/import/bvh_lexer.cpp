@@ -7,6 +7,7 @@
 #include <system_error>
 #include <utility>
 
+#include "database/import/text_encoding.h"
 #include "motion/error.h"
 
 namespace flinch::database {
@@ -45,6 +46,11 @@ const char* past_line_end(const char* position, const char* end) {
   return carriage_return && position != end && *position == '\n' ? position + 1 : position;
 }
 
+bool begins_comment(const char* position, const char* end) {
+  const std::string_view rest = between(position, end);
+  return rest.starts_with('#') || rest.starts_with("//");
+}
+
 /// Parses a number up to a blank or the end. Returns its end; null if it is not a number that fits
 /// into a double.
 const char* parse_number(const char* first, const char* end, double& number) {
@@ -70,11 +76,22 @@ bool equals_ignoring_case(std::string_view one, std::string_view other) {
 std::string quoted(std::string_view word) {
   if (word.empty()) return "the end of the file";
   constexpr std::size_t kLongest = 40;
-  std::string text(word.substr(0, kLongest));
-  for (char& c : text) {
-    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) c = '?';
+  std::string_view start = word.substr(0, kLongest);
+  // Not in the middle of a character of UTF-8, which has at most four bytes.
+  for (int i = 0; i < 3 && is_utf8(word) && !is_utf8(start); ++i) start.remove_suffix(1);
+  std::string text = "`";
+  text += printable_text(start);
+  text += word.size() > kLongest ? "...`" : "`";
+  return text;
+}
+
+bool opens_as_bvh(std::string_view text) {
+  try {
+    const std::string_view before_zero = text.substr(0, text.find('\0'));
+    return equals_ignoring_case(BvhLexer(before_zero, "").next_word(), "HIERARCHY");
+  } catch (const Error&) {
+    return false;
   }
-  return "`" + text + (word.size() > kLongest ? "..." : "") + "`";
 }
 
 BvhLexer::BvhLexer(std::string_view text, std::string path)
@@ -91,12 +108,16 @@ BvhLexer::BvhLexer(std::string_view text, std::string path)
 }
 
 void BvhLexer::skip_blanks() {
-  while (!at_end() && is_blank(*position_)) {
+  while (!at_end()) {
     if (is_line_end(*position_)) {
       position_ = past_line_end(position_, end_);
       ++line_;
-    } else {
+    } else if (is_blank_on_line(*position_)) {
       ++position_;
+    } else if (begins_comment(position_, end_)) {
+      position_ = std::find_if(position_, end_, is_line_end);
+    } else {
+      return;
     }
   }
 }
@@ -160,7 +181,10 @@ bool BvhLexer::next_number_on_line(double& number) {
   while (!at_end() && is_blank_on_line(*position_)) ++position_;
   if (at_end() || is_line_end(*position_)) return false;
   const char* const last = parse_number(position_, end_, number);
-  if (last == nullptr) fail(not_a_number("a value of the motion", peek_word()));
+  if (last == nullptr) {
+    if (begins_comment(position_, end_)) return false;
+    fail(not_a_number("a value of the motion", peek_word()));
+  }
   position_ = last;
   return true;
 }

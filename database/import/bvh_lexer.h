@@ -8,7 +8,8 @@
 namespace flinch::database {
 
 /// Splits BVH text into words and numbers and tracks the line number. Lines end with LF, CRLF or
-/// CR. A byte-order mark is skipped. `text` must outlive the lexer.
+/// CR. A byte-order mark is skipped, and so is a comment: what follows # or // at the beginning of
+/// a word, to the end of the line. `text` must outlive the lexer.
 class BvhLexer {
  public:
   /// Throws Error when the text is empty, binary, or begins as UTF-16.
@@ -53,10 +54,14 @@ class BvhLexer {
   std::size_t line_ = 1;
 };
 
+/// Returns whether a text begins as BVH does: with HIERARCHY, after at most a byte-order mark,
+/// blank lines and comments.
+bool opens_as_bvh(std::string_view text);
+
 /// Returns whether two words are equal when the case of ASCII letters is ignored.
 bool equals_ignoring_case(std::string_view one, std::string_view other);
 
-/// Formats a word for a one-line message: in back quotes, shortened, without control characters;
+/// Formats a word for a one-line message: in back quotes, shortened, as printable_text;
 /// "the end of the file" for an empty one.
 std::string quoted(std::string_view word);
 

@@ -85,24 +85,43 @@ Declared parse_motion_header(BvhLexer& lexer, Bvh& bvh) {
                                 plural(declared.channels, "value") + " a frame");
 }
 
-[[noreturn]] void fail_with_too_few(const BvhLexer& lexer, std::size_t last_line,
-                                    std::size_t values, const Declared& declared) {
-  const std::size_t whole = values / declared.channels;
-  const std::size_t rest = values % declared.channels;
-  std::string what = "the file ends after " + plural(whole, "frame");
-  if (rest > 0) what += " and " + plural(rest, "value") + " of the next";
-  what += " of " + plural(declared.channels, "value") + ", but line " +
-          std::to_string(declared.frames_line) + " declares " + plural(declared.frames, "frame") +
-          "; get the whole file or correct that line";
-  lexer.fail_at(last_line, what);
+/// The rows that are there, when they are not as many as declared.
+struct Found {
+  std::size_t frames = 0;            ///< whole ones
+  std::size_t values_after = 0;      ///< of a frame that is not whole
+  std::size_t last_line = 0;         ///< of the motion
+  std::size_t first_line_after = 0;  ///< with values after the last declared frame; 0: none
+};
+
+std::string mismatch(const Found& found, const Declared& declared) {
+  std::string what = plural(found.frames, "whole frame");
+  if (found.values_after > 0) what += " and " + plural(found.values_after, "value") + " of another";
+  return what + " of " + plural(declared.channels, "value") + " are there, but line " +
+         std::to_string(declared.frames_line) + " declares " + plural(declared.frames, "frame");
 }
 
-[[noreturn]] void fail_with_too_many(const BvhLexer& lexer, std::size_t line,
-                                     const Declared& declared) {
-  lexer.fail_at(line, "values go on after the " + plural(declared.frames, "frame") + " of " +
-                          plural(declared.channels, "value") + " that line " +
-                          std::to_string(declared.frames_line) +
-                          " declares; correct that line, or the CHANNELS of the hierarchy");
+/// Whether the rows are beyond doubt, so that only the declared number is wrong or the last row cut
+/// short. Where most rows are missing, it is the file that is wrong.
+bool can_be_read(const Found& found, const FrameLines& lines, const Declared& declared) {
+  return lines.some_line_is_a_frame() && 2 * found.frames > declared.frames;
+}
+
+[[noreturn]] void fail_with_wrong_count(const BvhLexer& lexer, const Found& found,
+                                        const Declared& declared) {
+  if (found.first_line_after == 0) {
+    lexer.fail_at(found.last_line,
+                  mismatch(found, declared) + "; get the whole file or correct that line");
+  }
+  lexer.fail_at(
+      found.first_line_after,
+      mismatch(found, declared) + "; correct that line, or the CHANNELS of the hierarchy");
+}
+
+std::string note_on_wrong_count(const BvhLexer& lexer, const Found& found,
+                                const Declared& declared) {
+  return lexer.where(found.last_line) + ": " + mismatch(found, declared) +
+         "; the whole frames are read" +
+         (found.frames < declared.frames ? ", but the file may be cut short" : "");
 }
 
 }  // namespace
@@ -127,16 +146,23 @@ void parse_bvh_motion(BvhLexer& lexer, Bvh& bvh) {
     if (bvh.values.size() > expected && first_line_too_many == 0) first_line_too_many = last_line;
   } while (lexer.next_line());
 
-  const std::size_t found = bvh.values.size();
+  const std::size_t found_values = bvh.values.size();
   if (lines.crossing().line != 0) {
-    if (found != expected || lines.some_line_is_a_frame()) {
+    if (found_values != expected || lines.some_line_is_a_frame()) {
       fail_at_crossing(lexer, lines.crossing(), declared);
     }
     bvh.warnings.push_back(lexer.where(lines.crossing().line) +
                            ": lines break without regard to frames; read as one run of values");
   }
-  if (found < expected) fail_with_too_few(lexer, last_line, found, declared);
-  if (found > expected) fail_with_too_many(lexer, first_line_too_many, declared);
+  if (found_values == expected) return;
+  const Found found{.frames = found_values / declared.channels,
+                    .values_after = found_values % declared.channels,
+                    .last_line = last_line,
+                    .first_line_after = first_line_too_many};
+  if (!can_be_read(found, lines, declared)) fail_with_wrong_count(lexer, found, declared);
+  bvh.warnings.push_back(note_on_wrong_count(lexer, found, declared));
+  bvh.frame_count = static_cast<int>(found.frames);
+  bvh.values.resize(found.frames * declared.channels);
 }
 
 }  // namespace flinch::database

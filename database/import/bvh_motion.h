@@ -7,7 +7,8 @@
 namespace flinch::database {
 
 /// Parses what follows the word MOTION into `bvh`, whose hierarchy is complete: frame_time_s,
-/// frame_count, values, warnings. Throws Error.
+/// frame_count, values, warnings. Where each line is a frame and `Frames` is wrong or the last line
+/// cut short, reads the whole frames and adds a warning. Throws Error.
 void parse_bvh_motion(BvhLexer& lexer, Bvh& bvh);
 
 }  // namespace flinch::database

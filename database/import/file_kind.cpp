@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "database/import/bvh_lexer.h"
 #include "database/library/file_header.h"
 #include "motion/enum_array.h"
 
@@ -19,7 +20,6 @@ constexpr std::array kSignatures{
     FileSignature{kLibraryFormat.magic, FileKind::library},
     FileSignature{kSelectorFormat.magic, FileKind::selector},
     FileSignature{std::string_view("SQLite format 3\0", 16), FileKind::store},
-    FileSignature{"HIERARCHY", FileKind::bvh},
     FileSignature{"glTF", FileKind::gltf},
     FileSignature{"PK\x03\x04", FileKind::archive},
     FileSignature{"\x1F\x8B", FileKind::archive},
@@ -41,6 +41,7 @@ FileKind file_kind_of(std::string_view bytes) {
       std::find_if(kSignatures.begin(), kSignatures.end(),
                    [&](const FileSignature& known) { return bytes.starts_with(known.bytes); });
   if (opening != kSignatures.end()) return opening->kind;
+  if (opens_as_bvh(bytes)) return FileKind::bvh;
   const std::string_view start = bytes.substr(0, 512);
   return std::all_of(start.begin(), start.end(), is_text_byte) ? FileKind::text : FileKind::unknown;
 }

@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
 
 namespace flinch::database {
 
-/// Kind of a file, judged by its first bytes.
+/// Bytes from the beginning of a file that are enough to judge its kind.
+inline constexpr std::size_t kFileOpening = 64 * 1024;
+
+/// Kind of a file, judged by its first bytes. A BVH file may have blank lines and comments first.
 enum class FileKind : std::uint8_t {
   empty,
   library,

@@ -16,7 +16,7 @@ database::FileKind file_kind_at(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   if (!file)
     throw Error(path, std::string("cannot be read: ") + std::strerror(errno) + "; check the path");
-  std::string opening(512, '\0');
+  std::string opening(database::kFileOpening, '\0');
   file.read(opening.data(), static_cast<std::streamsize>(opening.size()));
   opening.resize(static_cast<std::size_t>(file.gcount()));
   return database::file_kind_of(opening);

@@ -83,6 +83,46 @@ TEST(Bvh, LineEndsBlanksAndMarksDoNotMatter) {
   expect_same_as_plain(plain + "\n \r\n");
 }
 
+TEST(Bvh, CommentsDoNotMatter) {
+  const std::string plain = kPlainBvh;
+  expect_same_as_plain("# by a tool\n\n // 2\n" + plain);
+  expect_same_as_plain("\xEF\xBB\xBF# by a tool\r\n" + plain);
+  expect_same_as_plain(replaced(plain, "MOTION\n", "# JOINT {\nMOTION // here\n"));
+  expect_same_as_plain(replaced(plain, "OFFSET 3.91 0 0", "OFFSET 3.91 0 0 # 1"));
+  expect_same_as_plain(replaced(plain, "1 2 3", "# 0 0 0\n1 2 3"));
+  expect_same_as_plain(replaced(plain, "12\n-1", "12 # frame 1\n-1"));
+  EXPECT_EQ(parse(replaced(plain, "JOINT Chest\n", "JOINT Chest #1\n")).joints[1].name, "Chest #1");
+}
+
+TEST(Bvh, WholeFramesAreReadWithAWarningWhereTheirNumberIsNotAsDeclared) {
+  const std::string plain = kPlainBvh;
+  const auto expect_frames = [](const std::string& text, int frames, const std::string& words) {
+    const Bvh bvh = parse(text);
+    EXPECT_EQ(bvh.frame_count, frames);
+    ASSERT_EQ(bvh.values.size(), static_cast<std::size_t>(12 * frames));
+    EXPECT_EQ(bvh.values[11], 12);
+    EXPECT_THAT(bvh.warnings, ElementsAre(AllOf(HasSubstr("test.bvh:"), HasSubstr(words))));
+  };
+  expect_frames(replaced(plain, "Frames: 2", "Frames: 3"), 2,
+                "test.bvh:25: 2 whole frames of 12 values are there, but line 22 declares 3 frames;"
+                " the whole frames are read, but the file may be cut short");
+  expect_frames(replaced(plain, "Frames: 2", "Frames: 1"), 2, "declares 1 frame;");
+  expect_frames(plain + "\n7\n", 2, "2 whole frames and 1 value of another");
+  const std::string row = "0 0 0 0 0 0 0 0 0 0 0 0\n";
+  expect_frames(replaced(plain, "Frames: 2", "Frames: 4") + row + "0 0 0\n", 3,
+                "3 whole frames and 3 values of another");
+}
+
+TEST(Bvh, ChannelsOfNoneAreNoChannels) {
+  const std::string plain = kPlainBvh;
+  expect_same_as_plain(replaced(plain, "OFFSET 0 4.5 0", "OFFSET 0 4.5 0\nCHANNELS 0"));
+  const std::string channels = "    CHANNELS 3 Zrotation Yrotation Xrotation\n";
+  const auto without = [&](const std::string& with) {
+    return replaced(replaced(replaced(plain, channels, with), " 7 8 9 ", " "), " -7 -8 -9 ", " ");
+  };
+  EXPECT_EQ(parse(without("    CHANNELS 0\n")).values, parse(without("")).values);
+}
+
 TEST(Bvh, KeywordsMayHaveAnyCase) {
   std::string text = kPlainBvh;
   for (const std::string word : {"HIERARCHY", "ROOT", "OFFSET", "CHANNELS", "JOINT", "End Site",
@@ -140,6 +180,15 @@ TEST(Bvh, NamesMayHoldDotsColonsBlanksAndOtherAlphabets) {
   EXPECT_EQ(name_of("JOINT End\n"), "End");
   EXPECT_EQ(parse(replaced(kPlainBvh, "JOINT Chest\n  {", "JOINT Chest {")).joints[1].name,
             "Chest");
+}
+
+TEST(Bvh, NamesThatAreNotUtf8AreReadAsLatin1WithAWarning) {
+  const Bvh bvh =
+      parse(replaced(replaced(kPlainBvh, "Chest", "K\xF6rper"), "LeftUpLeg", "\xFC\x1B"));
+  EXPECT_EQ(bvh.joints[1].name, "K\u00F6rper");
+  EXPECT_EQ(bvh.joints[2].name, "\u00FC?");
+  EXPECT_THAT(bvh.warnings, ElementsAre(AllOf(HasSubstr("test.bvh:6: "), HasSubstr("Latin-1"),
+                                              HasSubstr("`K\u00F6rper`"))));
 }
 
 TEST(Bvh, JointsMayHaveNoneOrManyEndSites) {

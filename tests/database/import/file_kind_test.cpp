@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#include "database/import/file_kind.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "tests/database/import/bvh_samples.h"
+
+namespace flinch::database {
+namespace {
+
+using tests::kPlainBvh;
+using tests::replaced;
+
+TEST(FileKind, BvhIsKnownWhateverComesBeforeItsFirstWord) {
+  const std::string plain = kPlainBvh;
+  const std::vector<std::string> openings{plain,
+                                          "\n\r\n \t\n" + plain,
+                                          "\xEF\xBB\xBF" + replaced(plain, "\n", "\r\n"),
+                                          "# by a tool\n\n# 2\n" + plain,
+                                          "hierarchy\nroot",
+                                          std::string(60000, '\n') + plain,
+                                          plain + std::string(9, '\0')};
+  for (const std::string& text : openings) {
+    EXPECT_EQ(file_kind_of(text), FileKind::bvh) << text.substr(0, 40);
+  }
+}
+
+TEST(FileKind, TextThatIsNotBvhIsText) {
+  for (const std::string text :
+       {"Dear Sir,\n", "\n\n", "# HIERARCHY\n", "HIERARCHYS", "MOTION\n"}) {
+    EXPECT_EQ(file_kind_of(text), FileKind::text) << text;
+  }
+  EXPECT_EQ(file_kind_of(""), FileKind::empty);
+}
+
+}  // namespace
+}  // namespace flinch::database
