@@ -5,7 +5,6 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <array>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -13,6 +12,7 @@
 #include <system_error>
 #include <utility>
 
+#include "database/library/input_file.h"
 #include "motion/error.h"
 
 namespace flinch::database {
@@ -83,30 +83,41 @@ void sync_folder_of(const std::string& path) {
   if (opened.number() >= 0) static_cast<void>(::fsync(opened.number()));
 }
 
-[[noreturn]] void fail_to_read(const std::string& path, int error) {
-  throw Error(path, std::string("cannot be read: ") + std::strerror(error) +
-                        (error == ENOENT ? "; check the path" : ""));
+/// Throws unless the file was read. `error` is errno of the failure.
+void require_read(LoadStatus status, const std::string& path, int error) {
+  std::error_code ignored;
+  switch (status) {
+    case LoadStatus::ok:
+      return;
+    case LoadStatus::cannot_open:
+      throw Error(path, std::string("cannot be read: ") + std::strerror(error) +
+                            (error == ENOENT ? "; check the path" : ""));
+    case LoadStatus::not_a_file:
+      if (std::filesystem::is_directory(path, ignored)) {
+        throw Error(path, "is a folder, not a file");
+      }
+      throw Error(path, "is a pipe or a device, not a file; write it to a file first");
+    case LoadStatus::too_large:
+      throw Error(path, "is larger than 1 GiB, which no input of Flinch is; check the path");
+    default:
+      throw Error(path, message_of(status));
+  }
 }
 
 }  // namespace
 
 std::string read_file(const std::string& path) {
-  const FileDescriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
-  if (file.number() < 0) fail_to_read(path, errno);
-  struct stat about {};
-  if (::fstat(file.number(), &about) != 0) fail_to_read(path, errno);
-  if (S_ISDIR(about.st_mode)) throw Error(path, "is a folder, not a file");
   std::string bytes;
-  if (about.st_size > 0) bytes.reserve(static_cast<std::size_t>(about.st_size));
-  // Reads to the end, whatever the reported size: pipes have none.
-  std::array<char, 1 << 16> chunk;
-  while (true) {
-    const ssize_t count = ::read(file.number(), chunk.data(), chunk.size());
-    if (count < 0 && errno == EINTR) continue;
-    if (count < 0) fail_to_read(path, errno);
-    if (count == 0) return bytes;
-    bytes.append(chunk.data(), static_cast<std::size_t>(count));
-  }
+  const LoadStatus status = read_bytes(path, bytes);
+  require_read(status, path, errno);
+  return bytes;
+}
+
+std::string read_file_start(const std::string& path, std::size_t size) {
+  std::string bytes;
+  const LoadStatus status = read_first_bytes(path, size, bytes);
+  require_read(status, path, errno);
+  return bytes;
 }
 
 void write_file_atomically(const std::string& path, std::string_view bytes) {

@@ -1,13 +1,19 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 
 namespace flinch::database {
 
-/// Returns a whole file's bytes. Throws Error when it is missing, is a directory or cannot be read.
+/// Returns a whole file's bytes, as database::read_bytes() reads them. Throws Error when it is
+/// missing, no regular file, larger than kMaxFileSize or cannot be read.
 std::string read_file(const std::string& path);
+
+/// Returns the first `size` bytes, or all if there are fewer, of a regular file of any size. Throws
+/// Error as read_file does.
+std::string read_file_start(const std::string& path, std::size_t size);
 
 /// Writes a file atomically: writes the bytes to "PATH.partial" on the same disk, flushes them to
 /// the disk, and only then renames the file, so that neither a full disk nor an interruption leaves

@@ -2,11 +2,6 @@
 #include "database/library/file_header.h"
 
 #include <algorithm>
-#include <cstdio>
-#include <filesystem>
-#include <memory>
-#include <new>
-#include <system_error>
 
 namespace flinch::database {
 namespace {
@@ -48,6 +43,7 @@ VerifiedFile verify_embedded_file(const FileFormat& kind,
 }
 
 VerifiedFile verify_file(const FileFormat& kind, std::span<const std::byte> file) noexcept {
+  if (file.size() > kMaxFileSize) return {.status = LoadStatus::too_large};
   const VerifiedFile unsealed = verify_embedded_file(kind, file);
   if (unsealed.status != LoadStatus::ok || unsealed.hash == content_hash(unsealed.content)) {
     return unsealed;
@@ -60,29 +56,6 @@ std::span<const std::byte> aligned(std::span<const std::byte> bytes,
   if (reinterpret_cast<std::uintptr_t>(bytes.data()) % alignof(std::max_align_t) == 0) return bytes;
   storage.assign(bytes.begin(), bytes.end());
   return storage;
-}
-
-LoadStatus read_bytes(const std::string& path, std::vector<std::byte>& bytes) noexcept try {
-  const auto close = [](std::FILE* file) { std::fclose(file); };
-  const std::unique_ptr<std::FILE, decltype(close)> file(std::fopen(path.c_str(), "rb"), close);
-  if (!file) return LoadStatus::cannot_open;
-  std::vector<std::byte> read;
-  constexpr std::size_t kChunk = 1 << 16;
-  std::error_code not_told;  // ignored: the size of a file that is not regular
-  const std::uintmax_t whole = std::filesystem::file_size(path, not_told);
-  if (!not_told) read.reserve(static_cast<std::size_t>(whole) + kChunk);
-  std::size_t count = kChunk;
-  while (count == kChunk) {
-    const std::size_t size = read.size();
-    read.resize(size + kChunk);
-    count = std::fread(read.data() + size, 1, kChunk, file.get());
-    read.resize(size + count);
-  }
-  if (std::ferror(file.get()) != 0) return LoadStatus::cannot_open;
-  bytes = std::move(read);
-  return LoadStatus::ok;
-} catch (const std::bad_alloc&) {
-  return LoadStatus::out_of_memory;
 }
 
 }  // namespace flinch::database

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "database/library/content_hash.h"
+#include "database/library/input_file.h"
 #include "database/library/load_status.h"
 
 namespace flinch::database {
@@ -41,7 +42,7 @@ struct VerifiedFile {
   std::uint64_t hash = 0;                   ///< of the content
   std::span<const std::byte> content = {};  ///< inside the file's bytes; empty unless ok
 };
-/// Verifies kind, version and content hash.
+/// Verifies size, kind, version and content hash.
 VerifiedFile verify_file(const FileFormat& kind, std::span<const std::byte> file) noexcept;
 
 /// The same for a file embedded in another file that has been verified: the other file's hash
@@ -52,8 +53,5 @@ VerifiedFile verify_embedded_file(const FileFormat& kind, std::span<const std::b
 /// aligned, otherwise copied to `storage`.
 std::span<const std::byte> aligned(std::span<const std::byte> bytes,
                                    std::vector<std::byte>& storage);
-
-/// Reads a whole file into `bytes`, which are aligned for FlatBuffers. Does not throw.
-LoadStatus read_bytes(const std::string& path, std::vector<std::byte>& bytes) noexcept;
 
 }  // namespace flinch::database

@@ -9,12 +9,16 @@ const char* message_of(LoadStatus status) noexcept {
       return "is sound";
     case LoadStatus::cannot_open:
       return "cannot be read";
+    case LoadStatus::not_a_file:
+      return "is no regular file";
+    case LoadStatus::too_large:
+      return "is larger than 1 GiB";
     case LoadStatus::not_a_library:
       return "is another kind of file";
     case LoadStatus::other_version:
       return "was written by another version of Flinch";
     case LoadStatus::damaged:
-      return "is damaged or cut short";
+      return "is damaged, cut short or holds a value out of bounds";
     case LoadStatus::other_layout:
       return "was trained on other features than this version of Flinch computes";
     case LoadStatus::without_clips:

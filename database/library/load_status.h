@@ -9,9 +9,11 @@ namespace flinch::database {
 enum class LoadStatus : std::uint8_t {
   ok,
   cannot_open,
+  not_a_file,     ///< a folder, a pipe or a device, which may never end
+  too_large,      ///< larger than kMaxFileSize (input_file.h)
   not_a_library,  ///< another kind of file than the one asked for
   other_version,  ///< written in another version of the format
-  damaged,        ///< cut short or changed: verification or the content hash fails
+  damaged,        ///< cut short, changed or out of bounds: the content hash or a check fails
   other_layout,   ///< a selector trained on features that this build does not compute
   without_clips,  ///< a selector whose file holds no clips
   out_of_memory,

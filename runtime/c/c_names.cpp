@@ -58,7 +58,11 @@ const char* flinch_status_message(flinch_status status) {
     case FLINCH_OTHER_VERSION:
       return "the selector was written by another version of Flinch: train it again";
     case FLINCH_DAMAGED:
-      return "the selector is damaged or cut short";
+      return "the selector is damaged, cut short or holds a value out of bounds";
+    case FLINCH_NOT_A_FILE:
+      return "the path names a folder, a pipe or a device, not a file";
+    case FLINCH_TOO_LARGE:
+      return "the file is larger than 1 GiB";
     case FLINCH_OTHER_LAYOUT:
       return "the selector was trained on other features than this version of Flinch computes";
     case FLINCH_WITHOUT_CLIPS:

@@ -64,6 +64,10 @@ flinch_status status_of(LoadStatus status) noexcept {
       return FLINCH_OK;
     case LoadStatus::cannot_open:
       return FLINCH_CANNOT_OPEN;
+    case LoadStatus::not_a_file:
+      return FLINCH_NOT_A_FILE;
+    case LoadStatus::too_large:
+      return FLINCH_TOO_LARGE;
     case LoadStatus::not_a_library:
       return FLINCH_NOT_A_SELECTOR;
     case LoadStatus::other_version:

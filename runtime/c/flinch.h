@@ -88,9 +88,11 @@ enum {
   FLINCH_CANNOT_OPEN = -20,
   FLINCH_NOT_A_SELECTOR = -21, /* another kind of file */
   FLINCH_OTHER_VERSION = -22,  /* of the file format */
-  FLINCH_DAMAGED = -23,        /* cut short, or changed */
+  FLINCH_DAMAGED = -23,        /* cut short, changed, or with a value out of bounds */
   FLINCH_OTHER_LAYOUT = -24,   /* trained on other features than this build computes */
-  FLINCH_WITHOUT_CLIPS = -25   /* a selector without its clips: train it again */
+  FLINCH_WITHOUT_CLIPS = -25,  /* a selector without its clips: train it again */
+  FLINCH_NOT_A_FILE = -26,     /* a folder, a pipe or a device */
+  FLINCH_TOO_LARGE = -27       /* larger than 1 GiB */
 };
 
 /* The status in words: one line of English without a full stop. Never NULL, for any number. */

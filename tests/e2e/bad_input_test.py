@@ -3,6 +3,7 @@
 """For bad input, the program prints one line that says what is wrong and leaves no partial file."""
 
 import itertools
+import os
 import re
 import unittest
 
@@ -52,13 +53,17 @@ class BadInput(ProgramTest):
             path.write_text(content)
         return path
 
+    def contents(self):
+        """Returns the start of each file in the folder: all of it, but for one of holes."""
+        return {p: p.open("rb").read(1 << 24) for p in self.folder.iterdir() if p.is_file()}
+
     def refuse(self, code, expected, *arguments):
         """Expects that the command fails with this code and message and writes nothing."""
-        before = {p: p.read_bytes() for p in self.folder.iterdir() if p.is_file()}
+        before = self.contents()
         line = self.fail_with(code, *arguments)
         for words in [expected] if isinstance(expected, str) else expected:
             self.assertIn(words, line)
-        after = {p: p.read_bytes() for p in self.folder.iterdir() if p.is_file()}
+        after = self.contents()
         self.assertEqual(after, before, arguments)
         type(self).cases += 1
 
@@ -89,6 +94,29 @@ class BadInput(ProgramTest):
             for what, command in self.readers(path).items():
                 with self.subTest(file=name, read_as=what):
                     self.refuse(1, [str(path), words], *command)
+
+    def test_inputs_that_never_end(self):
+        fifo = self.folder / "fifo"
+        os.mkfifo(fifo)
+        sparse = self.file("sparse.bvh", "HIERARCHY\n")
+        with sparse.open("r+b") as file:
+            file.truncate(1 << 42)  # of holes
+        endless = {
+            "fifo": (fifo, "is a pipe or a device"),
+            "device": ("/dev/zero", "is a pipe or a device"),
+        }
+        for name, (path, words) in endless.items():
+            commands = {**self.readers(path),
+                        "BVH": ["import", path, "--out", self.out],
+                        "manifest": ["import", self.folder, "--manifest", path, "--out", self.out],
+                        "character": ["author", "--character", path, "--out", self.out]}
+            for what, command in commands.items():
+                with self.subTest(file=name, read_as=what):
+                    self.refuse(1, [str(path), words], *command)
+        sizes = {p: p.stat().st_size for p in self.folder.iterdir()}
+        line = self.fail_with(1, "import", sparse, "--out", self.out)
+        self.assertIn("larger than 1 GiB", line)
+        self.assertEqual({p: p.stat().st_size for p in self.folder.iterdir()}, sizes)
 
     def test_one_kind_of_file_for_another(self):
         self.make_store_and_selector()

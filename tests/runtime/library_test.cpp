@@ -80,7 +80,7 @@ TEST(Library, FailedLoadLeavesItUnchanged) {
   Library library;
   ASSERT_EQ(library.load(bytes_of(whole_file())), LoadStatus::ok);
   EXPECT_EQ(library.load("no such file"), LoadStatus::cannot_open);
-  EXPECT_EQ(library.load("/"), LoadStatus::cannot_open);
+  EXPECT_EQ(library.load("/"), LoadStatus::not_a_file);
   EXPECT_EQ(library.load(bytes_of("HIERARCHY")), LoadStatus::not_a_library);
   EXPECT_EQ(library.load(made_up().library_bytes()), LoadStatus::not_a_library);
   EXPECT_EQ(library.load(bytes_of(train::selector_bytes(made_up().selector))),

@@ -8,7 +8,7 @@
 namespace flinch::train {
 
 /// Returns the kind of the file at a path, from its first bytes, whatever its size. Throws Error if
-/// it is missing, is a folder or cannot be read.
+/// it is missing, no regular file or cannot be read.
 database::FileKind file_kind_at(const std::string& path);
 
 }  // namespace flinch::train

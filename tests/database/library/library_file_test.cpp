@@ -132,7 +132,7 @@ TEST(LibraryFile, StatusNamesTheProblem) {
   const std::string bytes = library_bytes(random_library(3, 2));
   ClipLibrary library;
   EXPECT_EQ(read_library("no/such/file", library), LoadStatus::cannot_open);
-  EXPECT_EQ(read_library(FLINCH_SOURCE_DIR, library), LoadStatus::cannot_open);
+  EXPECT_EQ(read_library(FLINCH_SOURCE_DIR, library), LoadStatus::not_a_file);
   EXPECT_EQ(read("", library), LoadStatus::not_a_library);
   EXPECT_EQ(read("HIERARCHY\nROOT Hips", library), LoadStatus::not_a_library);
   std::string other = bytes;

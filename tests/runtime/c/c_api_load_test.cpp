@@ -15,7 +15,7 @@ using tests::selector_file;
 TEST(CApiLoad, ReportsWhatIsWrongWithAFile) {
   flinch_library* library = nullptr;
   EXPECT_EQ(flinch_library_load("no such file", &library), FLINCH_CANNOT_OPEN);
-  EXPECT_EQ(flinch_library_load("/", &library), FLINCH_CANNOT_OPEN);
+  EXPECT_EQ(flinch_library_load("/", &library), FLINCH_NOT_A_FILE);
   EXPECT_EQ(flinch_library_load(FLINCH_SOURCE_DIR "/README.md", &library), FLINCH_NOT_A_SELECTOR);
   EXPECT_EQ(flinch_library_load_memory("", 0, &library), FLINCH_NOT_A_SELECTOR);
   const tests::MadeUpSelector made = tests::made_up_selector(
