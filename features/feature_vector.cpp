@@ -51,11 +51,14 @@ FeatureVector to_vector(const Features& features) {
           f.ahead_x,     f.ahead_y,      f.ahead_facing_sin, f.ahead_facing_cos};
 }
 
+// A float can hold it.
+constexpr double kMaxScaled = 1e30;
+
 void Scaling::apply(std::span<const float> raw, std::span<double> scaled) const {
   for (std::size_t i = 0; i < scaled.size(); ++i) {
     const double range = max[i] - min[i];
     const double value = range > 0 ? -1 + 2 * (static_cast<double>(raw[i]) - min[i]) / range : 0;
-    scaled[i] = static_cast<double>(static_cast<float>(value));
+    scaled[i] = static_cast<double>(static_cast<float>(std::clamp(value, -kMaxScaled, kMaxScaled)));
   }
 }
 

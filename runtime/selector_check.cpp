@@ -11,6 +11,7 @@
 #include <set>
 #include <span>
 
+#include "database/library/library_bounds.h"
 #include "models/pair_index.h"
 #include "runtime/selector_file.h"
 
@@ -33,17 +34,18 @@ bool are_rising_clips(std::span<const int> clips, std::size_t clip_count) {
 }
 
 bool is_part_sound(const models::ClipSummary& clip) {
-  if (!clip.annotation) return true;
-  const motion::Annotation& annotation = *clip.annotation;
-  return static_cast<int>(annotation.target) < motion::kTargetCount &&
-         annotation.degree <= motion::Degree::exaggerated && std::isfinite(annotation.direction) &&
-         std::isfinite(annotation.onset_s) && std::isfinite(annotation.peak_s) &&
-         std::isfinite(annotation.end_s);
+  return database::fault_of_name(clip.name) == nullptr &&
+         (!clip.annotation ||
+          database::fault_of(*clip.annotation, database::kMaxTime_s) == nullptr);
 }
 
 bool is_part_sound(const features::Scaling& scaling, std::size_t feature_count) {
+  // Bounded, so that no range is infinite. No feature of a real scene comes near.
+  constexpr double kMaxFeature = 1e12;
+  const auto is_bounded = [](double x) { return std::abs(x) <= kMaxFeature; };
   return scaling.min.size() == feature_count && scaling.max.size() == feature_count &&
-         all_finite(scaling.min) && all_finite(scaling.max) &&
+         std::ranges::all_of(scaling.min, is_bounded) &&
+         std::ranges::all_of(scaling.max, is_bounded) &&
          std::equal(scaling.min.begin(), scaling.min.end(), scaling.max.begin(),
                     [](double least, double most) { return least <= most; });
 }
@@ -176,12 +178,15 @@ bool is_sound(const models::Selector& selector) {
   const std::size_t clip_count = selector.clips.size();
   const auto feature_count = static_cast<std::size_t>(selector.layout.size());
   const auto is_clip_sound = [](const models::ClipSummary& clip) { return is_part_sound(clip); };
-  const auto is_finite = [](const Eigen::Vector3f& vector) { return vector.allFinite(); };
+  const auto is_near = [](const Eigen::Vector3f& place) {
+    return (place.array().abs() <= database::kMaxDistance_m).all();  // false for not-a-number
+  };
   return selector.idle >= 0 && static_cast<std::size_t>(selector.idle) < clip_count &&
+         clip_count <= database::kMaxClips &&
          std::all_of(selector.clips.begin(), selector.clips.end(), is_clip_sound) &&
          feature_count > 0 && is_part_sound(selector.scaling, feature_count) &&
          selector.brawn >= 0 && selector.brawn <= 1 &&
-         std::all_of(selector.target_centres.begin(), selector.target_centres.end(), is_finite) &&
+         std::all_of(selector.target_centres.begin(), selector.target_centres.end(), is_near) &&
          std::visit(
              [&](const auto& model) { return is_part_sound(model, clip_count, feature_count); },
              selector.model);

@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "database/library/library_bounds.h"
+#include "database/library/unfolded_size.h"
 #include "selector_generated.h"
 
 namespace flinch::runtime {
@@ -101,6 +103,36 @@ models::PairwiseModel read_model(const schema::PairwiseLinear& stored, int featu
           .weights = to_vector(*stored.weights())};
 }
 
+using database::UnfoldedSize;
+
+void add_vectors(const schema::Svm& svm, UnfoldedSize& unfolded) {
+  unfolded.add(svm.label()).add(svm.vectors_of_class()).add(svm.bound());
+  unfolded.add(svm.support_vectors()).add(svm.rho()).add(svm.counts());
+  unfolded.add(svm.vectors()).add(svm.coefficients());
+}
+
+/// Whether counts are within their bounds, and no more is read than the file holds.
+bool has_bounded_size(const schema::Selector& stored, std::size_t content_size) {
+  if (stored.clips()->size() > database::kMaxClips ||
+      stored.feature_names()->size() > features::kMaxFeatures) {
+    return false;
+  }
+  UnfoldedSize unfolded;
+  for (const schema::Clip* clip : *stored.clips()) unfolded.add(clip->name());
+  for (const flatbuffers::String* name : *stored.feature_names()) unfolded.add(name);
+  unfolded.add(stored.least()).add(stored.most()).add(stored.library());
+  if (const schema::Svm* svm = stored.model_as_Svm()) {
+    add_vectors(*svm, unfolded);
+  } else if (const schema::Knn* knn = stored.model_as_Knn()) {
+    unfolded.add(knn->points()).add(knn->label()).add(knn->cost());
+  } else if (const schema::Network* network = stored.model_as_Network()) {
+    unfolded.add(network->clip()).add(network->weights());
+  } else if (const schema::PairwiseLinear* pairwise = stored.model_as_PairwiseLinear()) {
+    unfolded.add(pairwise->clip()).add(pairwise->machine()).add(pairwise->weights());
+  }
+  return unfolded.is_within(content_size);
+}
+
 /// Returns nothing unless this build computes every feature.
 std::optional<features::Layout> read_layout(const schema::Selector& stored) {
   std::vector<std::string> names;
@@ -162,6 +194,7 @@ LoadStatus read_selector_file(std::span<const std::byte> bytes, SelectorFile& fi
                                  unsealed.content.size());
   if (!schema::VerifySelectorBuffer(verifier)) return LoadStatus::damaged;
   const schema::Selector& stored = *schema::GetSelector(unsealed.content.data());
+  if (!has_bounded_size(stored, unsealed.content.size())) return LoadStatus::damaged;
   const std::optional<features::Layout> layout = read_layout(stored);
   if (!layout) return LoadStatus::other_layout;
   SelectorFile read;

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "database/import/manifest.h"
+#include "database/library/text_check.h"
 #include "motion/error.h"
 #include "motion/mirror.h"
 
@@ -130,7 +131,7 @@ void add_clip(const ManifestEntry& entry, const LoadedSource& loaded, ImportResu
   clip.name = entry.name;
   clip.purpose = entry.purpose;
   clip.kind = entry.kind;
-  clip.source = entry.file;
+  clip.source = printable(entry.file);
   clip.motion = retarget(loaded.motion, skeleton, segment, library.rate_hz);
   if (entry.annotation) {
     clip.annotation = annotation_in(entry, segment, clip.motion.duration_s());
@@ -241,7 +242,7 @@ std::vector<FoundFile> find_files(const std::vector<std::string>& paths) {
 
 ManifestEntry whole_file(const FoundFile& file) {
   ManifestEntry entry;
-  entry.name = file.name;
+  entry.name = printable(file.name);
   entry.file = file.path;
   entry.where = file.path;
   return entry;
@@ -263,7 +264,7 @@ ImportResult import_without_manifest(const std::vector<std::string>& paths,
   }
   SourceSet sources;
   Manifest manifest;
-  manifest.name = fs::path(paths.front()).filename().replace_extension().string();
+  manifest.name = printable(fs::path(paths.front()).filename().replace_extension().string());
   if (manifest.name.empty()) manifest.name = "library";
   std::vector<std::string> entry_paths;
   std::vector<SkippedFile> skipped;

@@ -9,6 +9,7 @@
 #include "database/import/file_kind.h"
 #include "database/library/library_file.h"
 #include "database/library/library_layout.h"
+#include "database/library/text_check.h"
 #include "library_generated.h"
 #include "motion/error.h"
 
@@ -81,8 +82,8 @@ void store(FlatBufferBuilder& builder, const ClipLibrary& library) {
                                      static_cast<std::uint32_t>(library.idle), clips));
 }
 
-// FlatBuffers is limited to 2 GiB; half of that leaves room for everything except poses.
-constexpr std::size_t kMaxPoses = (std::size_t{1} << 30) / (kFloatsPerPose * sizeof(float));
+// Half of the largest file that is read leaves room for everything except poses.
+constexpr std::size_t kMaxLibraryPoses = kMaxFileSize / 2 / (kFloatsPerPose * sizeof(float));
 
 std::size_t poses_in(const ClipLibrary& library) {
   std::size_t count = 0;
@@ -92,19 +93,19 @@ std::size_t poses_in(const ClipLibrary& library) {
 
 std::string text_of(const ClipLibrary& library, const LibraryFault& fault) {
   if (!fault.clip) return fault.what;
-  return "clip " + std::to_string(*fault.clip) + " (" + library.clips[*fault.clip].name + ") " +
-         fault.what;
+  return "clip " + std::to_string(*fault.clip) + " (" + printable(library.clips[*fault.clip].name) +
+         ") " + fault.what;
 }
 
 }  // namespace
 
 std::string library_bytes(const ClipLibrary& library) {
-  const std::string where = "library " + library.name;
+  const std::string where = "library " + printable(library.name);
   if (const auto fault = fault_of(library)) {
     throw Error(where, "cannot be written: " + text_of(library, *fault));
   }
-  if (poses_in(library) > kMaxPoses) {
-    throw Error(where, "cannot be written: holds more than " + std::to_string(kMaxPoses) +
+  if (poses_in(library) > kMaxLibraryPoses) {
+    throw Error(where, "cannot be written: holds more than " + std::to_string(kMaxLibraryPoses) +
                            " poses; split it");
   }
   FlatBufferBuilder builder;

@@ -7,7 +7,10 @@
 #include <set>
 #include <string_view>
 
+#include "database/library/library_bounds.h"
 #include "database/library/library_file.h"
+#include "database/library/text_check.h"
+#include "motion/skeleton.h"
 
 namespace flinch::database {
 namespace {
@@ -19,8 +22,13 @@ using motion::Pose;
 constexpr float kTimeTolerance_s = 1e-4F;
 constexpr float kDirectionTolerance = 1e-4F;
 
-bool is_above_zero(float number) {
-  return std::isfinite(number) && number > 0;
+/// False for not-a-number.
+bool is_in(float number, float min, float max) {
+  return number >= min && number <= max;
+}
+
+bool is_within(const Eigen::Vector3f& vector, float max) {
+  return (vector.array().abs() <= max).all();  // false for not-a-number
 }
 
 bool is_direction(float direction) {
@@ -31,49 +39,108 @@ bool is_direction(float direction) {
          std::abs(sectors - nearest) * kSector <= kDirectionTolerance;
 }
 
-const char* fault_of(const Annotation& annotation, float duration_s) {
-  if (static_cast<int>(annotation.target) >= motion::kTargetCount) return "has an unknown target";
-  if (annotation.degree > motion::Degree::exaggerated) return "has an unknown degree";
-  if (!is_direction(annotation.direction)) return "has a direction that is not one of the eight";
-  const bool in_order = annotation.onset_s >= 0 && annotation.onset_s < annotation.peak_s &&
-                        annotation.peak_s <= annotation.end_s &&
-                        annotation.end_s <= duration_s + kTimeTolerance_s;
-  return in_order ? nullptr : "breaks 0 <= onset < peak <= end <= duration";
+bool is_text(std::string_view text, std::size_t max_size) {
+  return text.size() <= max_size && is_printable(text);
+}
+
+bool is_within_bounds(const Pose& pose) {
+  return is_sound(pose) && is_within(pose.root_position, kMaxDistance_m);
 }
 
 const char* fault_of(const Clip& clip, float rate_hz) {
-  if (clip.name.empty()) return "has no name";
+  if (const char* what = fault_of_name(clip.name)) return what;
+  if (!is_text(clip.kind, kMaxNameSize) || !is_text(clip.mirrored_from, kMaxNameSize) ||
+      !is_text(clip.source, kMaxSourceSize)) {
+    return "has a kind or source that is too long, not UTF-8 or has control characters";
+  }
   if (clip.purpose > motion::Purpose::push) return "has an unknown purpose";
   if (clip.motion.rate_hz != rate_hz) return "has another rate than its library";
   if (clip.motion.poses.empty()) return "has no poses";
-  if (!std::ranges::all_of(clip.motion.poses, [](const Pose& pose) { return is_sound(pose); })) {
-    return "has a pose with a number that is not finite or a rotation that is not a unit one";
+  if (clip.motion.poses.size() > kMaxPoses) return "has more than a million poses";
+  if (!std::ranges::all_of(clip.motion.poses, is_within_bounds)) {
+    return "has a pose with a number that is not finite, a rotation that is not a unit one or a "
+           "root farther than 1 km away";
   }
-  return clip.annotation ? fault_of(*clip.annotation, clip.motion.duration_s()) : nullptr;
+  return clip.annotation ? database::fault_of(*clip.annotation, clip.motion.duration_s()) : nullptr;
+}
+
+/// Whether the figure's bodies, whose sizes follow from these lengths, have sizes above 0.
+const char* fault_of(const motion::Skeleton& skeleton) {
+  using motion::Role;
+  const auto is_bone = [](const Eigen::Vector3f& bone) {
+    return bone.allFinite() && bone.norm() <= kMaxBone_m;
+  };
+  if (!std::ranges::all_of(skeleton.tip, is_bone) ||
+      !std::all_of(skeleton.offset.begin() + 1, skeleton.offset.end(), is_bone) ||
+      !is_within(skeleton.offset[Role::pelvis], kMaxStature_m)) {
+    return "the skeleton has a bone that is not finite or longer than 5 m";
+  }
+  for (const Role role :
+       {Role::left_forearm, Role::left_hand, Role::right_forearm, Role::right_hand, Role::left_shin,
+        Role::left_foot, Role::right_shin, Role::right_foot}) {
+    if (!(skeleton.offset[role].norm() >= kMinLimb_m)) {
+      return "the skeleton has an arm or leg shorter than 1 cm";
+    }
+  }
+  const motion::JointFrames rest =
+      motion::forward_kinematics(skeleton, motion::rest_pose(skeleton));
+  const auto breadth = [&rest](Role left, Role right) {
+    return rest.position[left].y() - rest.position[right].y();
+  };
+  if (!(breadth(Role::left_upper_arm, Role::right_upper_arm) >= kMinBreadth_m) ||
+      !(breadth(Role::left_thigh, Role::right_thigh) >= kMinBreadth_m)) {
+    return "the skeleton's left shoulder or hip is not to the left of the right one";
+  }
+  const float stature = rest.position[Role::head].z() + skeleton.tip[Role::head].z();
+  return is_in(stature, kMinStature_m, kMaxStature_m)
+             ? nullptr
+             : "the skeleton is not between 0.2 m and 20 m tall";
 }
 
 }  // namespace
 
+const char* fault_of_name(std::string_view name) {
+  if (name.empty()) return "has no name";
+  return is_text(name, kMaxNameSize)
+             ? nullptr
+             : "has a name that is longer than 255 bytes, not UTF-8 or has control characters";
+}
+
+const char* fault_of(const Annotation& annotation, float duration_s) {
+  if (static_cast<int>(annotation.target) >= motion::kTargetCount) return "has an unknown target";
+  if (annotation.degree > motion::Degree::exaggerated) return "has an unknown degree";
+  if (!is_direction(annotation.direction)) return "has a direction that is not one of the eight";
+  const bool in_order =
+      annotation.onset_s >= 0 && annotation.peak_s - annotation.onset_s >= kMinRise_s &&
+      annotation.peak_s <= annotation.end_s && annotation.end_s <= duration_s + kTimeTolerance_s;
+  return in_order ? nullptr
+                  : "breaks 0 <= onset < peak <= end <= duration, with 1 ms from onset to peak";
+}
+
 const char* fault_of(const motion::Physique& character) {
-  const auto is_finite = [](const Eigen::Vector3f& vector) { return vector.allFinite(); };
-  const motion::Skeleton& skeleton = character.skeleton;
-  if (!std::all_of(skeleton.offset.begin(), skeleton.offset.end(), is_finite) ||
-      !std::all_of(skeleton.tip.begin(), skeleton.tip.end(), is_finite)) {
-    return "the skeleton has a number that is not finite";
+  if (const char* what = fault_of(character.skeleton)) return what;
+  if (!is_in(character.mass_kg, kMinMass_kg, kMaxMass_kg)) {
+    return "the character's mass is not between 1 kg and 1000 kg";
   }
-  if (!is_above_zero(character.mass_kg)) return "the character's mass is not above 0";
   if (character.sex > motion::Sex::male) return "the character's sex is unknown";
   return nullptr;
 }
 
 std::optional<LibraryFault> fault_of(const ClipLibrary& library) {
   const auto whole = [](const char* what) { return LibraryFault{std::nullopt, what}; };
-  if (library.name.empty()) return whole("the library has no name");
-  if (!is_above_zero(library.rate_hz)) return whole("the rate is not above 0");
+  if (fault_of_name(library.name) != nullptr) {
+    return whole(
+        "the library has no name, or one that is too long, not UTF-8 or has control "
+        "characters");
+  }
+  if (!is_in(library.rate_hz, kMinRate_hz, kMaxRate_hz)) {
+    return whole("the rate is not between 1 Hz and 1000 Hz");
+  }
   if (const char* what = fault_of(library.character)) return whole(what);
   if (library.idle < 0 || static_cast<std::size_t>(library.idle) >= library.clips.size()) {
     return whole("there is no idle clip");
   }
+  if (library.clips.size() > kMaxClips) return whole("there are more than 10,000 clips");
   std::set<std::string_view> names;
   for (std::size_t i = 0; i < library.clips.size(); ++i) {
     const Clip& clip = library.clips[i];

@@ -5,8 +5,8 @@
 
 namespace flinch::database {
 
-/// Returns what is wrong with a character: a number that is not finite, a mass that is not above 0,
-/// or an unknown sex. Returns null if nothing is wrong.
+/// Returns what is wrong with a character: a bone, a stature, a breadth or a mass that is not
+/// within the bounds of library_bounds.h, or an unknown sex. Returns null if nothing is wrong.
 const char* fault_of(const motion::Physique& character);
 
 }  // namespace flinch::database

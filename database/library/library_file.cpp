@@ -6,7 +6,9 @@
 #include <utility>
 #include <vector>
 
+#include "database/library/library_bounds.h"
 #include "database/library/library_layout.h"
+#include "database/library/unfolded_size.h"
 #include "library_generated.h"
 
 namespace flinch::database {
@@ -75,6 +77,18 @@ bool read_clip(const schema::Clip& stored, float rate_hz, motion::Clip& clip) {
   return read_poses(*stored.poses(), clip.motion.poses);
 }
 
+/// Whether counts are within their bounds, and no more is read than the file holds.
+bool has_bounded_size(const schema::Library& stored, std::size_t content_size) {
+  if (stored.clips()->size() > kMaxClips) return false;
+  UnfoldedSize unfolded;
+  unfolded.add(stored.name()).add(stored.character()->offsets()).add(stored.character()->tips());
+  for (const schema::Clip* clip : *stored.clips()) {
+    unfolded.add(clip->name()).add(clip->kind()).add(clip->source());
+    unfolded.add(clip->mirrored_from()).add(clip->poses());
+  }
+  return unfolded.is_within(content_size);
+}
+
 /// Checks what the schema's own verification does not: sizes of vectors.
 bool read_stored(const schema::Library& stored, ClipLibrary& library) {
   const schema::Character& character = *stored.character();
@@ -101,8 +115,10 @@ LoadStatus read_unsealed(const VerifiedFile& file, ClipLibrary& library) {
   flatbuffers::Verifier verifier(reinterpret_cast<const std::uint8_t*>(file.content.data()),
                                  file.content.size());
   if (!schema::VerifyLibraryBuffer(verifier)) return LoadStatus::damaged;
+  const schema::Library& stored = *schema::GetLibrary(file.content.data());
   ClipLibrary read;
-  if (!read_stored(*schema::GetLibrary(file.content.data()), read) || fault_of(read)) {
+  if (!has_bounded_size(stored, file.content.size()) || !read_stored(stored, read) ||
+      fault_of(read)) {
     return LoadStatus::damaged;
   }
   read.hash = file.hash;

@@ -28,10 +28,10 @@ struct LibraryFault {
   const char* what = "";
 };
 
-/// Returns the first violated invariant, if any. Names are not empty, and clip names are unique;
-/// rate and mass are above 0; the idle clip is one of the clips; every clip has at least one pose
-/// and the library's rate; numbers are finite; rotations are unit (to 1e-3); annotations are in
-/// their ranges (times to 0.1 ms, see motion::Annotation).
+/// Returns the first violated invariant, if any. Clip names are unique; the idle clip is one of the
+/// clips; every clip has at least one pose and the library's rate; rotations are unit (to 1e-3);
+/// annotations are in their ranges (times to 0.1 ms, see motion::Annotation); all numbers, counts
+/// and texts are within the bounds of library_bounds.h.
 std::optional<LibraryFault> fault_of(const ClipLibrary& library);
 
 }  // namespace flinch::database

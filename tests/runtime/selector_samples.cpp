@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "tests/runtime/selector_samples.h"
 
+#include <numbers>
+
 #include "models/fit/knn_fit.h"
 #include "models/fit/network_fit.h"
 #include "models/fit/pairwise_linear_fit.h"
@@ -27,7 +29,8 @@ Selector selector_without_model() {
   for (int clip = 0; clip < 7; ++clip) {
     selector.clips.push_back({"clip \"" + std::to_string(clip) + "\"",
                               motion::Annotation{.target = static_cast<Target>(clip % 4),
-                                                 .direction = -0.1F * static_cast<float>(clip),
+                                                 .direction = -std::numbers::pi_v<float> / 4 *
+                                                              static_cast<float>(clip % 4),
                                                  .degree = motion::Degree::exaggerated,
                                                  .onset_s = 1.0F / 3,
                                                  .peak_s = 2.0F / 3,

@@ -22,4 +22,10 @@ inline int samples(int all) {
   return draws_fewer_samples() ? std::max(all / 10, 1) : all;
 }
 
+/// Returns how many samples a test draws that scripts/soak lets draw `soak` of them, by
+/// FLINCH_SOAK.
+inline int soak_samples(int gate, int soak) {
+  return std::getenv("FLINCH_SOAK") != nullptr ? soak : samples(gate);
+}
+
 }  // namespace flinch::tests
