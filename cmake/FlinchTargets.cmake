@@ -15,6 +15,9 @@ if(FLINCH_SANITIZE)
     target_compile_options(flinch_flags INTERFACE -fno-sanitize=null,object-size)
   endif()
   target_link_options(flinch_flags INTERFACE -fsanitize=${FLINCH_SANITIZE})
+else()  # sanitizers find more than these, and the two do not mix
+  target_compile_options(flinch_flags INTERFACE -fstack-protector-strong
+    $<$<NOT:$<CONFIG:Debug>>:-U_FORTIFY_SOURCE;-D_FORTIFY_SOURCE=2>)  # needs an optimizing compiler
 endif()
 
 # What tests are compiled with beside: they wait for the compiler longer than they run.
