@@ -28,8 +28,11 @@ Lanes sums_of_squares(std::size_t feature_count, const Difference& difference) {
     c += difference(feature, at + 8).square();
     d += difference(feature, at + 12).square();
   }
-  Lanes sums;
-  sums << a, b, c, d;
+  Lanes sums;  // not by <<, whose blocks have no fixed size: eight lanes would read beyond a
+  sums.segment<4>(0) = a;
+  sums.segment<4>(4) = b;
+  sums.segment<4>(8) = c;
+  sums.segment<4>(12) = d;
   return sums;
 }
 

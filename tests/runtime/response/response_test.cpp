@@ -280,9 +280,9 @@ TEST(Response, OfBadInputIsInvalidAndSafe) {
   features::CharacterState lost = kState;
   lost.position.x() = kNan;
   database::ClipLibrary disordered = authored();
-  disordered.clips[kDuck].annotation->peak_s = -0.05F;
+  disordered.clips[static_cast<std::size_t>(kDuck)].annotation->peak_s = -0.05F;
   database::ClipLibrary without_poses = authored();
-  without_poses.clips[kDuck].motion.poses.clear();
+  without_poses.clips[static_cast<std::size_t>(kDuck)].motion.poses.clear();
   database::ClipLibrary without_idle = authored();
   without_idle.idle = 4000;
   const PreparedLibrary whole = prepare(library);
