@@ -5,27 +5,11 @@
 #include <cmath>
 #include <cstdio>
 
+#include "database/import/toml_string.h"
 #include "motion/rotation.h"
 
 namespace flinch::database {
 namespace {
-
-// A basic string of TOML.
-std::string quoted(const std::string& text) {
-  std::string result = "\"";
-  for (const char character : text) {
-    const auto code = static_cast<unsigned char>(character);
-    if (character == '"' || character == '\\') result += '\\';
-    if (code < 0x20 || code == 0x7F) {
-      char escape[8];
-      std::snprintf(escape, sizeof escape, "\\u%04X", code);
-      result += escape;
-    } else {
-      result += character;
-    }
-  }
-  return result + "\"";
-}
 
 std::string decimal(double value, int digits) {
   char text[40];
@@ -63,7 +47,7 @@ std::string direction_line(const Guess<float>& direction) {
 }
 
 std::string idle_text(const DraftIdle& idle, const DraftPaths& paths) {
-  return "[[idle]]\n" + line("name", "\"idle\"") + line("file", quoted(paths.take)) +
+  return "[[idle]]\n" + line("name", "\"idle\"") + line("file", toml_string(paths.take)) +
          time_line("start", idle.start_s,
                    decimal(static_cast<double>(idle.confidence), 2) + ": " + idle.reason) +
          time_line("end", idle.end_s) + heading_line(idle.heading);
@@ -72,7 +56,7 @@ std::string idle_text(const DraftIdle& idle, const DraftPaths& paths) {
 std::string push_text(const DraftClip& clip, const DraftPaths& paths) {
   const bool strong = clip.protection.degree == motion::Degree::exaggerated;
   return "[[push]]                    # " + why(clip.kind) + "\n" +
-         line("name", quoted(clip.name)) + line("file", quoted(paths.take)) +
+         line("name", toml_string(clip.name)) + line("file", toml_string(paths.take)) +
          time_line("start", clip.start_s) + time_line("end", clip.end_s) +
          time_line("contact", clip.onset_s, "the chest begins to move") +
          direction_line(clip.protection.direction) +
@@ -82,31 +66,32 @@ std::string push_text(const DraftClip& clip, const DraftPaths& paths) {
 std::string clip_text(const DraftClip& clip, const DraftPaths& paths) {
   if (clip.kind.value == MovementKind::push) return push_text(clip, paths);
   const Protection& protection = clip.protection;
-  return "[[clip]]\n" + line("name", quoted(clip.name)) + line("file", quoted(paths.take)) +
-         time_line("start", clip.start_s) + time_line("onset", clip.onset_s) +
-         time_line("peak", clip.peak_s) + time_line("end", clip.end_s) +
-         line("kind", quoted(std::string(name_of(clip.kind.value))), why(clip.kind)) +
-         line("target", quoted(std::string(motion::name_of(protection.target.value))),
+  return "[[clip]]\n" + line("name", toml_string(clip.name)) +
+         line("file", toml_string(paths.take)) + time_line("start", clip.start_s) +
+         time_line("onset", clip.onset_s) + time_line("peak", clip.peak_s) +
+         time_line("end", clip.end_s) +
+         line("kind", toml_string(std::string(name_of(clip.kind.value))), why(clip.kind)) +
+         line("target", toml_string(std::string(motion::name_of(protection.target.value))),
               why(protection.target)) +
          direction_line(protection.direction) +
-         line("degree", quoted(std::string(motion::name_of(protection.degree)))) +
+         line("degree", toml_string(std::string(motion::name_of(protection.degree)))) +
          heading_line(clip.heading);
 }
 
 std::string source_text(const DraftPaths& paths, const SourceOptions& options) {
   std::string text;
-  if (options.unit) text += line("units", quoted(std::string(name_of(*options.unit))));
-  if (options.up) text += line("up", quoted(std::string(name_of(*options.up))));
+  if (options.unit) text += line("units", toml_string(std::string(name_of(*options.unit))));
+  if (options.up) text += line("up", toml_string(std::string(name_of(*options.up))));
   if (!options.roles.empty()) {
     text += "roles = {";
     const char* separator = " ";
     for (const auto& [role, joint] : options.roles) {
-      text += separator + std::string(motion::name_of(role)) + " = " + quoted(joint);
+      text += separator + std::string(motion::name_of(role)) + " = " + toml_string(joint);
       separator = ", ";
     }
     text += " }\n";
   }
-  return text.empty() ? "" : "\n[source." + quoted(paths.take) + "]\n" + text;
+  return text.empty() ? "" : "\n[source." + toml_string(paths.take) + "]\n" + text;
 }
 
 }  // namespace
@@ -117,7 +102,7 @@ std::string draft_toml(const Draft& draft, const DraftPaths& paths, const Source
       "has\n"
       "# its confidence, from 0 to 1, and its reason beside it. Look at the contact sheet,\n"
       "# " +
-      quoted(paths.sheet) + ": correct what is wrong, delete what is no clip.\n\n";
+      toml_string(paths.sheet) + ": correct what is wrong, delete what is no clip.\n\n";
   text += idle_text(draft.idle, paths);
   for (const DraftClip& clip : draft.clips) {
     text += "\n";

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "motion/body.h"
 #include "motion/clip.h"
@@ -21,6 +22,10 @@ namespace flinch::database {
 /// The same input gives the same text. Throws Error when the motion cannot be written (see
 /// export_check.h).
 std::string bvh_text(const motion::Physique& character, const motion::Motion& motion);
+
+/// Text near the start of every file that write_bvh makes and of few others.
+inline constexpr std::string_view kBvhMark =
+    "ROOT pelvis\n{\n\tOFFSET 0.000000 0.000000 0.000000\n";
 
 /// Writes the text to a file atomically. Throws Error.
 void write_bvh(const std::string& path, const motion::Physique& character,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "motion/clip.h"
 #include "motion/figure.h"
@@ -12,5 +13,9 @@ namespace flinch::database {
 /// last, including the peak, seen from the left side (upper row) and from the front (lower row). An
 /// arrow shows the threat's direction; times are labelled in seconds.
 std::string filmstrip_svg(const motion::Figure& figure, const motion::Clip& clip);
+
+/// The first bytes of every filmstrip, and of few other SVG files.
+inline constexpr std::string_view kFilmstripMark =
+    "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 ";
 
 }  // namespace flinch::database

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "features/threat.h"
@@ -38,6 +39,9 @@ struct BallTrack {
 /// when there are not as many of them as poses.
 std::vector<std::byte> make_glb(const motion::Physique& character, const motion::Motion& motion,
                                 const std::optional<BallTrack>& ball = std::nullopt);
+
+/// Text in the JSON of every file that write_glb makes and of no other program's.
+inline constexpr std::string_view kGlbMark = "\"generator\":\"Flinch\"";
 
 /// Writes the bytes to a file atomically. Throws Error.
 void write_glb(const std::string& path, const motion::Physique& character,

@@ -310,6 +310,21 @@ ImportResult import_library(const std::vector<std::string>& paths,
                        : import_without_manifest(paths, options);
 }
 
+std::vector<std::string> manifest_files(const std::vector<std::string>& paths,
+                                        const std::string& manifest_path) {
+  const Manifest manifest = read_manifest(manifest_path);
+  std::vector<std::string> names{manifest.skeleton};
+  for (const ManifestEntry& entry : manifest.entries) names.push_back(entry.file);
+  for (const ManifestSource& source : manifest.sources) {
+    if (source.options.rest) names.push_back(*source.options.rest);
+  }
+  std::vector<std::string> files;
+  for (const fs::path& folder : folders_of(paths, manifest_path)) {
+    for (const std::string& name : names) files.push_back((folder / name).string());
+  }
+  return files;
+}
+
 SourceReport inspect_bvh(const std::string& path, const SourceOptions& options) {
   return analyse_source(read_bvh(path), options).report;
 }

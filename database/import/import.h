@@ -65,6 +65,11 @@ ImportResult import_library(const std::vector<std::string>& paths,
                             const std::optional<std::string>& manifest_path,
                             const ImportOptions& options = {});
 
+/// Returns every path at which import_library may look for a file that the manifest names. Throws
+/// Error as it does.
+std::vector<std::string> manifest_files(const std::vector<std::string>& paths,
+                                        const std::string& manifest_path);
+
 /// Returns what an import would detect in a BVH file: units, up axis, roles. Throws Error.
 SourceReport inspect_bvh(const std::string& path, const SourceOptions& options = {});
 

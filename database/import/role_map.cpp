@@ -11,6 +11,7 @@
 #include "database/import/limb_match.h"
 #include "database/import/role_guess.h"
 #include "database/import/role_names.h"
+#include "database/import/toml_string.h"
 
 namespace flinch::database {
 namespace {
@@ -42,16 +43,6 @@ PerRole<int> no_joints() {
   PerRole<int> none;
   for (Role role : kRoles) none[role] = kNoJoint;
   return none;
-}
-
-// A name as a TOML string in double quotes.
-std::string toml_text(std::string_view name) {
-  std::string text = "\"";
-  for (const char c : name) {
-    if (c == '"' || c == '\\') text += '\\';
-    text += c;
-  }
-  return text + '"';
 }
 
 class Mapper {
@@ -308,7 +299,7 @@ class Mapper {
     throw RoleError(bvh_.path,
                     "no joint found for " + names + (suggested ? "" : left_over) +
                         "; map it in a TOML file: [roles] " +
-                        std::string(name_of(missing.front())) + " = " + toml_text(example),
+                        std::string(name_of(missing.front())) + " = " + toml_string(example),
                     table_of(suggested));
   }
 
@@ -398,7 +389,7 @@ class Mapper {
         "[roles]\n";
     for (Role role : kRoles) {
       if ((*joints)[role] == kNoJoint) continue;
-      table += std::string(name_of(role)) + " = " + toml_text(name((*joints)[role])) + '\n';
+      table += std::string(name_of(role)) + " = " + toml_string(name((*joints)[role])) + '\n';
     }
     return table;
   }

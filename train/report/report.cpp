@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "train/report/report.h"
 
+#include <array>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
@@ -134,6 +135,10 @@ Json paired_document(const Evaluation& evaluation) {
   return document;
 }
 
+/// Parts of the document that are also written as files.
+constexpr std::array kCharts{"groups",   "reliability", "noise",     "curves",
+                             "transfer", "ablation",    "prevention"};
+
 std::string cell(const Json& value) {
   if (value.is_number_float()) return exact_text(value.get<double>());
   if (value.is_string()) return csv_cell(value.get<std::string>());
@@ -209,6 +214,12 @@ std::string scenarios_csv(const TrainTestSplit& split, const Evaluation& evaluat
   return text;
 }
 
+std::vector<std::string> report_file_names() {
+  std::vector<std::string> names{"report.json", "timing.json", "report.html", "scenarios.csv"};
+  for (const char* chart : kCharts) names.push_back(std::string(chart) + ".csv");
+  return names;
+}
+
 void write_report(const Report& report, const TrainTestSplit& split, const std::string& folder) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
@@ -221,8 +232,7 @@ void write_report(const Report& report, const TrainTestSplit& split, const std::
   write("timing.json", timing_document(report.evaluation).dump(2) + '\n');
   write("report.html", report_page(report));
   write("scenarios.csv", scenarios_csv(split, report.evaluation));
-  for (const char* chart :
-       {"groups", "reliability", "noise", "curves", "transfer", "ablation", "prevention"})
+  for (const char* chart : kCharts)
     if (!document[chart].empty()) write(std::string(chart) + ".csv", csv_of(document[chart]));
 }
 

@@ -45,6 +45,9 @@ nlohmann::ordered_json timing_document(const Evaluation& evaluation);
 /// its cost.
 std::string scenarios_csv(const TrainTestSplit& split, const Evaluation& evaluation);
 
+/// Returns the names of all files that write_report may write.
+std::vector<std::string> report_file_names();
+
 /// Writes report.json, timing.json, the page report.html, scenarios.csv and the data of each chart
 /// into a folder, which it creates if missing. Throws Error.
 void write_report(const Report& report, const TrainTestSplit& split, const std::string& folder);

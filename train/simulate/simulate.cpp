@@ -14,6 +14,7 @@
 #include "motion/rotation.h"
 #include "train/simulate/scenario_scheduler.h"
 #include "train/simulate/worker_pool.h"
+#include "train/store/file_opening.h"
 #include "train/store/store_trials.h"
 
 namespace flinch::train {
@@ -116,11 +117,14 @@ class ResultWriter {
   SimulationProgress progress_;
 };
 
-bool is_finished(const std::string& path, const StoreHeader& header, ScenarioRange wanted) {
+bool is_finished(const std::string& path, const StoreHeader& header, const SimulationRun& run) {
   if (!std::filesystem::is_regular_file(path)) return false;
+  if (run.overwrite == database::Overwrite::force &&
+      file_kind_at(path) != database::FileKind::store)
+    return false;
   const StoreSummary finished = summarise_store(path);
   require_same_run(finished.header, header, path);
-  return finished.holds(wanted);
+  return finished.holds(run.wanted);
 }
 
 }  // namespace
@@ -184,8 +188,10 @@ bool simulate_store(const SimulationSetup& setup, const std::string& path,
   Messenger& messenger = run.messenger ? *run.messenger : nobody;
   std::optional<StoreWriter> writer;
   std::vector<ScenarioRange> missing;
-  if (!is_finished(path, header, run.wanted)) {
-    writer.emplace(path, header, run.wanted);
+  if (is_finished(path, header, run)) {
+    StoreWriter::remove_left_overs(path);
+  } else {
+    writer.emplace(path, header, run.wanted, run.overwrite);
     missing = writer->missing();
   }
   ScenarioScheduler ranges(missing, messenger.size(),

@@ -46,6 +46,8 @@ struct SimulationRun {
   MemoryPlan memory;
   BatchContext batch;              ///< without what the run itself polls
   Messenger* messenger = nullptr;  ///< to the other processes, or null
+  /// Whether a file at the store's path that is no store is replaced.
+  database::Overwrite overwrite = database::Overwrite::refuse;
   /// Called after every commit, on the calling thread of the process that writes.
   std::function<void(const SimulationProgress&)> report = [](const SimulationProgress&) {};
 };

@@ -74,8 +74,9 @@ ScenarioRange merged_range(std::span<const StorePart> parts) {
 /// Appends missing observations in batches, and compares those that are there already.
 class StoreMerger {
  public:
-  StoreMerger(const std::string& out, const StoreHeader& header, ScenarioRange range)
-      : writer_(out, header, range), missing_(writer_.missing()) {}
+  StoreMerger(const std::string& out, const StoreHeader& header, ScenarioRange range,
+              database::Overwrite overwrite)
+      : writer_(out, header, range, overwrite), missing_(writer_.missing()) {}
 
   void take(const OpenStore& store) {
     while (!missing_.empty() && missing_.front().end() <= store.observation.number)
@@ -113,11 +114,12 @@ class StoreMerger {
 
 }  // namespace
 
-void merge_stores(std::span<const std::string> paths, const std::string& out) {
+void merge_stores(std::span<const std::string> paths, const std::string& out,
+                  database::Overwrite overwrite) {
   StoreHeader header;
   const std::vector<StorePart> parts = parts_of(paths, header);
   const ScenarioRange range = merged_range(parts);
-  StoreMerger merger(out, header, range);
+  StoreMerger merger(out, header, range, overwrite);
   std::vector<OpenStore> open;
   auto next = parts.begin();
   for (std::uint64_t number = range.first; number < range.end(); ++number) {

@@ -3,6 +3,8 @@
 
 #include <sqlite3.h>
 
+#include <filesystem>
+
 #include "motion/error.h"
 
 namespace flinch::train {
@@ -24,6 +26,8 @@ namespace {
     case SQLITE_ERROR:  // the statements are correct, so the tables are damaged
       throw Error(path, "the store is damaged; delete it and run `flinch simulate` again");
     case SQLITE_CANTOPEN:
+      if (code == SQLITE_CANTOPEN_SYMLINK)
+        throw Error(path, "is a link, and no file that flinch left; move it elsewhere");
       throw Error(path, "cannot open; check the path and its permissions");
     case SQLITE_READONLY:
       throw Error(path, "cannot write; check the permissions of the file and its folder");
@@ -126,13 +130,24 @@ void Database::Closer::operator()(sqlite3* database) const {
   sqlite3_close_v2(database);
 }
 
+std::string plain_file_name(const std::string& path) {
+  // The folder's links are followed here, because SQLITE_OPEN_NOFOLLOW refuses links anywhere in a
+  // path.
+  namespace fs = std::filesystem;
+  const fs::path file(path);
+  std::error_code error;
+  const fs::path folder = fs::canonical(file.has_parent_path() ? file.parent_path() : ".", error);
+  return error ? path : (folder / file.filename()).string();
+}
+
 Database::Database(const std::string& path, Mode mode) : path_(path) {
   int flags = SQLITE_OPEN_NOMUTEX | SQLITE_OPEN_EXRESCODE;
   if (mode == Mode::read) flags |= SQLITE_OPEN_READONLY;
   if (mode == Mode::write) flags |= SQLITE_OPEN_READWRITE;
-  if (mode == Mode::create) flags |= SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE;
+  if (mode == Mode::create)
+    flags |= SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE | SQLITE_OPEN_NOFOLLOW;
   sqlite3* database = nullptr;
-  const int code = sqlite3_open_v2(path.c_str(), &database, flags, nullptr);
+  const int code = sqlite3_open_v2(plain_file_name(path).c_str(), &database, flags, nullptr);
   database_.reset(database);
   if (code != SQLITE_OK) fail(database, code, path_);
 }

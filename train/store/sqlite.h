@@ -48,12 +48,20 @@ class Statement {
   int bound_ = 0;
 };
 
+/// Returns a path by which SQLite opens the file that other programs open by `path`: SQLite would
+/// take names such as ":memory:" or "file:a?mode=memory" for something else.
+std::string plain_file_name(const std::string& path);
+
 /// A SQLite database file. Every failure throws Error with the file's name and what to do; a full
 /// disk, a lock held by another process and a file that is not a database have messages of their
 /// own.
 class Database {
  public:
-  enum class Mode : std::uint8_t { read, write, create };
+  enum class Mode : std::uint8_t {
+    read,
+    write,
+    create,  ///< also write, and refuse a path that is a link
+  };
   Database(const std::string& path, Mode mode);
 
   const std::string& path() const { return path_; }

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "database/import/output_check.h"
 #include "models/selector.h"
 #include "train/objective/observation.h"
 #include "train/scenario/scenario_sampling.h"
@@ -16,6 +17,9 @@
 namespace flinch::train {
 
 inline constexpr int kStoreFormatVersion = 3;
+
+/// Describes a store that is about to be written.
+database::Output store_output(const std::string& path);
 
 /// Data common to all observations of a store. With it, training needs no other file.
 struct StoreHeader {
@@ -100,8 +104,10 @@ class StoreWriter {
  public:
   /// Throws Error if the file at `path` or its partial file is not a store of this run or holds
   /// scenarios that are not wanted, if another process is writing it, or if `wanted` is empty or
-  /// exceeds the last scenario number.
-  StoreWriter(const std::string& path, const StoreHeader& header, ScenarioRange wanted);
+  /// exceeds the last scenario number. A file at `path` that is no store at all is replaced at the
+  /// end if `overwrite` says so. If `path` is a link, the store is written where it leads.
+  StoreWriter(const std::string& path, const StoreHeader& header, ScenarioRange wanted,
+              database::Overwrite overwrite = database::Overwrite::refuse);
   ~StoreWriter();
   StoreWriter(const StoreWriter&) = delete;
   StoreWriter& operator=(const StoreWriter&) = delete;
@@ -121,6 +127,10 @@ class StoreWriter {
   /// Gives the store its final name. No scenario may be missing, and nothing can be appended
   /// afterwards.
   void finish();
+
+  /// Removes what a killed writer of the finished store at `path` left beside it, unless that holds
+  /// scenarios which the store lacks or another process is writing it.
+  static void remove_left_overs(const std::string& path);
 
  private:
   struct File;

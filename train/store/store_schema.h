@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string_view>
 
 #include "train/store/sqlite.h"
 #include "train/store/store.h"
@@ -12,6 +13,8 @@ namespace flinch::train {
 
 /// SQLite application id that marks a Flinch store: "FLCH".
 inline constexpr int kStoreApplicationId = 0x464C4348;
+/// The same as the bytes in the file's header.
+inline constexpr std::string_view kStoreMark = "FLCH";
 
 inline constexpr const char* kDamagedStore =
     "the store is damaged; delete it and run `flinch simulate` again";

@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include <fcntl.h>
-#include <unistd.h>
-
-#include <cerrno>
-#include <cstring>
 #include <filesystem>
 #include <optional>
 
+#include "database/import/partial_file.h"
 #include "motion/error.h"
+#include "train/store/file_opening.h"
 #include "train/store/sqlite.h"
 #include "train/store/store.h"
 #include "train/store/store_rows.h"
@@ -34,34 +31,14 @@ void require_wanted(const ScenarioRange& there, const ScenarioRange& wanted,
                           text_of(wanted) + "; ask for these too, or choose another --out");
 }
 
-void sync(const std::string& path) {
-  const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  const bool synced = file >= 0 && ::fsync(file) == 0;
-  const int error = errno;
-  if (file >= 0) ::close(file);
-  if (!synced) throw Error(path, std::string("cannot be written: ") + std::strerror(error));
-}
-
-/// Rewrites the whole database, so that the bytes depend on its contents only and not on the
-/// transactions that made it.
-void write_compacted(Database& database, const std::string& path) {
-  fs::remove(path);
+/// Writes the whole database anew, so that the bytes depend on its contents only and not on the
+/// transactions that made it, as `copy`, which then replaces the file at `path`.
+void write_compacted(Database& database, const std::string& copy, const std::string& path) {
   // VACUUM keeps and increments the one number in the header that counts earlier changes.
   database.execute("PRAGMA schema_version = 1");
-  try {
-    database.prepare("VACUUM INTO ?").bind(path).run();
-    sync(path);
-  } catch (const Error&) {
-    std::error_code ignored;
-    fs::remove(path, ignored);  // a partial copy takes up the space that is missing
-    throw;
-  }
-}
-
-void rename_or_throw(const std::string& from, const std::string& to) {
-  std::error_code error;
-  fs::rename(from, to, error);
-  if (error) throw Error(to, "cannot be written: " + error.message());
+  database::PartialFile file(copy, path);
+  database.prepare("VACUUM INTO ?").bind(plain_file_name(copy)).run();
+  file.commit();
 }
 
 bool is_empty(Database& database) {
@@ -70,39 +47,64 @@ bool is_empty(Database& database) {
 
 }  // namespace
 
+database::Output store_output(const std::string& path) {
+  return {path, database::FileKind::store, kStoreMark};
+}
+
 struct StoreWriter::File {
   std::string path;
   StoreHeader header;
   ScenarioRange wanted;
+  database::Overwrite overwrite = database::Overwrite::refuse;
   std::vector<ScenarioRange> missing;
   std::optional<Database> database;
 
   std::string partial() const { return path + ".partial"; }
   std::string copy() const { return path + ".partial-copy"; }
 
+  bool has_finished() const;
   void check_finished() const;
+  void open_database();
+  void require_not_removed() const;
   void open_partial();
   void start_partial();
+  void remove_partial() const;
 };
+
+/// Whether there is a finished store to continue.
+bool StoreWriter::File::has_finished() const {
+  if (!fs::exists(path)) return false;
+  return overwrite == database::Overwrite::refuse ||
+         file_kind_at(path) == database::FileKind::store;
+}
 
 /// Before anything is written, checks that a finished store, if there is one, can be continued.
 void StoreWriter::File::check_finished() const {
-  if (!fs::exists(path)) return;
+  if (!has_finished()) return;
   const StoreSummary finished = summarise_store(path);
   require_same_run(finished.header, header, path);
   require_wanted(finished.range, wanted, path);
 }
 
-void StoreWriter::File::open_partial() {
+void StoreWriter::File::open_database() {
   database.emplace(partial(), Database::Mode::create);
   // All stores of one run must have the same page size. The lock keeps other writers out until the
   // end.
   database->execute("PRAGMA page_size = 16384");
   database->execute("PRAGMA locking_mode = EXCLUSIVE");
-  Transaction transaction(*database);
-  // The previous holder of the lock may have finished the file and renamed it.
+}
+
+/// Call inside a transaction.
+void StoreWriter::File::require_not_removed() const {
+  // The previous holder of the lock may have finished the file and removed it.
   if (!fs::exists(partial()))
     throw Error(path, "another process has just finished it; run the same command again");
+}
+
+void StoreWriter::File::open_partial() {
+  open_database();
+  Transaction transaction(*database);
+  require_not_removed();
   if (is_empty(*database)) start_partial();
   require_same_run(read_header(*database), header, partial());
   require_wanted(range_of_rows(*database), wanted, partial());
@@ -114,17 +116,26 @@ void StoreWriter::File::open_partial() {
 /// Creates the tables and copies what a finished store holds already.
 void StoreWriter::File::start_partial() {
   write_header(*database, header);
-  if (!fs::exists(path)) return;
+  if (!has_finished()) return;
   StoreReader finished(path);
   Statement statement = prepare_insert(*database);
   Observation observation;
   while (finished.next(observation)) insert(statement, observation);
 }
 
-StoreWriter::StoreWriter(const std::string& path, const StoreHeader& header, ScenarioRange wanted)
+/// Removes the partial file and all that belongs to it. Call while holding the lock, which keeps
+/// other writers out.
+void StoreWriter::File::remove_partial() const {
+  // The journal goes before its database, which is committed and needs none.
+  for (const std::string& left : {copy(), partial() + "-journal", partial()}) fs::remove(left);
+}
+
+StoreWriter::StoreWriter(const std::string& path, const StoreHeader& header, ScenarioRange wanted,
+                         database::Overwrite overwrite)
     : file_(std::make_unique<File>()) {
   require_sound(wanted, path);
-  file_->path = path;
+  file_->path = database::link_target(path);
+  file_->overwrite = overwrite;
   file_->header = header;
   file_->wanted = wanted;
   if (fs::is_directory(path)) throw Error(path, "is a folder; name a file in it");
@@ -172,10 +183,31 @@ void StoreWriter::finish() {
   Transaction transaction(*file_->database);
   write_seal(*file_->database, file_->wanted);
   transaction.commit();
-  write_compacted(*file_->database, file_->copy());
-  rename_or_throw(file_->copy(), file_->path);
-  fs::remove(file_->partial());  // before the lock is released
+  write_compacted(*file_->database, file_->copy(), file_->path);
+  file_->remove_partial();
   file_->database.reset();
+}
+
+void StoreWriter::remove_left_overs(const std::string& path) {
+  File file;
+  file.path = database::link_target(path);
+  const bool is_any_left = fs::exists(file.partial()) || fs::exists(file.copy()) ||
+                           fs::exists(file.partial() + "-journal");
+  if (!is_any_left) return;
+  try {
+    const StoreSummary finished = summarise_store(file.path);
+    file.open_database();
+    Transaction transaction(*file.database);
+    file.require_not_removed();
+    if (!is_empty(*file.database)) {
+      require_same_run(read_header(*file.database), finished.header, file.partial());
+      require_wanted(range_of_rows(*file.database), finished.range, file.partial());
+    }
+    file.remove_partial();
+  } catch (const Error&) {
+    // Another process is writing it, it holds more than the finished store, or it may not be
+    // touched.
+  }
 }
 
 }  // namespace flinch::train
