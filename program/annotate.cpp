@@ -9,6 +9,7 @@
 #include "motion/error.h"
 #include "program/bvh_options.h"
 #include "program/command.h"
+#include "program/printable.h"
 #include "program/table.h"
 
 namespace flinch::program {
@@ -24,6 +25,7 @@ struct AnnotateOptions {
   std::string out;
   std::string sheet;
   BvhOptions bvh;
+  bool force = false;
   bool json = false;
 };
 
@@ -39,9 +41,10 @@ AnnotateOptions completed(AnnotateOptions options) {
 // A draft that was corrected by hand must not be lost.
 void expect_new(const std::string& path, const char* option) {
   if (!fs::exists(fs::symlink_status(path))) return;
-  throw Error(path, std::string("exists already and may hold corrections; remove it, or name "
-                                "another file with ") +
-                        option);
+  throw Error(path,
+              std::string("exists already and may hold corrections; give --force to replace it, "
+                          "or name another file with ") +
+                  option);
 }
 
 // The path of a file as seen from another one's folder.
@@ -122,18 +125,25 @@ std::string clip_table(const database::Draft& draft) {
 
 void print_text(const AnnotateOptions& options, const database::Take& take,
                 const database::Draft& draft) {
-  for (const std::string& warning : take.source.warnings) std::cout << "note: " << warning << '\n';
+  for (const std::string& warning : take.source.warnings)
+    std::cout << "note: " << printable(warning) << '\n';
   if (!draft.clips.empty()) std::cout << clip_table(draft) << '\n';
-  std::cout << options.out << ": draft with the idle from " << fixed(draft.idle.start_s, 2)
-            << " to " << fixed(draft.idle.end_s, 2) << " s and " << draft.clips.size()
-            << " clips; look at " << options.sheet << " and correct it\n";
+  std::cout << printable(options.out) << ": draft with the idle from "
+            << fixed(draft.idle.start_s, 2) << " to " << fixed(draft.idle.end_s, 2) << " s and "
+            << draft.clips.size() << " clips; look at " << printable(options.sheet)
+            << " and correct it\n";
   if (draft.clips.empty()) std::cout << "note: nothing moves away from stillness in this take\n";
 }
 
 void run_annotate(const AnnotateOptions& given) {
   const AnnotateOptions options = completed(given);
-  expect_new(options.out, "--out");
-  expect_new(options.sheet, "--sheet");
+  database::check_outputs(
+      {{options.out, database::FileKind::text, ""}, {options.sheet, database::FileKind::text, ""}},
+      {options.take, options.bvh.roles, options.bvh.rest}, database::Overwrite::force);
+  if (!options.force) {
+    expect_new(options.out, "--out");
+    expect_new(options.sheet, "--sheet");
+  }
   const database::SourceOptions source = source_options(options.bvh);
   const database::Take take = database::read_take(options.take, source);
   const database::Draft draft = database::draft_of(take);
@@ -160,7 +170,7 @@ Command annotate_command() {
                      {"--sheet", "contact sheet to write, an SVG (default: the manifest with .svg)",
                       &options->sheet}},
                     bvh_options(options->bvh),
-                    {json_option(options->json)}}),
+                    {force_option(options->force), json_option(options->json)}}),
           .notes =
               "Finds the idle and the movements between returns to stillness, and guesses the "
               "kind, onset,\n"

@@ -12,6 +12,7 @@
 #include "motion/default_character.h"
 #include "motion/error.h"
 #include "program/command.h"
+#include "program/printable.h"
 #include "train/store/file_opening.h"
 
 namespace flinch::program {
@@ -23,6 +24,7 @@ struct AuthorOptions {
   std::optional<std::string> character;
   std::optional<std::string> gallery;
   bool startle = false;
+  bool force = false;
   bool json = false;
 };
 
@@ -33,19 +35,26 @@ motion::Physique character_of(const AuthorOptions& options) {
   return database::read_character(*options.character);
 }
 
-// Leaves out mirror images, which show nothing new.
+/// The first words of a gallery's README.md.
+constexpr std::string_view kGalleryTitle = "# The authored library";
+
+/// Mirror images show nothing new.
+bool is_drawn(const motion::Clip& clip) {
+  return clip.mirrored_from.empty();
+}
+
 void draw_gallery(const database::ClipLibrary& library, const std::string& folder) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error) throw Error(folder, "cannot create this folder: " + error.message());
   const motion::Figure figure = motion::make_figure(library.character);
-  std::string index = "# The authored library\n\nOne filmstrip per clip, of the " +
+  std::string index = std::string(kGalleryTitle) + "\n\nOne filmstrip per clip, of the " +
                       std::to_string(library.clips.size()) +
                       " that `flinch author` makes; mirror images are left out. Upper row from the"
                       " right, lower row from the front; the threat comes along the arrow, or out"
                       " of the page at the circle. Drawn by `scripts/gallery`.\n";
   for (const motion::Clip& clip : library.clips) {
-    if (!clip.mirrored_from.empty()) continue;
+    if (!is_drawn(clip)) continue;
     const std::string file = clip.name + ".svg";
     database::write_file_atomically((std::filesystem::path(folder) / file).string(),
                                     database::filmstrip_svg(figure, clip));
@@ -54,9 +63,27 @@ void draw_gallery(const database::ClipLibrary& library, const std::string& folde
   database::write_file_atomically((std::filesystem::path(folder) / "README.md").string(), index);
 }
 
+/// Checks the outputs, of which the gallery's are known only once the library is.
+void check_outputs(const AuthorOptions& options, const database::ClipLibrary* library) {
+  using database::FileKind;
+  const std::vector<std::string> inputs{options.character.value_or("")};
+  const database::Overwrite overwrite = overwrite_of(options.force);
+  database::check_outputs({{options.library, FileKind::library, ""}}, inputs, overwrite);
+  if (!options.gallery) return;
+  std::vector<database::Output> files{{"README.md", FileKind::text, kGalleryTitle}};
+  if (library != nullptr) {
+    for (const motion::Clip& clip : library->clips)
+      if (is_drawn(clip))
+        files.push_back({clip.name + ".svg", FileKind::text, database::kFilmstripMark});
+  }
+  database::check_output_folder(*options.gallery, files, inputs, overwrite);
+}
+
 void run_author(const AuthorOptions& options) {
+  check_outputs(options, nullptr);
   database::ClipLibrary library =
       database::authored_library(character_of(options), options.startle);
+  check_outputs(options, &library);
   library.hash = database::write_library(library, options.library);
   if (options.gallery) draw_gallery(library, *options.gallery);
   const std::string idle = library.idle_clip().name;
@@ -70,9 +97,9 @@ void run_author(const AuthorOptions& options) {
            {"idle", idle}});
     return;
   }
-  std::cout << options.library << ": library " << library.name << ", "
+  std::cout << printable(options.library) << ": library " << printable(library.name) << ", "
             << database::hash_text(library.hash) << ", " << library.clips.size() << " clips at "
-            << library.rate_hz << " Hz, idle " << idle << '\n';
+            << library.rate_hz << " Hz, idle " << printable(idle) << '\n';
 }
 
 }  // namespace
@@ -88,6 +115,7 @@ Command author_command() {
                         &options->character},
                        {"--startle", "start blocking clips with a flinch", &options->startle},
                        {"--gallery", "folder for filmstrips of all clips", &options->gallery},
+                       force_option(options->force),
                        json_option(options->json)},
           .notes = "Example:\n  flinch author --out default.flinchlib",
           .run = [options] { run_author(*options); }};

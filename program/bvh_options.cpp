@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "database/import/role_map.h"
+#include "program/printable.h"
 #include "program/table.h"
 
 namespace flinch::program {
@@ -58,13 +59,13 @@ std::string source_text(const database::SourceReport& source) {
                std::string(database::name_of(source.joint_source[role]))});
   }
   std::ostringstream text;
-  text << source.path << ": " << source.joint_count << " joints, " << source.frame_count
+  text << printable(source.path) << ": " << source.joint_count << " joints, " << source.frame_count
        << " frames, " << fixed(source.duration_s, 2) << " s; in " << database::name_of(source.unit)
        << (source.unit_given ? "" : " (found)") << ", up " << database::name_of(source.up)
        << (source.up_given ? "" : " (found)") << ", head at " << fixed(source.head_height_m, 2)
        << " m\n\n"
        << table.text();
-  for (const std::string& warning : source.warnings) text << "note: " << warning << '\n';
+  for (const std::string& warning : source.warnings) text << "note: " << printable(warning) << '\n';
   return text.str();
 }
 

@@ -10,6 +10,15 @@ Option json_option(bool& json) {
   return {"--json", "print one JSON document and nothing else", &json};
 }
 
+Option force_option(bool& force) {
+  return {"--force", "replace an existing file of any kind, except one that the command reads",
+          &force};
+}
+
+database::Overwrite overwrite_of(bool force) {
+  return force ? database::Overwrite::force : database::Overwrite::refuse;
+}
+
 Option features_option(std::string& set) {
   std::vector<std::string> names;
   std::string summaries;

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "database/import/output_check.h"
 #include "program/document.h"
 #include "program/options.h"
 #include "train/objective/cost.h"
@@ -25,6 +26,11 @@ Command respond_command();
 
 /// The option --json, for all commands except simulate.
 Option json_option(bool& json);
+
+/// The option --force, for all commands that write files.
+Option force_option(bool& force);
+/// What --force means for existing files.
+database::Overwrite overwrite_of(bool force);
 
 /// The option that selects the features of selectors; `set` becomes the default.
 Option features_option(std::string& set);

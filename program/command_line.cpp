@@ -4,9 +4,12 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cstdint>
 #include <iostream>
+#include <optional>
 #include <sstream>
+#include <string_view>
 #include <type_traits>
 
 namespace flinch::program {
@@ -42,13 +45,30 @@ CLI::Validator number_in(const Range& range) {
     return real_number_in(range);
 }
 
-/// Digits alone: CLI11 takes -3 for the number that 3 below 0 wraps round to. Not part of help
-/// texts.
+/// Returns what follows the digits at the start of a text; nothing if there are none or their
+/// number is not below 2^64.
+std::optional<std::string_view> after_natural_number(std::string_view text) {
+  std::uint64_t number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc()) return std::nullopt;
+  return text.substr(static_cast<std::size_t>(end - text.data()));
+}
+
+/// Digits alone: CLI11 takes -3 for the number that 3 below 0 wraps round to, and a number that is
+/// too large for the largest. Not part of help texts.
 CLI::Validator natural_number() {
   const auto refusal = [](const std::string& input) {
-    const bool is_natural = !input.empty() && std::ranges::all_of(input, [](char character) {
-      return character >= '0' && character <= '9';
-    });
+    const bool is_natural = after_natural_number(input) == "";
+    return is_natural ? std::string() : "Value " + input + " is not a whole number from 0 on";
+  };
+  return {refusal, ""};
+}
+
+/// The same with an optional unit.
+CLI::Validator natural_number_with_unit() {
+  const auto refusal = [](const std::string& input) {
+    const std::optional<std::string_view> unit = after_natural_number(input);
+    const bool is_natural = unit && unit->find_first_of("0123456789") == std::string_view::npos;
     return is_natural ? std::string() : "Value " + input + " is not a whole number from 0 on";
   };
   return {refusal, ""};
@@ -72,15 +92,17 @@ CLI::Option* add_option(CLI::App& command, const Option& option, Value* value) {
   if constexpr (std::is_same_v<Value, std::vector<std::string>>) {
     if (std::holds_alternative<OneOf>(option.accepted)) added->delimiter(',');
   }
-  if constexpr (std::is_same_v<Value, std::uint64_t>) {
+  using Number = typename OneValue<Value>::Type;
+  if constexpr (std::is_integral_v<Number>) {
     if (!std::holds_alternative<ByteCount>(option.accepted)) added->check(natural_number());
   }
   if (const auto* range = std::get_if<Range>(&option.accepted)) {
-    added->check(number_in<typename OneValue<Value>::Type>(*range));
+    added->check(number_in<Number>(*range));
   } else if (const auto* one_of = std::get_if<OneOf>(&option.accepted)) {
     added->check(CLI::IsMember(one_of->names));
   } else if (std::holds_alternative<ByteCount>(option.accepted)) {
     added->transform(CLI::AsSizeValue(false));
+    added->transform(natural_number_with_unit());  // the last transform is called first
   }
   return added;
 }

@@ -22,6 +22,7 @@ struct CompareOptions {
   bool curves = false;
   bool transfer = false;
   bool ablation = false;
+  bool force = false;
   bool json = false;
 };
 
@@ -58,7 +59,17 @@ std::vector<train::Method> methods_of(const CompareOptions& options) {
   return chosen;
 }
 
+void check_report(const CompareOptions& options) {
+  if (options.report.empty()) return;
+  std::vector<database::Output> files;
+  for (const std::string& name : train::report_file_names())
+    files.push_back({name, database::FileKind::text, ""});
+  database::check_output_folder(options.report, files, {options.store, options.test},
+                                overwrite_of(options.force));
+}
+
 void run_compare(const CompareOptions& options) {
+  check_report(options);
   train::Store store = read_with_features(options.store, options.features);
   const std::uint64_t seed = store.header.seed;
   const train::CostModel cost_model =
@@ -115,7 +126,7 @@ Command compare_command() {
             {"--transfer", "also fit for other brawns", &options->transfer},
             {"--ablation", "also fit with other features", &options->ablation}},
            cost_options(options->cost),
-           {json_option(options->json)}}),
+           {force_option(options->force), json_option(options->json)}}),
       .notes =
           "Protection is 0 for standing still and 1 for the exhaustive choice; intervals are\n"
           "bootstrapped over the test scenarios.\n\n"

@@ -7,6 +7,7 @@
 #include "database/import/file_io.h"
 #include "motion/error.h"
 #include "program/command.h"
+#include "program/printable.h"
 #include "train/fit/feature_derivation.h"
 #include "train/fit/labels.h"
 #include "train/store/store.h"
@@ -21,6 +22,7 @@ struct ExportOptions {
   std::string scaling;
   std::string features;
   CostOptions cost;
+  bool force = false;
   bool json = false;
 };
 
@@ -36,6 +38,9 @@ void run_export(const ExportOptions& options) {
   const bool libsvm = options.file.ends_with(".libsvm");
   if (!libsvm && !options.file.ends_with(".csv"))
     throw Error(options.file, "unknown kind of file; use a name that ends in .libsvm or .csv");
+  database::check_outputs(
+      {{options.file, database::FileKind::text, libsvm ? " 1:" : "number,target,"}},
+      {options.store, options.scaling}, overwrite_of(options.force));
   const features::Layout& layout = features::feature_set_named(options.features)->layout;
   train::Store store = train::read_store(options.store);
   derive_features(layout, store);
@@ -50,7 +55,7 @@ void run_export(const ExportOptions& options) {
            {"file", options.file},
            {"scenarios", store.observations.size()}});
   } else {
-    std::cout << options.file << ": " << store.observations.size() << " scenarios\n";
+    std::cout << printable(options.file) << ": " << store.observations.size() << " scenarios\n";
   }
 }
 
@@ -70,7 +75,7 @@ Command export_command() {
                           &options->scaling},
                          features_option(options->features)},
                         cost_options(options->cost),
-                        {json_option(options->json)}}),
+                        {force_option(options->force), json_option(options->json)}}),
       .notes = "Example:\n  flinch export real.flinchobs --out real.libsvm",
       .run = [options] { run_export(*options); }};
 }

@@ -8,6 +8,7 @@
 #include "database/import/library_writer.h"
 #include "program/bvh_options.h"
 #include "program/command.h"
+#include "program/printable.h"
 #include "program/table.h"
 
 namespace flinch::program {
@@ -24,6 +25,7 @@ struct ImportOptions {
   std::optional<std::string> skeleton;
   BvhOptions bvh;
   bool verbose = false;
+  bool force = false;
   bool json = false;
 };
 
@@ -95,22 +97,38 @@ void print_text(const ImportOptions& options, const database::ImportResult& resu
     unannotated += clip.purpose == motion::Purpose::anticipation && !clip.is_annotated ? 1U : 0U;
   }
   for (const database::SkippedFile& file : result.report.skipped)
-    std::cout << "skipped " << file.path << ": " << file.reason << '\n';
+    std::cout << "skipped " << printable(file.path) << ": " << printable(file.reason) << '\n';
   if (!options.verbose) print_source_notes(result.report.sources);
   for (const std::string& warning : result.report.warnings)
-    std::cout << "note: " << warning << '\n';
+    std::cout << "note: " << printable(warning) << '\n';
   const database::ClipLibrary& library = result.library;
-  std::cout << options.library << ": library " << library.name << ", "
+  std::cout << printable(options.library) << ": library " << printable(library.name) << ", "
             << database::hash_text(library.hash) << ", " << library.clips.size() << " clips ("
             << mirrored_count(library) << " of them mirrored) at " << library.rate_hz << " Hz from "
-            << result.report.sources.size() << " files, idle " << library.idle_clip().name << '\n';
+            << result.report.sources.size() << " files, idle "
+            << printable(library.idle_clip().name) << '\n';
   if (unannotated > 0)
     std::cout << unannotated
               << " clips are unannotated and are never used against a threat; annotate them in "
               << "a manifest\n";
 }
 
+/// Returns all files that the import reads; folders stand for what is in them.
+std::vector<std::string> inputs_of(const ImportOptions& options) {
+  std::vector<std::string> inputs = options.paths;
+  inputs.insert(inputs.end(), {options.manifest.value_or(""), options.skeleton.value_or(""),
+                               options.bvh.roles, options.bvh.rest});
+  if (options.manifest) {
+    const std::vector<std::string> files =
+        database::manifest_files(options.paths, *options.manifest);
+    inputs.insert(inputs.end(), files.begin(), files.end());
+  }
+  return inputs;
+}
+
 void run_import(const ImportOptions& options) {
+  database::check_outputs({{options.library, database::FileKind::library, ""}}, inputs_of(options),
+                          overwrite_of(options.force));
   database::ImportOptions import;
   import.rate_hz = options.rate_hz;
   import.skeleton = options.skeleton;
@@ -143,6 +161,7 @@ Command import_command() {
                       &options->skeleton}},
                     bvh_options(options->bvh),
                     {{"--verbose", "print details of each file and clip", &options->verbose},
+                     force_option(options->force),
                      json_option(options->json)}}),
           .notes =
               "Example:\n  flinch import mocap --manifest mocap/manifest.toml --out "

@@ -10,6 +10,7 @@
 #include "program/bvh_options.h"
 #include "program/command.h"
 #include "program/load.h"
+#include "program/printable.h"
 #include "program/quality.h"
 #include "program/table.h"
 #include "train/store/file_opening.h"
@@ -82,10 +83,11 @@ void print_library(const database::ClipLibrary& library) {
     cells.insert(cells.end(), annotation.begin(), annotation.end());
     table.add(cells);
   }
-  std::cout << "library " << library.name << ", " << database::hash_text(library.hash) << '\n'
+  std::cout << "library " << printable(library.name) << ", " << database::hash_text(library.hash)
+            << '\n'
             << library.clips.size() << " clips at " << library.rate_hz << " Hz, idle "
-            << library.idle_clip().name << ", " << motion::name_of(library.character.sex) << " of "
-            << library.character.mass_kg << " kg\n\n"
+            << printable(library.idle_clip().name) << ", " << motion::name_of(library.character.sex)
+            << " of " << library.character.mass_kg << " kg\n\n"
             << table.text();
 }
 
@@ -146,13 +148,15 @@ void print_store(const StoreView& view) {
   }
   std::cout << "store of " << store.observation_count << " scenarios from number "
             << store.range.first << ", seed " << header.seed << ", of library "
-            << header.library_name << ", " << database::hash_text(header.library_hash) << '\n'
+            << printable(header.library_name) << ", " << database::hash_text(header.library_hash)
+            << '\n'
             << view.contents.trials << " trials, " << fixed(100 * view.non_zero_share(), 1)
             << " % of their impulses are not zero; "
             << fixed(static_cast<double>(view.contents.bytes) / 1e6, 1) << " MB, "
             << fixed(view.bytes_per_scenario(), 0)
-            << " bytes per scenario without the library\ndistribution " << header.distribution
-            << "\nsimulation " << header.simulation << "\n\n"
+            << " bytes per scenario without the library\ndistribution "
+            << printable(header.distribution) << "\nsimulation " << printable(header.simulation)
+            << "\n\n"
             << table.text();
 }
 
@@ -221,7 +225,8 @@ void print_selector(const runtime::SelectorFile& file) {
   std::cout << "\nclips: " << file.selector.clips.size();
   if (file.library) {
     std::cout << ", in this file: " << pose_count(*file.library) << " poses at "
-              << file.library->rate_hz << " Hz of library " << file.library->name << '\n';
+              << file.library->rate_hz << " Hz of library " << printable(file.library->name)
+              << '\n';
   } else {
     std::cout << ", without motion in this file: train it again to respond with it\n";
   }

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <algorithm>
 #include <exception>
 #include <iostream>
 #include <new>
@@ -8,15 +7,16 @@
 #include "database/import/role_map.h"
 #include "program/command.h"
 #include "program/command_line.h"
+#include "program/printable.h"
+#include "program/safe_writing.h"
 
 namespace {
 
 constexpr int kError = 1;
 constexpr int kWrongUsage = 2;
 
-int fail(std::string message, int code) {
-  std::ranges::replace(message, '\n', ' ');
-  std::cerr << "flinch: " << message << '\n';
+int fail(const std::string& message, int code) {
+  std::cerr << "flinch: " << flinch::program::printable(message) << '\n';
   return code;
 }
 
@@ -41,6 +41,7 @@ flinch::program::Program flinch_program() {
 
 int main(int argument_count, char** arguments) {
   using namespace flinch::program;
+  make_writes_safe();
   try {
     parse(flinch_program(), argument_count, arguments)();
   } catch (const UsageError& error) {

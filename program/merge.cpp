@@ -6,6 +6,7 @@
 
 #include "database/import/library_writer.h"
 #include "program/command.h"
+#include "program/printable.h"
 #include "train/store/store.h"
 
 namespace flinch::program {
@@ -15,11 +16,14 @@ namespace {
 struct MergeOptions {
   std::vector<std::string> stores;
   std::string out;
+  bool force = false;
   bool json = false;
 };
 
 void run_merge(const MergeOptions& options) {
-  train::merge_stores(options.stores, options.out);
+  const database::Overwrite overwrite = overwrite_of(options.force);
+  database::check_outputs({train::store_output(options.out)}, options.stores, overwrite);
+  train::merge_stores(options.stores, options.out, overwrite);
   const train::StoreSummary store = train::summarise_store(options.out);
   if (options.json) {
     print({{"kind", "store"},
@@ -30,8 +34,8 @@ void run_merge(const MergeOptions& options) {
            {"library_hash", database::hash_text(store.header.library_hash)}});
     return;
   }
-  std::cout << options.out << ": " << train::text_of(store.range) << " of "
-            << store.header.library_name << ", seed " << store.header.seed << '\n';
+  std::cout << printable(options.out) << ": " << train::text_of(store.range) << " of "
+            << printable(store.header.library_name) << ", seed " << store.header.seed << '\n';
 }
 
 }  // namespace
@@ -43,7 +47,7 @@ Command merge_command() {
       .summary = "Join stores that each hold a range of the scenarios of one run",
       .required = {{"STORE", "stores made by flinch simulate", &options->stores},
                    {"--out", "store file to write", &options->out}},
-      .optional = {json_option(options->json)},
+      .optional = {force_option(options->force), json_option(options->json)},
       .notes =
           "The stores must be of the same library, seed, distribution and simulation, and leave "
           "no\n"

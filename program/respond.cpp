@@ -12,6 +12,7 @@
 #include "motion/rotation.h"
 #include "program/command.h"
 #include "program/load.h"
+#include "program/printable.h"
 #include "program/response_recording.h"
 #include "program/table.h"
 #include "program/threat_options.h"
@@ -24,6 +25,7 @@ struct RespondOptions {
   std::string selector;
   std::string out;
   ThreatOptions threat;
+  bool force = false;
   bool json = false;
 };
 
@@ -35,6 +37,19 @@ Kind kind_of(const std::string& path) {
   if (extension == ".bvh") return Kind::bvh;
   if (extension == ".svg") return Kind::svg;
   throw Error(path, "unknown kind of file; use a name that ends in .glb, .bvh or .svg");
+}
+
+/// Returns what `--out` will be. Throws Error for a name with another ending.
+database::Output output_of(const std::string& path) {
+  using database::FileKind;
+  switch (kind_of(path)) {
+    case Kind::glb:
+      return {path, FileKind::gltf, database::kGlbMark};
+    case Kind::bvh:
+      return {path, FileKind::bvh, database::kBvhMark};
+    default:
+      return {path, FileKind::text, database::kFilmstripMark};
+  }
 }
 
 // Draws the recording as a clip that protects the side that the threat comes from, so that the
@@ -75,7 +90,8 @@ const std::string& clip_name(const runtime::Library& library, int clip) {
 }
 
 void run_respond(const RespondOptions& options) {
-  kind_of(options.out);  // throws before any work
+  database::check_outputs({output_of(options.out)}, {options.selector},
+                          overwrite_of(options.force));
   const runtime::Library library = load_runtime_library(options.selector);
   const motion::PerTarget<Eigen::Vector3f>& centres = library.selector().target_centres;
   const features::ThreatDescription threat = described(options.threat, centres);
@@ -103,7 +119,7 @@ void run_respond(const RespondOptions& options) {
     print(document);
     return;
   }
-  std::cout << options.out << ": " << clip << ", "
+  std::cout << printable(options.out) << ": " << printable(clip) << ", "
             << fixed(double{recording.motion.duration_s()}, 2) << " s; ";
   if (hits) {
     std::cout << "the ball hits at " << fixed(double{recording.contact_s}, 2) << " s with "
@@ -112,7 +128,7 @@ void run_respond(const RespondOptions& options) {
     std::cout << "the ball hits nothing";
   }
   if (recording.reaction_clip)
-    std::cout << ", then " << clip_name(library, *recording.reaction_clip);
+    std::cout << ", then " << printable(clip_name(library, *recording.reaction_clip));
   std::cout << (recording.knocked_over ? ", which knocks the character over\n" : "\n");
 }
 
@@ -127,7 +143,8 @@ Command respond_command() {
                         "FILE.glb for Blender and glTF viewers, FILE.bvh, or FILE.svg for a "
                         "filmstrip",
                         &options->out}},
-          .optional = join({threat_options(options->threat), {json_option(options->json)}}),
+          .optional = join({threat_options(options->threat),
+                            {force_option(options->force), json_option(options->json)}}),
           .notes =
               "The character stands at the origin, facing the front, perceives the threat at once, "
               "and is\n"

@@ -9,6 +9,7 @@
 #include "motion/rotation.h"
 #include "program/command.h"
 #include "program/load.h"
+#include "program/printable.h"
 #include "program/table.h"
 #include "program/threat_options.h"
 #include "train/scenario/scenario_sampling.h"
@@ -68,7 +69,7 @@ void print_text(const models::Selector& selector, const ThreatOptions& threat,
   }
   const models::ClipSummary& best =
       selector.clips[static_cast<std::size_t>(candidates.front().clip)];
-  std::cout << best.name << ": for a threat to the " << threat.target << " from "
+  std::cout << printable(best.name) << ": for a threat to the " << threat.target << " from "
             << fixed(threat.azimuth, 0) << " degrees in " << fixed(threat.time_to_impact_s, 2)
             << " s\n\n"
             << table.text();

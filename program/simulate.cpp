@@ -14,6 +14,7 @@
 #include "program/clock.h"
 #include "program/command.h"
 #include "program/interrupt.h"
+#include "program/printable.h"
 #include "program/processors.h"
 #include "program/progress.h"
 #include "program/table.h"
@@ -33,6 +34,7 @@ struct SimulateOptions {
   std::optional<int> threads;
   std::uint64_t memory = std::uint64_t{1} << 30;
   bool unabridged = false;
+  bool force = false;
   bool json = false;
 };
 
@@ -117,8 +119,8 @@ void print_result(const SimulateOptions& options, const train::SimulationProgres
     print_line(summary_document(options, store, done));
     return;
   }
-  std::cout << options.store << ": " << store.observation_count << " scenarios of "
-            << store.header.library_name;
+  std::cout << printable(options.store) << ": " << store.observation_count << " scenarios of "
+            << printable(store.header.library_name);
   if (store.range.first > 0) std::cout << " from number " << store.range.first;
   std::cout << ", seed " << store.header.seed << '\n';
   if (done.counts.simulations > 0) print_summary(done);
@@ -146,6 +148,10 @@ void write_store(const SimulateOptions& options, const train::SimulationSetup& s
 }
 
 void simulate(const SimulateOptions& options, train::Messenger& messenger) {
+  if (messenger.rank() == 0) {
+    database::check_outputs({train::store_output(options.store)}, {options.library},
+                            overwrite_of(options.force));
+  }
   const database::ClipLibrary library = database::load_library(options.library);
   train::SimulationPlan plan;
   plan.seed = options.seed;
@@ -158,6 +164,7 @@ void simulate(const SimulateOptions& options, train::Messenger& messenger) {
   run.batch.stop = &catch_interrupts();
   run.memory = train::plan_memory(setup, options.memory, run.batch.threads);
   run.messenger = &messenger;
+  run.overwrite = overwrite_of(options.force);
   if (messenger.rank() == 0) {
     print_binding_note(options, messenger);
     write_store(options, setup, run);
@@ -199,6 +206,7 @@ Command simulate_command() {
            {"--memory", "maximum memory to use, such as 512M or 2G", &options->memory, ByteCount{}},
            {"--reference", "simulate each trial separately from perception on: many times slower",
             &options->unabridged},
+           force_option(options->force),
            {"--json", "print lines of JSON and nothing else: progress, and a summary at the end",
             &options->json}},
       .notes =

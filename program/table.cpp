@@ -6,11 +6,14 @@
 #include <iomanip>
 #include <sstream>
 
+#include "program/printable.h"
+
 namespace flinch::program {
 
 Table::Table(std::vector<Column> columns) : columns_(std::move(columns)) {}
 
 void Table::add(std::vector<std::string> cells) {
+  for (std::string& cell : cells) cell = printable(cell);
   rows_.push_back(std::move(cells));
 }
 

@@ -16,7 +16,7 @@ class Table {
   };
   explicit Table(std::vector<Column> columns);
 
-  /// Adds a line with one cell per column.
+  /// Adds a line with one cell per column, which is shown as printable() makes it.
   void add(std::vector<std::string> cells);
   std::string text() const;
 

@@ -4,6 +4,7 @@
 
 #include "database/library/library.h"
 #include "program/command.h"
+#include "program/printable.h"
 #include "train/fit/feature_derivation.h"
 #include "train/fit/labels.h"
 #include "train/fit/selector_writer.h"
@@ -20,6 +21,7 @@ struct TrainOptions {
   std::string model{train::name_of(train::kDefaultMethod)};
   std::string features;
   CostOptions cost;
+  bool force = false;
   bool json = false;
 };
 
@@ -50,6 +52,8 @@ Json summary_of(const TrainOptions& options, const train::Store& store,
 }
 
 void run_train(const TrainOptions& options) {
+  database::check_outputs({{options.selector, database::FileKind::selector, ""}}, {options.store},
+                          overwrite_of(options.force));
   train::Store store = train::read_store(options.store);
   derive_features(features::feature_set_named(options.features)->layout, store);
   const train::CostModel cost_model =
@@ -63,8 +67,9 @@ void run_train(const TrainOptions& options) {
     print(summary);
     return;
   }
-  std::cout << options.selector << ": " << options.model << " of " << store.observations.size()
-            << " scenarios of " << store.header.library_name << '\n';
+  std::cout << printable(options.selector) << ": " << options.model << " of "
+            << store.observations.size() << " scenarios of " << printable(store.header.library_name)
+            << '\n';
   std::cout << "parameters, chosen by cross-validation: " << training.parameters
             << "\nmean regret in cross-validation: " << training.cross_validated_regret_ns
             << " N s\n";
@@ -81,7 +86,7 @@ Command train_command() {
           .optional = join({{{"--model", "model to fit", &options->model, OneOf{method_names()}},
                              features_option(options->features)},
                             cost_options(options->cost),
-                            {json_option(options->json)}}),
+                            {force_option(options->force), json_option(options->json)}}),
           .notes = "Example:\n  flinch train real.flinchobs --out real.flinch",
           .run = [options] { run_train(*options); }};
 }

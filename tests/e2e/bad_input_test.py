@@ -221,7 +221,7 @@ class BadInput(ProgramTest):
                         ["train", self.store, "--out", self.folder]]:
             with self.subTest(command=command):
                 self.refuse(1, str(command[-1] if command[-2] != "-n" else command[-3]), *command)
-        self.refuse(1, "not a store", "simulate", self.library, "--out", self.selector, "-n", 2)
+        self.refuse(1, "is a selector; give --force", "simulate", self.library, "--out", self.selector, "-n", 2)
         self.refuse(1, ".libsvm or .csv", "export", self.store, "--out", self.folder / "a.xls")
 
     def test_too_few_scenarios(self):
