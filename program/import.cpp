@@ -81,7 +81,7 @@ void print_source_notes(const std::vector<database::SourceReport>& sources) {
   for (const database::SourceReport& source : sources) {
     for (const std::string& warning : source.warnings) {
       const bool has_path = warning.starts_with(source.path + ":");
-      std::cout << "note: " << (has_path ? "" : source.path + ": ") << warning << '\n';
+      std::cout << "note: " << printable((has_path ? "" : source.path + ": ") + warning) << '\n';
     }
   }
 }

@@ -126,8 +126,9 @@ void StoreWriter::File::start_partial() {
 /// Removes the partial file and all that belongs to it. Call while holding the lock, which keeps
 /// other writers out.
 void StoreWriter::File::remove_partial() const {
-  // The journal goes before its database, which is committed and needs none.
-  for (const std::string& left : {copy(), partial() + "-journal", partial()}) fs::remove(left);
+  // A journal goes before its database, which is committed and needs none.
+  for (const std::string& left : {copy() + "-journal", copy(), partial() + "-journal", partial()})
+    fs::remove(left);
 }
 
 StoreWriter::StoreWriter(const std::string& path, const StoreHeader& header, ScenarioRange wanted,
@@ -192,7 +193,8 @@ void StoreWriter::remove_left_overs(const std::string& path) {
   File file;
   file.path = database::link_target(path);
   const bool is_any_left = fs::exists(file.partial()) || fs::exists(file.copy()) ||
-                           fs::exists(file.partial() + "-journal");
+                           fs::exists(file.partial() + "-journal") ||
+                           fs::exists(file.copy() + "-journal");
   if (!is_any_left) return;
   try {
     const StoreSummary finished = summarise_store(file.path);

@@ -351,7 +351,7 @@ TEST(Store, WhatAKilledWriterLeavesBesideAFinishedStoreIsRemoved) {
   write_store(path, header, 20);
   const std::string whole = read_file(path);
   // Killed after the store got its name: its sealed twin, a copy and an empty journal are left.
-  for (const char* left : {".partial", ".partial-copy"})
+  for (const char* left : {".partial", ".partial-copy", ".partial-copy-journal"})
     folder.write(std::string("a") + left, whole);
   folder.write("a.partial-journal", "");
   StoreWriter::remove_left_overs(path);
