@@ -147,8 +147,9 @@ void run_annotate(const AnnotateOptions& given) {
   const database::SourceOptions source = source_options(options.bvh);
   const database::Take take = database::read_take(options.take, source);
   const database::Draft draft = database::draft_of(take);
-  const database::DraftPaths paths{seen_from(options.out, options.take),
-                                   seen_from(options.out, options.sheet)};
+  const database::DraftPaths paths{.take = seen_from(options.out, options.take),
+                                   .sheet = seen_from(options.out, options.sheet),
+                                   .rest = source.rest ? seen_from(options.out, *source.rest) : ""};
   database::write_file_atomically(options.sheet, database::contact_sheet_svg(take, draft));
   database::write_file_atomically(options.out, database::draft_toml(draft, paths, source));
   if (options.json) {

@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "database/import/role_map.h"
+#include "program/command_line.h"
 #include "program/printable.h"
 #include "program/table.h"
 
@@ -18,7 +19,14 @@ std::vector<Option> bvh_options(BvhOptions& options) {
            &options.roles},
           {"--rest",
            "BVH file of the same skeleton in which it stands, for files in which it never does",
-           &options.rest}};
+           &options.rest},
+          {"--rate-of-file",
+           "frame rate that BVH files really have, Hz (default: as their Frame Time says)",
+           &options.rate_hz, Range{database::kMinSourceRate_hz, database::kMaxSourceRate_hz}},
+          {"--frames", "use only the frames FIRST:LAST of BVH files, from 1, such as 2:90 or 2:",
+           &options.frames},
+          {"--skip-first", "leave out the first frame of BVH files, where it is a T-pose",
+           &options.skip_first}};
 }
 
 database::SourceOptions source_options(const BvhOptions& options) {
@@ -27,6 +35,14 @@ database::SourceOptions source_options(const BvhOptions& options) {
   source.up = database::up_axis_named(options.up);
   if (!options.roles.empty()) source.roles = database::read_role_overrides(options.roles);
   if (!options.rest.empty()) source.rest = options.rest;
+  source.frames.rate_hz = options.rate_hz;
+  if (!options.frames.empty()) {
+    source.frames.range = database::frame_range_from(options.frames);
+    if (!source.frames.range) {
+      throw UsageError("--frames needs FIRST:LAST, such as 2:90 or 2:, but is " + options.frames);
+    }
+  }
+  if (options.skip_first) source.frames.skip_first = true;
   return source;
 }
 
@@ -41,6 +57,7 @@ Json source_document(const database::SourceReport& source) {
   return {{"kind", "bvh"},
           {"file", source.path},
           {"joint_count", source.joint_count},
+          {"first_frame", source.first_frame},
           {"frame_count", source.frame_count},
           {"frame_time_s", source.frame_time_s},
           {"duration_s", source.duration_s},
@@ -51,6 +68,14 @@ Json source_document(const database::SourceReport& source) {
           {"warnings", source.warnings}};
 }
 
+namespace {
+
+std::string from_frame(int first) {
+  return first == 1 ? "" : " from frame " + std::to_string(first);
+}
+
+}  // namespace
+
 std::string source_text(const database::SourceReport& source) {
   Table table({{"role"}, {"joint"}, {"found by"}});
   for (const motion::Role role : motion::kRoles) {
@@ -60,10 +85,10 @@ std::string source_text(const database::SourceReport& source) {
   }
   std::ostringstream text;
   text << printable(source.path) << ": " << source.joint_count << " joints, " << source.frame_count
-       << " frames, " << fixed(source.duration_s, 2) << " s; in " << database::name_of(source.unit)
-       << (source.unit_given ? "" : " (found)") << ", up " << database::name_of(source.up)
-       << (source.up_given ? "" : " (found)") << ", head at " << fixed(source.head_height_m, 2)
-       << " m\n\n"
+       << " frames" << from_frame(source.first_frame) << ", " << fixed(source.duration_s, 2)
+       << " s; in " << database::name_of(source.unit) << (source.unit_given ? "" : " (found)")
+       << ", up " << database::name_of(source.up) << (source.up_given ? "" : " (found)")
+       << ", head at " << fixed(source.head_height_m, 2) << " m\n\n"
        << table.text();
   for (const std::string& warning : source.warnings) text << "note: " << printable(warning) << '\n';
   return text.str();

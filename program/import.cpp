@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "database/import/library_writer.h"
+#include "database/import/manifest.h"
 #include "program/bvh_options.h"
 #include "program/command.h"
 #include "program/printable.h"
@@ -156,7 +157,7 @@ Command import_command() {
                       "against",
                       &options->manifest},
                      {"--rate", "frame rate of the library, Hz (default: the manifest's, else 60)",
-                      &options->rate_hz, Range{10, 1000}},
+                      &options->rate_hz, Range{database::kMinRate_hz, database::kMaxRate_hz}},
                      {"--skeleton", "file whose skeleton to use if there is no manifest",
                       &options->skeleton}},
                     bvh_options(options->bvh),

@@ -255,9 +255,8 @@ void run_info(const InfoOptions& options) {
   using database::FileKind;
   const FileKind kind = train::file_kind_at(options.file);
   if (options.bvh.given() && kind != FileKind::bvh)
-    throw Error(options.file,
-                "is " + std::string(database::name_of(kind)) +
-                    ", and --unit, --up and --roles are for BVH files; leave them out");
+    throw Error(options.file, "is " + std::string(database::name_of(kind)) +
+                                  ", and the options for BVH files are not for it; leave them out");
   if (options.quality && kind != FileKind::library)
     throw Error(options.file, "is " + std::string(database::name_of(kind)) +
                                   ", and --quality is for libraries; leave it out");

@@ -2,6 +2,8 @@
 #include "database/annotate/draft_toml.h"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <cmath>
 #include <cstdio>
 
@@ -15,6 +17,12 @@ std::string decimal(double value, int digits) {
   char text[40];
   std::snprintf(text, sizeof text, "%.*f", digits, value);
   return text;
+}
+
+// The shortest number that reads as the same double.
+std::string exact_decimal(double value) {
+  std::array<char, 32> text{};
+  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
 }
 
 // One line; a comment starts in a column of its own.
@@ -78,10 +86,20 @@ std::string clip_text(const DraftClip& clip, const DraftPaths& paths) {
          heading_line(clip.heading);
 }
 
+std::string frames_text(const FrameOptions& options) {
+  std::string text;
+  if (options.rate_hz) text += line("rate_of_file", exact_decimal(*options.rate_hz));
+  if (options.range) text += line("frames", toml_string(text_of(*options.range)));
+  if (options.skip_first) text += line("skip_first", *options.skip_first ? "true" : "false");
+  return text;
+}
+
 std::string source_text(const DraftPaths& paths, const SourceOptions& options) {
   std::string text;
   if (options.unit) text += line("units", toml_string(std::string(name_of(*options.unit))));
   if (options.up) text += line("up", toml_string(std::string(name_of(*options.up))));
+  if (!paths.rest.empty()) text += line("rest", toml_string(paths.rest));
+  text += frames_text(options.frames);
   if (!options.roles.empty()) {
     text += "roles = {";
     const char* separator = " ";

@@ -11,6 +11,7 @@ namespace flinch::database {
 struct DraftPaths {
   std::string take;   ///< the BVH file, as seen from the manifest's folder
   std::string sheet;  ///< the contact sheet, likewise
+  std::string rest;   ///< the file of options.rest, likewise; empty without one
 };
 
 /// Returns a draft as a manifest in TOML (docs/importing.md) that import accepts as it is. A

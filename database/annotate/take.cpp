@@ -41,6 +41,7 @@ Take read_take(const std::string& path, const SourceOptions& options) {
   if (source.bvh.frame_count < 2) {
     throw Error(path, "has one frame; a take needs motion to be annotated");
   }
+  check_frame_count(path, {0, source.bvh.duration_s(), 0}, kRate_hz);
   const SourceMotion recorded = source_motion(source);
   CharacterOptions character;
   character.height_m = kStature_m;
@@ -49,7 +50,7 @@ Take read_take(const std::string& path, const SourceOptions& options) {
   take.figure = motion::make_figure(character_of(source, character));
   take.motion = retarget(recorded, take.figure.skeleton(), {0, recorded.duration_s(), 0}, kRate_hz);
   const std::size_t first = first_recorded(trajectory_of(take.figure, take.motion));
-  take.start_s = static_cast<double>(first) / static_cast<double>(kRate_hz);
+  take.start_s = recorded.start_s + static_cast<double>(first) / static_cast<double>(kRate_hz);
   take.motion.poses.erase(take.motion.poses.begin(),
                           take.motion.poses.begin() + static_cast<std::ptrdiff_t>(first));
   return take;

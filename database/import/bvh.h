@@ -36,6 +36,7 @@ struct Bvh {
   std::vector<BvhJoint> joints;  ///< parents first; the root is joint 0
   double frame_time_s = 0;       ///< above 0
   int frame_count = 0;           ///< at least 1
+  int first_frame = 0;           ///< frames of the file before these, see select_frames
   int channel_count = 0;         ///< columns of a frame, at least 1
   /// Frame after frame, frame_count * channel_count values: positions in the file's units,
   /// rotations in degrees.
@@ -43,6 +44,8 @@ struct Bvh {
   /// Unusual content that was accepted, each as "FILE:LINE: what".
   std::vector<std::string> warnings;
 
+  /// Time of the first frame, from the beginning of the file.
+  double start_s() const { return first_frame * frame_time_s; }
   double duration_s() const { return (frame_count - 1) * frame_time_s; }
 };
 

@@ -94,25 +94,32 @@ std::vector<fs::path> folders_of(const std::vector<std::string>& paths,
   return folders;
 }
 
-// Returns the entry's times within the file's; times just beyond the last frame are clamped.
-Segment segment_of(const ManifestEntry& entry, const SourceMotion& source) {
+// Returns the part of the source between the entry's times, which count from the beginning of the
+// file; times less than a frame outside the source are clamped.
+Segment segment_of(const ManifestEntry& entry, const SourceMotion& source, float rate_hz) {
   const double duration = source.duration_s();
   const double slack = source.frame_time_s;
-  Segment segment{entry.start_s.value_or(0), entry.end_s.value_or(duration), entry.heading};
-  if (segment.start_s > duration || segment.end_s > duration + slack) {
-    throw Error(entry.where, "[" + seconds(segment.start_s) + ", " + seconds(segment.end_s) +
-                                 "] is outside \"" + entry.file + "\", which lasts " +
-                                 seconds(duration));
+  Segment segment{entry.start_s.value_or(source.start_s) - source.start_s,
+                  entry.end_s.value_or(source.start_s + duration) - source.start_s, entry.heading};
+  if (segment.start_s < -slack || segment.start_s > duration || segment.end_s < 0 ||
+      segment.end_s > duration + slack) {
+    const std::string whole = "which lasts " + seconds(duration);
+    const std::string part = "of which the frames from " + seconds(source.start_s) + " to " +
+                             seconds(source.start_s + duration) + " are used";
+    throw Error(entry.where, "[" + seconds(source.start_s + segment.start_s) + ", " +
+                                 seconds(source.start_s + segment.end_s) + "] is outside \"" +
+                                 entry.file + "\", " + (source.start_s > 0 ? part : whole));
   }
+  segment.start_s = std::max(segment.start_s, 0.0);
   segment.end_s = std::min(segment.end_s, duration);
+  check_frame_count(entry.where, segment, rate_hz);
   return segment;
 }
 
-// Converts times in the file to times in the clip.
-motion::Annotation annotation_in(const ManifestEntry& entry, const Segment& segment,
-                                 float duration_s) {
+// Converts times in the source to times in the clip.
+motion::Annotation annotation_in(const ManifestEntry& entry, double start_s, float duration_s) {
   motion::Annotation annotation = *entry.annotation;
-  const auto start = static_cast<float>(segment.start_s);
+  const auto start = static_cast<float>(start_s);
   annotation.onset_s = std::max(annotation.onset_s - start, 0.0F);
   annotation.peak_s = std::min(annotation.peak_s - start, duration_s);
   annotation.end_s = duration_s;
@@ -126,7 +133,7 @@ motion::Annotation annotation_in(const ManifestEntry& entry, const Segment& segm
 void add_clip(const ManifestEntry& entry, const LoadedSource& loaded, ImportResult& result) {
   ClipLibrary& library = result.library;
   const motion::Skeleton& skeleton = library.character.skeleton;
-  const Segment segment = segment_of(entry, loaded.motion);
+  const Segment segment = segment_of(entry, loaded.motion, library.rate_hz);
   motion::Clip clip;
   clip.name = entry.name;
   clip.purpose = entry.purpose;
@@ -134,7 +141,8 @@ void add_clip(const ManifestEntry& entry, const LoadedSource& loaded, ImportResu
   clip.source = printable(entry.file);
   clip.motion = retarget(loaded.motion, skeleton, segment, library.rate_hz);
   if (entry.annotation) {
-    clip.annotation = annotation_in(entry, segment, clip.motion.duration_s());
+    clip.annotation =
+        annotation_in(entry, loaded.motion.start_s + segment.start_s, clip.motion.duration_s());
   }
   result.report.clips.push_back(
       {clip.name, clip.purpose, clip.source, clip.motion.duration_s(), clip.annotation.has_value(),
@@ -170,14 +178,6 @@ ImportResult build(const Manifest& manifest, const std::vector<std::string>& pat
   }
   warn_of_unannotated(result.report);
   return result;
-}
-
-SourceOptions merged(SourceOptions options, const SourceOptions& stronger) {
-  if (stronger.unit) options.unit = stronger.unit;
-  if (stronger.up) options.up = stronger.up;
-  if (stronger.rest) options.rest = stronger.rest;
-  for (const auto& [role, joint] : stronger.roles) options.roles[role] = joint;
-  return options;
 }
 
 ImportResult import_with_manifest(const std::vector<std::string>& paths,

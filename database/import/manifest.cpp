@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <map>
 
 #include "database/import/role_overrides.h"
@@ -32,6 +33,16 @@ Enum named(const TomlReader& reader, std::string_view key, Find find,
 double positive(const TomlReader& reader, std::string_view key) {
   const double value = reader.needed_number(key);
   if (value <= 0) reader.fail(key, "needs " + std::string(key) + " above 0");
+  return value;
+}
+
+double within(const TomlReader& reader, std::string_view key, double min, double max) {
+  const double value = reader.needed_number(key);
+  if (value < min || value > max) {
+    char range[64];
+    std::snprintf(range, sizeof range, " from %g to %g", min, max);
+    reader.fail(key, "needs " + std::string(key) + range);
+  }
   return value;
 }
 
@@ -184,7 +195,7 @@ void read_library(const toml::table& table, Manifest& manifest) {
   manifest.skeleton = reader.text("skeleton").value_or("");
   manifest.skeleton_where = reader.where("skeleton");
   if (!reader.has("rate")) return;
-  manifest.rate_hz = static_cast<float>(positive(reader, "rate"));
+  manifest.rate_hz = static_cast<float>(within(reader, "rate", kMinRate_hz, kMaxRate_hz));
 }
 
 void read_character(const toml::table& table, Manifest& manifest) {
@@ -198,8 +209,23 @@ void read_character(const toml::table& table, Manifest& manifest) {
   }
 }
 
+FrameOptions read_frames(const TomlReader& reader) {
+  FrameOptions frames;
+  if (reader.has("rate_of_file")) {
+    frames.rate_hz = within(reader, "rate_of_file", kMinSourceRate_hz, kMaxSourceRate_hz);
+  }
+  if (reader.has("frames")) {
+    frames.range = frame_range_from(reader.needed_text("frames"));
+    if (!frames.range) {
+      reader.fail("frames", "needs frames = \"FIRST:LAST\", such as \"2:90\" or \"2:\"");
+    }
+  }
+  frames.skip_first = reader.flag("skip_first");
+  return frames;
+}
+
 ManifestSource read_source(const std::string& path, const TomlReader& reader) {
-  reader.expect_keys({"units", "up", "rest", "roles"});
+  reader.expect_keys({"units", "up", "rest", "rate_of_file", "frames", "skip_first", "roles"});
   ManifestSource source;
   source.path = path;
   while (source.path.ends_with('/')) source.path.pop_back();
@@ -212,6 +238,7 @@ ManifestSource read_source(const std::string& path, const TomlReader& reader) {
         named<UpAxis>(reader, "up", up_axis_named, {"x", "y", "z", "-x", "-y", "-z"});
   }
   if (reader.has("rest")) source.options.rest = reader.needed_text("rest");
+  source.options.frames = read_frames(reader);
   if (reader.has("roles")) {
     const toml::table* roles = reader.table()["roles"].as_table();
     if (roles == nullptr) reader.fail("roles", "needs a table of lines: role = \"joint\"");
@@ -280,11 +307,7 @@ SourceOptions options_for(const Manifest& manifest, const std::string& file) {
                      return one->path.size() < other->path.size();
                    });
   SourceOptions options;
-  for (const ManifestSource* source : matching) {
-    if (source->options.unit) options.unit = source->options.unit;
-    if (source->options.up) options.up = source->options.up;
-    for (const auto& [role, joint] : source->options.roles) options.roles[role] = joint;
-  }
+  for (const ManifestSource* source : matching) options = merged(options, source->options);
   return options;
 }
 

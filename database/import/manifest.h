@@ -11,6 +11,10 @@
 
 namespace flinch::database {
 
+/// Frame rates that a library may have, Hz.
+inline constexpr double kMinRate_hz = 10;
+inline constexpr double kMaxRate_hz = 1000;
+
 /// One [[idle]], [[clip]] or [[push]]. Times are seconds from the start of its file.
 struct ManifestEntry {
   std::string name;

@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 #include "database/import/ankle_goals.h"
 #include "database/import/trunk_fit.h"
+#include "motion/error.h"
 #include "motion/interpolation.h"
 #include "motion/limb_ik.h"
 #include "motion/rotation.h"
@@ -253,6 +255,17 @@ Placement placement_of(const SourceMotion& source, const Skeleton& skeleton,
   start.z() = 0;
   placement.shift = -(Eigen::AngleAxisf(placement.yaw, Vector3f::UnitZ()) * start);
   return placement;
+}
+
+void check_frame_count(const std::string& where, const Segment& segment, float rate_hz) {
+  const double duration_s = segment.end_s - segment.start_s;
+  if (std::round(duration_s * static_cast<double>(rate_hz)) + 1 <= kMaxFrames) return;
+  char text[96];
+  std::snprintf(text, sizeof text, "lasts %.6g s, which is more than %d frames at %g Hz",
+                duration_s, kMaxFrames, static_cast<double>(rate_hz));
+  throw Error(where, std::string(text) +
+                         "; name a shorter part, or give the file's real frame rate with "
+                         "--rate-of-file, or rate_of_file in a manifest");
 }
 
 motion::Motion retarget(const SourceMotion& source, const Skeleton& skeleton,

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <string>
+
 #include "database/import/source_motion.h"
 #include "motion/clip.h"
 #include "motion/skeleton.h"
@@ -14,6 +16,10 @@ struct Segment {
   /// Added to the pelvis' facing at the start to get the actor's facing, radians counter-clockwise.
   double heading = 0;
 };
+
+/// Throws Error for a segment that would have more than kMaxFrames frames at this rate. `where` is
+/// its place in a file, for the message.
+void check_frame_count(const std::string& where, const Segment& segment, float rate_hz);
 
 /// Retargets a segment of a source to a skeleton, sampled at a fixed rate.
 ///

@@ -140,6 +140,7 @@ void find_reference(Source& source, const SourceOptions& options) {
   if (options.rest) {
     SourceOptions of_rest = options;
     of_rest.rest.reset();
+    of_rest.frames = {};
     const Source rest = analyse_source(read_bvh(*options.rest), of_rest);
     if (!has_same_skeleton(source, rest)) {
       throw Error(*options.rest, "its skeleton is not that of " + report.path +
@@ -162,7 +163,7 @@ void find_reference(Source& source, const SourceOptions& options) {
     report.warnings.push_back("neither " + looked_at +
                               " nor any frame is a standing figure: the reference pose is taken "
                               "from frame " +
-                              std::to_string(source.reference.frame) +
+                              std::to_string(report.first_frame + source.reference.frame) +
                               ", the most upright, and may be wrong; name a file in which it "
                               "stands with `rest`");
   }
@@ -185,9 +186,21 @@ void find_unit(Source& source, const SourceOptions& options) {
 
 }  // namespace
 
+SourceOptions merged(SourceOptions options, const SourceOptions& stronger) {
+  if (stronger.unit) options.unit = stronger.unit;
+  if (stronger.up) options.up = stronger.up;
+  if (stronger.rest) options.rest = stronger.rest;
+  if (stronger.frames.rate_hz) options.frames.rate_hz = stronger.frames.rate_hz;
+  if (stronger.frames.range) options.frames.range = stronger.frames.range;
+  if (stronger.frames.skip_first) options.frames.skip_first = stronger.frames.skip_first;
+  for (const auto& [role, joint] : stronger.roles) options.roles[role] = joint;
+  return options;
+}
+
 Source analyse_source(Bvh bvh, const SourceOptions& options) {
   Source source;
   source.bvh = std::move(bvh);
+  select_frames(source.bvh, options.frames);
   const std::optional<std::string> positions = unify_position_channels(source.bvh);
   const RoleMap roles = map_roles(source.bvh, options.roles);
   source.figure = source_figure(source.bvh, roles);
@@ -195,6 +208,7 @@ Source analyse_source(Bvh bvh, const SourceOptions& options) {
   SourceReport& report = source.report;
   report.path = source.bvh.path;
   report.joint_count = static_cast<int>(source.bvh.joints.size());
+  report.first_frame = source.bvh.first_frame + 1;
   report.frame_count = source.bvh.frame_count;
   report.frame_time_s = source.bvh.frame_time_s;
   report.duration_s = source.bvh.duration_s();
@@ -231,6 +245,7 @@ void adopt_reference(Source& source, const Source& from) {
 
 SourceMotion source_motion(const Source& source) {
   SourceMotion motion;
+  motion.start_s = source.bvh.start_s();
   motion.frame_time_s = source.bvh.frame_time_s;
   motion.leg_length_m = static_cast<float>(source.metres_per_unit * leg_length(source.reference));
   motion.trunk_at_rest =

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "database/import/frame_selection.h"
 #include "database/import/reference_pose.h"
 #include "database/import/role_map.h"
 #include "database/import/source_space.h"
@@ -16,9 +17,13 @@ struct SourceOptions {
   std::optional<LengthUnit> unit;
   std::optional<UpAxis> up;
   RoleOverrides roles;
+  FrameOptions frames;
   /// File with the same skeleton in which the figure stands: the reference pose is taken from it.
   std::optional<std::string> rest;
 };
+
+/// Returns the options, with those that `stronger` specifies in their place.
+SourceOptions merged(SourceOptions options, const SourceOptions& stronger);
 
 /// One foot of a source in one frame, m.
 struct SourceFoot {
@@ -51,6 +56,7 @@ struct SourceFrame {
 /// A source's motion and measurements, ready for retargeting. Its yaw and its position on the
 /// ground are the file's own.
 struct SourceMotion {
+  double start_s = 0;  ///< of its first frame, from the beginning of the file
   double frame_time_s = 0;
   std::vector<SourceFrame> frames;
   SourceTrunk trunk_at_rest;              ///< in the reference pose
@@ -65,7 +71,8 @@ struct SourceMotion {
 struct SourceReport {
   std::string path;
   int joint_count = 0;
-  int frame_count = 0;
+  int first_frame = 1;  ///< of those used, as the file numbers them from 1
+  int frame_count = 0;  ///< of those used
   double frame_time_s = 0;
   double duration_s = 0;
   LengthUnit unit = LengthUnit::metre;
@@ -73,7 +80,8 @@ struct SourceReport {
   UpAxis up = UpAxis::y;
   bool up_given = false;
   double head_height_m = 0;  ///< of the standing head joint
-  int reference_frame = -1;  ///< frame that the reference pose was taken from; -1: the OFFSETs
+  int reference_frame =
+      -1;  ///< frame that the reference pose was taken from, from 0; -1: the OFFSETs
   /// "joint name" and how it was found, for each role; empty where there is none.
   motion::PerRole<std::string> joint_name;
   motion::PerRole<RoleSource> joint_source{};

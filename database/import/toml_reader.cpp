@@ -60,6 +60,14 @@ std::optional<double> TomlReader::number(std::string_view key) const {
   return value;
 }
 
+std::optional<bool> TomlReader::flag(std::string_view key) const {
+  const toml::node* node = table_.get(key);
+  if (node == nullptr) return std::nullopt;
+  const std::optional<bool> value = node->value_exact<bool>();
+  if (!value) fail(key, "needs true or false for " + std::string(key));
+  return value;
+}
+
 std::string TomlReader::needed_text(std::string_view key) const {
   const std::optional<std::string> value = text(key);
   if (!value || value->empty()) fail(key, "needs " + std::string(key) + " = \"…\"");

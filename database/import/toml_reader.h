@@ -26,7 +26,8 @@ class TomlReader {
   bool has(std::string_view key) const { return table_.contains(key); }
   std::optional<std::string> text(std::string_view key) const;
   std::optional<double> number(std::string_view key) const;  ///< finite
-  std::string needed_text(std::string_view key) const;       ///< and not empty
+  std::optional<bool> flag(std::string_view key) const;
+  std::string needed_text(std::string_view key) const;  ///< and not empty
   double needed_number(std::string_view key) const;
 
   /// Throws the error at the key's line, or at the table's if there is no such key.

@@ -50,6 +50,20 @@ class Annotate(ProgramTest):
         self.succeed("import", elsewhere, "--manifest", elsewhere / "d.toml", "--out",
                      self.folder / "a.flinchlib")
 
+    def test_a_draft_keeps_the_options_that_its_take_was_read_with(self):
+        toml = self.folder / "d.toml"
+        self.succeed("annotate", self.take, "--out", toml, "--rate-of-file", 29.97, "--frames",
+                     "4:148", "--skip-first", "--rest", self.take)
+        text = toml.read_text()
+        for line in ("rate_of_file = 29.97\n", 'frames = "4:148"\n', "skip_first = true\n",
+                     'rest = "take.bvh"\n'):
+            self.assertIn(line, text)
+        made = self.document("import", self.folder, "--manifest", toml, "--out",
+                             self.folder / "a.flinchlib")
+        source = made["sources"][0]
+        self.assertEqual((source["first_frame"], source["frame_count"]), (4, 145))
+        self.assertAlmostEqual(source["frame_time_s"], 1 / 29.97)
+
     def test_files_that_exist_are_kept(self):
         for name, option in (("take.toml", "--out"), ("take.svg", "--sheet")):
             with self.subTest(file=name):

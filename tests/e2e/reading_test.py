@@ -51,6 +51,43 @@ class Reading(ProgramTest):
                 done = self.succeed("import", path, "--out", self.folder / "out")
                 self.assertIn(f"note: {document['warnings'][0]}\n", done.stdout)
 
+    def test_frames_and_their_rate_can_be_chosen(self):
+        path = self.file("take.bvh", STANDING)
+        chosen = self.document("info", path, "--frames", "11:", "--rate-of-file", 120)
+        self.assertEqual((chosen["first_frame"], chosen["frame_count"]), (11, 50))
+        self.assertAlmostEqual(chosen["duration_s"], 49 / 120)
+        self.assertEqual(self.document("info", path, "--skip-first")["first_frame"], 2)
+        self.assertIn("59 frames from frame 2", self.succeed("info", path, "--skip-first").stdout)
+        out = self.folder / "out"
+        made = self.document("import", path, "--out", out, "--frames", "31:60")
+        self.assertAlmostEqual(made["clips"][0]["duration_s"], 29 / 30, delta=1 / 60)
+        self.assertIn("has 60 frames", self.fail_with(1, "info", path, "--frames", "50:61"))
+        for text in ("5", "9:2", "0:9", "a:b"):
+            self.assertIn("FIRST:LAST", self.fail_with(2, "info", path, "--frames", text))
+
+    def test_one_number_cannot_cost_more_than_its_file(self):
+        limits = {"timeout": 10}
+        for number in ("1e-9", "1e-300", "1e6", "1e300"):
+            path = self.file("take.bvh", STANDING.replace("Frame Time: 0.0333333",
+                                                          f"Frame Time: {number}"))
+            draft = self.folder / "draft.toml"
+            for command in (["info", path], ["import", path, "--out", self.folder / "out"],
+                            ["annotate", path, "--out", draft]):
+                with self.subTest(number=number, command=command[0]):
+                    self.assertIn("--rate-of-file", self.fail_with(1, *command, **limits))
+            self.succeed("info", path, "--rate-of-file", 30)
+        path = self.file("take.bvh", STANDING.replace("Frames: 60", "Frames: 2147483647"))
+        self.assertIn("declares 2147483647 frames", self.fail_with(1, "info", path, **limits))
+        manifest = self.file("m.toml", '[[idle]]\nname = "a"\nfile = "plain.bvh"\n'
+                             "[library]\nrate = 1e6\n")
+        self.file("plain.bvh", STANDING)
+        self.assertIn("rate from 10 to 1000", self.fail_with(
+            1, "import", self.folder, "--manifest", manifest, "--out", self.folder / "out", **limits))
+        slow = self.file("slow.bvh", take(3000, lambda time_s: 0).replace(
+            "Frame Time: 0.0333333", "Frame Time: 9.9"))
+        self.assertIn("more than 1000000 frames", self.fail_with(
+            1, "import", slow, "--out", self.folder / "out", **limits))
+
     def test_any_bytes_in_names_give_valid_json_and_printable_text(self):
         text = STANDING.encode().replace(b"RightHand", b"Rechte\xe4Hand\x1b")
         strange = self.folder / "stran\udce4ge"

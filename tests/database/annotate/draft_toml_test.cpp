@@ -54,18 +54,25 @@ TEST_F(DraftFileTest, ImportAcceptsADraftAsItIs) {
   const std::string path = written(name, duck_and_shove());
   SourceOptions options;
   options.unit = LengthUnit::centimetre;
+  options.rest = path;
+  options.frames = {.rate_hz = 60.5, .range = FrameRange{3, {}}, .skip_first = true};
   options.roles[motion::Role::head] = read_take(path).source.joint_name[motion::Role::head];
   Draft draft = draft_of(read_take(path, options));
   ASSERT_EQ(draft.clips.size(), 2U);
   draft.clips[0].kind.value = MovementKind::duck;
   draft.clips[1].kind.value = MovementKind::push;
   const std::string manifest_path = (folder_ / "draft.toml").string();
-  std::ofstream(manifest_path) << draft_toml(draft, {name, "draft.svg"}, options);
+  std::ofstream(manifest_path) << draft_toml(draft, {name, "draft.svg", name}, options);
 
   const Manifest manifest = read_manifest(manifest_path);
   ASSERT_EQ(manifest.entries.size(), 1 + draft.clips.size());
   EXPECT_EQ(options_for(manifest, name).unit, LengthUnit::centimetre);
   EXPECT_EQ(options_for(manifest, name).roles, options.roles);
+  EXPECT_EQ(options_for(manifest, name).rest, name);
+  const FrameOptions frames = options_for(manifest, name).frames;
+  EXPECT_EQ(frames.rate_hz, options.frames.rate_hz);
+  EXPECT_EQ(text_of(frames.range.value()), "3:");
+  EXPECT_EQ(frames.skip_first, true);
   const ClipLibrary library = import_library({folder_.string()}, manifest_path).library;
   const auto has = [&](motion::Purpose purpose) {
     return std::any_of(library.clips.begin(), library.clips.end(),
@@ -80,7 +87,7 @@ TEST_F(DraftFileTest, TimesOfTheManifestAreThoseOfTheDraft) {
   const std::string path = written("take.bvh", duck_and_shove());
   const Draft draft = draft_of(read_take(path));
   const std::string manifest_path = (folder_ / "draft.toml").string();
-  std::ofstream(manifest_path) << draft_toml(draft, {"take.bvh", "draft.svg"}, {});
+  std::ofstream(manifest_path) << draft_toml(draft, {"take.bvh", "draft.svg", ""}, {});
   const Manifest manifest = read_manifest(manifest_path);
   const ManifestEntry& entry = manifest.entries.at(1);
   ASSERT_TRUE(entry.annotation);
@@ -88,6 +95,15 @@ TEST_F(DraftFileTest, TimesOfTheManifestAreThoseOfTheDraft) {
   EXPECT_NEAR(entry.annotation->onset_s, draft.clips[0].onset_s, 1e-3);
   EXPECT_NEAR(entry.annotation->peak_s, draft.clips[0].peak_s, 1e-3);
   EXPECT_NEAR(entry.annotation->peak_s, 2.0, 0.05);
+}
+
+TEST_F(DraftFileTest, TimesAreThoseOfTheFileWhereOnlySomeFramesAreUsed) {
+  const std::string path = written("take.bvh", duck_and_shove());
+  SourceOptions options;
+  options.frames.range = FrameRange{31, {}};
+  const Take take = read_take(path, options);
+  EXPECT_NEAR(take.start_s, 0.5, 1e-6);
+  EXPECT_NEAR(draft_of(take).clips.at(0).peak_s, 2.0, 0.05);
 }
 
 TEST_F(DraftFileTest, TPoseBeforeTheRecordingIsSkipped) {

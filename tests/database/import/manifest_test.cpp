@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "database/import/import.h"
+#include "database/import/retarget.h"
 #include "database/import/role_map.h"
 #include "motion/default_character.h"
 #include "tests/database/import/synthetic_figure.h"
@@ -44,8 +45,11 @@ TEST(Manifest, MatchesTheFile) {
           "[[push]]\nname = \"push\"\nfile = \"b/c.bvh\"\ncontact = 2\nstrength = \"mild\"\n"
           "[library]\nname = \"real\"\nrate = 50\nskeleton = \"b/c.bvh\"\n"
           "[character]\nmass_kg = 60\nsex = \"female\"\nheight_m = 1.7\n"
-          "[source.\"b\"]\nunits = \"inch\"\nup = \"-z\"\n"
-          "[source.\"b/c.bvh\"]\nunits = \"cmu\"\nroles = { head = \"Kopf\" }\n");
+          "[source.\"b\"]\nunits = \"inch\"\nup = \"-z\"\nrest = \"b/t.bvh\"\nskip_first = true\n"
+          "frames = \"2:90\"\n"
+          "[source.\"b/c.bvh\"]\nunits = \"cmu\"\nroles = { head = \"Kopf\" }\nrate_of_file = "
+          "59.94\n"
+          "skip_first = false\n");
   EXPECT_EQ(manifest.name, "real");
   EXPECT_EQ(manifest.rate_hz, 50);
   EXPECT_EQ(manifest.skeleton, "b/c.bvh");
@@ -69,6 +73,11 @@ TEST(Manifest, MatchesTheFile) {
   EXPECT_EQ(options.unit, LengthUnit::cmu);  // the longer path wins
   EXPECT_EQ(options.up, UpAxis::minus_z);
   EXPECT_EQ(options.roles.at(motion::Role::head), "Kopf");
+  EXPECT_EQ(options.rest, "b/t.bvh");
+  EXPECT_EQ(options.frames.rate_hz, 59.94);
+  EXPECT_EQ(text_of(options.frames.range.value()), "2:90");
+  EXPECT_EQ(options.frames.skip_first, false);
+  EXPECT_EQ(options_for(manifest, "b/d.bvh").frames.skip_first, true);
   EXPECT_FALSE(options_for(manifest, "bb/c.bvh").unit);
 }
 
@@ -119,7 +128,16 @@ TEST(Manifest, RefusesErrorsWithFileAndLine) {
       {std::string(kIdle) + "[[clip]]\nfile = \"a\"\n", "manifest.toml:4: [[clip]] needs name"},
       {std::string(kIdle) + kIdle, "manifest.toml:4: the name \"idle\" is already taken at"},
       {std::string(kIdle) + "[clip]\n", "manifest.toml:4: the manifest needs [[clip]]"},
-      {std::string(kIdle) + "[library]\nrate = 0\n", "manifest.toml:5: [library] needs rate above"},
+      {std::string(kIdle) + "[library]\nrate = 0\n",
+       "manifest.toml:5: [library] needs rate from 10"},
+      {std::string(kIdle) + "[library]\nrate = 1e6\n",
+       "manifest.toml:5: [library] needs rate from 10 to 1000"},
+      {std::string(kIdle) + "[source.a]\nrate_of_file = 1e9\n",
+       "manifest.toml:5: [source.\"a\"] needs rate_of_file from 0.1 to 10000"},
+      {std::string(kIdle) + "[source.a]\nframes = \"9:2\"\n",
+       "manifest.toml:5: [source.\"a\"] needs frames = \"FIRST:LAST\""},
+      {std::string(kIdle) + "[source.a]\nskip_first = 1\n",
+       "manifest.toml:5: [source.\"a\"] needs true or false for skip_first"},
       {std::string(kIdle) + "[character]\nsex = \"x\"\n",
        "manifest.toml:5: [character] has an unknown sex \"x\"; known are: female, male"},
       {std::string(kIdle) + "[source.a]\nunits = \"feet\"\n",
@@ -196,6 +214,36 @@ TEST(Import, CutsClipsAndMirrorsTheAnnotatedOnes) {
   ASSERT_EQ(result.report.warnings.size(), 1U);
   EXPECT_THAT(result.report.warnings.front(), HasSubstr("1 clips are not annotated"));
   EXPECT_EQ(result.report.sources.size(), 1U);
+}
+
+// Times count from the beginning of the file, whichever of its frames are used.
+TEST(Import, TimesStayThoseOfTheFileWhereOnlySomeFramesAreUsed) {
+  const TemporaryFolder folder;
+  write_standing(folder / "a.bvh");  // 31 frames at 30 Hz
+  const std::string clip = clip_with(
+      "start = 0.5\nend = 0.9\nonset = 0.6\npeak = 0.7\ntarget = \"legs\"\ndirection = 0\n"
+      "degree = \"mild\"\n");
+  folder.write("m.toml", clip + "[source.\"a.bvh\"]\nframes = \"4:31\"\n");
+  const ClipLibrary library = import_library({}, folder / "m.toml").library;
+  EXPECT_EQ(library.clips[0].motion.poses.size(), 55U);  // the idle: all that is used, 0.9 s
+  EXPECT_EQ(library.clips[1].motion.poses.size(), 25U);
+  EXPECT_NEAR(library.clips[1].annotation->onset_s, 0.1, 1e-6);
+  EXPECT_NEAR(library.clips[1].annotation->peak_s, 0.2, 1e-6);
+  folder.write("m.toml", clip + "[source.\"a.bvh\"]\nframes = \"19:\"\n");
+  EXPECT_THAT(error_of([&] { import_library({}, folder / "m.toml"); }),
+              HasSubstr("[0.500 s, 0.900 s] is outside \"a.bvh\", of which the frames from 0.600 s "
+                        "to 1.000 s are used"));
+}
+
+TEST(Import, ClipsOfMoreThanAMillionFramesAreRefused) {
+  const TemporaryFolder folder;
+  write_standing(folder / "a.bvh");
+  folder.write("m.toml", std::string(kIdle) + "[source.\"a.bvh\"]\nrate_of_file = 0.1\n");
+  EXPECT_EQ(import_library({}, folder / "m.toml").library.clips[0].motion.poses.size(), 18001U);
+  const Segment long_segment{10, 10 + (kMaxFrames - 1) / 60.0, 0};
+  EXPECT_EQ(error_of([&] { check_frame_count("m.toml:3", long_segment, 60); }), "");
+  EXPECT_THAT(error_of([&] { check_frame_count("m.toml:3", long_segment, 60.01F); }),
+              AllOf(HasSubstr("m.toml:3: lasts 16666.7 s"), HasSubstr("--rate-of-file")));
 }
 
 TEST(Import, MirrorsPushes) {
