@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <map>
 #include <string>
 #include <string_view>
@@ -30,8 +31,16 @@ struct RoleMap {
 /// Joint names that the user assigns to roles.
 using RoleOverrides = std::map<motion::Role, std::string>;
 
-/// Returns whether retargeting requires the role. Abdomen, neck, clavicles, hands and toes are
-/// optional.
+/// The roles that retargeting requires. Abdomen, neck, clavicles, hands and toes are optional.
+inline constexpr std::array kRequiredRoles{
+    motion::Role::pelvis,         motion::Role::chest,        motion::Role::head,
+    motion::Role::left_upper_arm, motion::Role::left_forearm, motion::Role::left_thigh,
+    motion::Role::left_shin,      motion::Role::left_foot,    motion::Role::right_upper_arm,
+    motion::Role::right_forearm,  motion::Role::right_thigh,  motion::Role::right_shin,
+    motion::Role::right_foot,
+};
+
+/// Returns whether the role is one of kRequiredRoles.
 bool is_required(motion::Role role);
 
 /// Thrown where a file's joints cannot be mapped. what() is one line; `suggestion` is a table for a
