@@ -77,13 +77,19 @@ std::string clip_table(const database::ImportReport& report) {
   return table.text();
 }
 
-// Notes say which file they are about, if not in which line.
+// "FILE: what"; some messages say themselves which file they are about, and in which line.
+std::string located(const std::string& file, const std::string& what) {
+  return what.starts_with(file + ":") ? what : file + ": " + what;
+}
+
+std::string skipped_text(const database::SkippedFile& file) {
+  return "skipped " + printable(located(file.path, file.reason)) + '\n';
+}
+
 void print_source_notes(const std::vector<database::SourceReport>& sources) {
   for (const database::SourceReport& source : sources) {
-    for (const std::string& warning : source.warnings) {
-      const bool has_path = warning.starts_with(source.path + ":");
-      std::cout << "note: " << printable((has_path ? "" : source.path + ": ") + warning) << '\n';
-    }
+    for (const std::string& warning : source.warnings)
+      std::cout << "note: " << printable(located(source.path, warning)) << '\n';
   }
 }
 
@@ -97,8 +103,7 @@ void print_text(const ImportOptions& options, const database::ImportResult& resu
   for (const database::ClipReport& clip : result.report.clips) {
     unannotated += clip.purpose == motion::Purpose::anticipation && !clip.is_annotated ? 1U : 0U;
   }
-  for (const database::SkippedFile& file : result.report.skipped)
-    std::cout << "skipped " << printable(file.path) << ": " << printable(file.reason) << '\n';
+  for (const database::SkippedFile& file : result.report.skipped) std::cout << skipped_text(file);
   if (!options.verbose) print_source_notes(result.report.sources);
   for (const std::string& warning : result.report.warnings)
     std::cout << "note: " << printable(warning) << '\n';
@@ -127,6 +132,14 @@ std::vector<std::string> inputs_of(const ImportOptions& options) {
   return inputs;
 }
 
+database::ImportResult imported(const ImportOptions& options,
+                                const database::ImportOptions& import) try {
+  return database::import_library(options.paths, options.manifest, import);
+} catch (const database::UnusableFiles& error) {
+  for (const database::SkippedFile& file : error.skipped) std::cerr << skipped_text(file);
+  throw;
+}
+
 void run_import(const ImportOptions& options) {
   database::check_outputs({{options.library, database::FileKind::library, ""}}, inputs_of(options),
                           overwrite_of(options.force));
@@ -134,7 +147,7 @@ void run_import(const ImportOptions& options) {
   import.rate_hz = options.rate_hz;
   import.skeleton = options.skeleton;
   import.source = source_options(options.bvh);
-  database::ImportResult result = database::import_library(options.paths, options.manifest, import);
+  database::ImportResult result = imported(options, import);
   result.library.hash = database::write_library(result.library, options.library);
   if (options.json) {
     print(document_of(options, result));

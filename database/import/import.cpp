@@ -271,15 +271,19 @@ ImportResult import_without_manifest(const std::vector<std::string>& paths,
   for (const FoundFile& file : files) {
     try {
       sources.add(file.path, options.source);
+    } catch (const RoleError& error) {
+      if (file.was_named || files.size() == 1) throw;
+      skipped.push_back({file.path, error.what(), error.suggestion});
+      continue;
     } catch (const Error& error) {
       if (file.was_named || files.size() == 1) throw;
-      skipped.push_back({file.path, error.what()});
+      skipped.push_back({file.path, error.what(), ""});
       continue;
     }
     manifest.entries.push_back(whole_file(file));
     entry_paths.push_back(file.path);
   }
-  if (manifest.entries.empty()) throw Error("", skipped.front().reason);
+  if (manifest.entries.empty()) throw UnusableFiles(paths.front(), std::move(skipped));
 
   ManifestEntry& idle = idle_of(manifest.entries);
   idle.purpose = motion::Purpose::idle;
@@ -301,7 +305,27 @@ ImportResult import_without_manifest(const std::vector<std::string>& paths,
   return result;
 }
 
+// Returns the first of the files with a suggestion; the end where none has one.
+std::vector<SkippedFile>::const_iterator first_suggestion(const std::vector<SkippedFile>& files) {
+  return std::ranges::find_if(files,
+                              [](const SkippedFile& file) { return !file.suggestion.empty(); });
+}
+
+std::string none_is_usable(const std::vector<SkippedFile>& files) {
+  const auto suggested = first_suggestion(files);
+  return "none of its " + std::to_string(files.size()) + " BVH files can be used" +
+         (suggested == files.end() ? "" : "; these roles are suggested for " + suggested->path);
+}
+
+std::string suggestion_of(const std::vector<SkippedFile>& files) {
+  const auto suggested = first_suggestion(files);
+  return suggested == files.end() ? "" : suggested->suggestion;
+}
+
 }  // namespace
+
+UnusableFiles::UnusableFiles(const std::string& where, std::vector<SkippedFile> files)
+    : RoleError(where, none_is_usable(files), suggestion_of(files)), skipped(std::move(files)) {}
 
 ImportResult import_library(const std::vector<std::string>& paths,
                             const std::optional<std::string>& manifest_path,

@@ -31,7 +31,17 @@ struct ClipReport {
 /// A file that was skipped, with the reason.
 struct SkippedFile {
   std::string path;
-  std::string reason;
+  std::string reason;      ///< one line
+  std::string suggestion;  ///< RoleError::suggestion; may be empty
+};
+
+/// Thrown where an import finds BVH files and can use none of them. what() is one line;
+/// `suggestion` is that of the first file that has one.
+class UnusableFiles : public RoleError {
+ public:
+  /// `where` is the folder that was searched; `files` holds at least one.
+  UnusableFiles(const std::string& where, std::vector<SkippedFile> files);
+  std::vector<SkippedFile> skipped;
 };
 
 /// Results of an import. Mirrored clips are not listed: their results equal their originals'.
@@ -57,7 +67,8 @@ struct ImportResult {
 /// alphabetical order) becomes one unannotated clip, named after its file. The idle clip is the
 /// first whose name contains "idle", or the first clip if there is none; its skeleton is the
 /// library's unless the options name another. Unusable files found in folders are skipped and
-/// reported; an unusable file in `paths` itself is an error.
+/// reported; an unusable file in `paths` itself is an error. UnusableFiles is thrown where none is
+/// left.
 ///
 /// Files with the same skeleton share the reference pose of the file that stands best. Throws
 /// Error.

@@ -157,7 +157,19 @@ class BadInput(ProgramTest):
         line, _, table = done.stderr.partition("\n")
         self.assertTrue(line.startswith(f"flinch: {bvh}: no joint found for "), line)
         self.succeed("info", bvh, "--roles", self.file("roles.toml", table))
-        type(self).cases += 1
+
+        files = self.folder / "takes"
+        files.mkdir()
+        for name in ("one.bvh", "two.bvh"):
+            (files / name).write_text(bvh.read_text())
+        (files / "half.bvh").write_text(bvh.read_text()[:200])
+        done = run("import", files, "--out", self.folder / "none.flinchlib")
+        self.assertEqual(done.returncode, 1, done.stderr)
+        for name in ("half.bvh", "one.bvh", "two.bvh"):
+            self.assertIn(f"skipped {files / name}:", done.stderr)
+        line = f"flinch: {files}: none of its 3 BVH files can be used; these roles are suggested"
+        self.assertIn(f"{line} for {files / 'one.bvh'}\n{table}", done.stderr)
+        type(self).cases += 2
 
     def test_bvh_and_manifests(self):
         frames = BVH.splitlines(keepends=True)
