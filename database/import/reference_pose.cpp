@@ -163,13 +163,17 @@ bool stands_like_human(const SourceFigure& figure, const FigureFrame& frame) {
   });
 }
 
-StandingPose find_standing_pose(const Bvh& bvh, const SourceFigure& figure, UpAxis up) {
+std::optional<StandingPose> standing_rest_figure(const Bvh& bvh, const SourceFigure& figure) {
   const BvhFrame rest = rest_frame(bvh);
   const Vector3d rest_up =
       direction_of(nearest_axis(feet_to_head(figure_frame(figure, rest, Quaterniond::Identity()))));
   const Quaterniond turn = to_facing_x(figure, rest, rest_up, true);
-  if (stands_like_human(figure, figure_frame(figure, rest, turn))) return {rest, turn, -1, 0};
+  if (!stands_like_human(figure, figure_frame(figure, rest, turn))) return std::nullopt;
+  return StandingPose{rest, turn, -1, 0};
+}
 
+StandingPose find_standing_pose(const Bvh& bvh, const SourceFigure& figure, UpAxis up) {
+  if (const std::optional<StandingPose> rest = standing_rest_figure(bvh, figure)) return *rest;
   const int step = std::max(1, bvh.frame_count / kFramesLookedAt);
   double min_doubt = std::numeric_limits<double>::infinity();
   int best = 0;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
+
 #include "database/import/source_figure.h"
 #include "database/import/source_space.h"
 
@@ -28,6 +30,9 @@ struct StandingPose {
   int frame = -1;               ///< as ReferencePose::frame
   double doubt = 0;             ///< as ReferencePose::doubt
 };
+
+/// Returns the rest figure, all rotations zero, if it stands like a human, whatever its arms do.
+std::optional<StandingPose> standing_rest_figure(const Bvh& bvh, const SourceFigure& figure);
 
 /// Finds the standing pose: the rest figure where that stands like a human, whatever its arms do;
 /// otherwise the most upright, symmetric frame of the motion. `up` is the motion's; the rest figure

@@ -11,6 +11,7 @@
 #include "database/import/ground_contact.h"
 #include "database/import/human_ends.h"
 #include "database/import/position_channels.h"
+#include "database/import/up_estimate.h"
 #include "motion/error.h"
 #include "motion/interpolation.h"
 #include "motion/rotation.h"
@@ -127,8 +128,13 @@ void find_space(Source& source, const SourceOptions& options) {
   SourceReport& report = source.report;
   report.up = options.up.value_or(found.up);
   report.up_given = options.up.has_value();
-  if (!options.up && found.certainty < 0.6) {
-    report.warnings.push_back("up is taken to be " + std::string(name_of(found.up)) +
+  const std::string taken = "up is taken to be " + std::string(name_of(found.up));
+  if (!options.up && found.rival) {
+    report.warnings.push_back(taken + ", but it may be " + std::string(name_of(*found.rival)) +
+                              ": the OFFSETs stand along another axis than the motion; say which "
+                              "with `up`");
+  } else if (!options.up && found.certainty < 0.6) {
+    report.warnings.push_back(taken +
                               ", but the figure hardly stands in this file; say so with `up`");
   }
   source.to_world = to_world(report.up);

@@ -14,7 +14,6 @@ using motion::enum_named;
 using motion::Role;
 
 constexpr double kStandingHeadHeight = 1.5;  // m, of the head joint of a mean adult
-constexpr int kFramesLookedAt = 400;
 
 constexpr motion::EnumArray<LengthUnit, std::string_view, 5> kUnitNames{"m", "cm", "mm", "inch",
                                                                         "cmu"};
@@ -69,18 +68,6 @@ UpAxis nearest_axis(const Eigen::Vector3d& direction) {
   int axis = 0;
   direction.cwiseAbs().maxCoeff(&axis);
   return static_cast<UpAxis>(axis + (direction[axis] < 0 ? 3 : 0));
-}
-
-UpEstimate estimate_up(const Bvh& bvh, const SourceFigure& figure) {
-  const int step = std::max(1, bvh.frame_count / kFramesLookedAt);
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  int count = 0;
-  for (int frame = 0; frame < bvh.frame_count; frame += step, ++count) {
-    sum += feet_to_head(
-        figure_frame(figure, forward_kinematics(bvh, frame), Eigen::Quaterniond::Identity()));
-  }
-  const UpAxis up = nearest_axis(sum);
-  return {up, sum.dot(direction_of(up)) / count};
 }
 
 Eigen::Quaterniond to_world(const Eigen::Vector3d& up, const Eigen::Vector3d& forward) {

@@ -29,14 +29,6 @@ Eigen::Vector3d feet_to_head(const FigureFrame& frame);
 /// Returns the axis nearest to a direction.
 UpAxis nearest_axis(const Eigen::Vector3d& direction);
 
-/// Up axis estimated from the motion: the axis nearest to the mean of feet_to_head over the frames.
-/// `certainty` is that mean's component along it, 0 to 1.
-struct UpEstimate {
-  UpAxis up = UpAxis::y;
-  double certainty = 0;
-};
-UpEstimate estimate_up(const Bvh& bvh, const SourceFigure& figure);
-
 /// Returns the rotation that takes a file's `up` to Z and its `forward`, made horizontal, to X.
 Eigen::Quaterniond to_world(const Eigen::Vector3d& up, const Eigen::Vector3d& forward);
 
