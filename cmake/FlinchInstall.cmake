@@ -1,11 +1,14 @@
 # SPDX-License-Identifier: MIT
-# Installs the run time's libraries, with the reaction to a hit, and the public headers as the CMake
-# package `flinch`, its C interface also for pkg-config, and the program.
+# Installs the run time's libraries, with looking ahead and the reaction to a hit, and the public
+# headers as the CMake package `flinch`, its C interface also for pkg-config, and the program.
 # The offline libraries stay behind: a game has no use for them, and the program does their work.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
 flinch_link_closure(runtime_libraries flinch_reaction)
+flinch_link_closure(lookahead_libraries flinch_lookahead)
+list(APPEND runtime_libraries ${lookahead_libraries})
+list(REMOVE_DUPLICATES runtime_libraries)
 list(FILTER runtime_libraries INCLUDE REGEX "^flinch_")
 list(REMOVE_ITEM runtime_libraries flinch_flags)
 install(TARGETS ${runtime_libraries} EXPORT flinch ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})

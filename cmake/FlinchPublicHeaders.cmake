@@ -22,6 +22,7 @@ set(FLINCH_PUBLIC_HEADERS
   runtime/response/response.h
   runtime/character.h
   runtime/c/flinch.h  # installed as flinch.h
+  lookahead/look_ahead.h
   reaction/recovery.h
   reaction/reaction.h
   reaction/reaction_clips.h

@@ -15,6 +15,7 @@
 #include "models/knn.h"
 #include "models/network.h"
 #include "models/pairwise_linear.h"
+#include "models/response_costs.h"
 #include "models/svm.h"
 #include "motion/clip.h"
 
@@ -42,6 +43,8 @@ struct Selector {
   motion::PerTarget<Eigen::Vector3f> target_centres{
       Eigen::Vector3f::Zero(), Eigen::Vector3f::Zero(), Eigen::Vector3f::Zero(),
       Eigen::Vector3f::Zero()};
+  /// What the clips cost; none in a selector that was written before files held it.
+  std::optional<ResponseCosts> costs;
 };
 
 /// Returns the allowed clips that the model ranks, best first.

@@ -136,24 +136,35 @@ void Character::limit_perception(const PerceptionLimits& limits, std::uint64_t s
   seed_ = seed;
 }
 
-Status Character::perceive(const features::Threat& threat, Workspace& workspace) noexcept {
+Status Character::predict(const features::Threat& threat, Perception& perception) const noexcept {
   if (!library_->is_loaded()) return Status::not_loaded;
   if (!features::is_usable(threat)) return Status::bad_threat;
   const PreparedLibrary& library = library_->prepared();
   const Pose now = pose();
   const Eigen::Vector3f eye = eye_of(library.skeleton(), now);
   const Perceived seen = runtime::perceive(threat, eye, limits_, seed_, threats_);
-  if (!seen.noticed) return counted(Status::unnoticed);
+  if (!seen.noticed) return Status::unnoticed;
+  const features::CharacterState state = current_state();
   const features::PredictedImpact impact =
       is_responding() || is_settling()
           ? features::predict_impact(seen.threat, library.figure(), now)
           : features::predict_impact(seen.threat, library.figure(), library.idle(),
-                                     library.motion_bounds, current_state());
+                                     library.motion_bounds, state);
   if (impact.outcome == features::Outcome::unusable) return Status::bad_threat;
-  if (impact.outcome == features::Outcome::miss) return counted(Status::misses);
+  if (impact.outcome == features::Outcome::miss) return Status::misses;
   const float time_s = std::max(impact.time_to_impact_s, 1e-3F);
-  return counted(
-      answer({seen.threat, impact.aimed_at, time_s, current_state()}, seen.delay_s, workspace));
+  perception = {{seen.threat, impact.aimed_at, time_s, state}, seen.delay_s};
+  return Status::ok;
+}
+
+Status Character::notice(const features::Threat& threat, Perception& perception) noexcept {
+  return counted(predict(threat, perception));
+}
+
+Status Character::perceive(const features::Threat& threat, Workspace& workspace) noexcept {
+  Perception perception;
+  const Status status = predict(threat, perception);
+  return counted(status == Status::ok ? rank_and_answer(perception, workspace) : status);
 }
 
 Status Character::perceive(const features::Threat& threat, motion::Target target,
@@ -164,8 +175,8 @@ Status Character::perceive(const features::Threat& threat, motion::Target target
   const Eigen::Vector3f eye = eye_of(library_->prepared().skeleton(), pose());
   const Perceived seen = runtime::perceive(threat, eye, limits_, seed_, threats_);
   if (!seen.noticed) return counted(Status::unnoticed);
-  return counted(
-      answer({seen.threat, target, time_to_impact_s, current_state()}, seen.delay_s, workspace));
+  const features::Scenario scenario{seen.threat, target, time_to_impact_s, current_state()};
+  return counted(rank_and_answer({scenario, seen.delay_s}, workspace));
 }
 
 // A refused threat draws no random numbers: the next is perceived as if the call had not been made.
@@ -174,26 +185,52 @@ Status Character::counted(Status status) noexcept {
   return status;
 }
 
-Status Character::answer(const features::Scenario& scenario, float delay_s,
-                         Workspace& workspace) noexcept {
-  const features::FeatureVector x = features::feature_vector(library_->selector().layout, scenario,
-                                                             library_->prepared().idling());
-  std::array<models::Candidate, kMaxCandidates> candidates{};
+Status Character::rank(const Perception& perception, Workspace& workspace,
+                       std::span<models::Candidate> best, std::size_t& count) const noexcept {
+  if (!library_->is_loaded()) return Status::not_loaded;
+  count = 0;
+  if (best.empty()) return Status::ok;
+  const features::FeatureVector x = features::feature_vector(
+      library_->selector().layout, perception.scenario, library_->prepared().idling());
   const Selection selection =
-      select(workspace, library_->selector(), x, scenario.target, candidates);
+      select(workspace, library_->selector(), x, perception.scenario.target, best);
   if (selection.status != SelectStatus::ok) return Status::other_workspace;
-  if (delay_s > 0) {
-    delayed_clip_ = selection.clip;
-    delay_s_ = double{delay_s};
-  } else if (const Status status = begin(selection.clip, scenario.time_to_impact_s);
-             status != Status::ok) {
+  count = selection.count;
+  return Status::ok;
+}
+
+Response Character::plan(const Perception& perception, int clip) const noexcept {
+  const float time_s = perception.scenario.time_to_impact_s - perception.delay_s;
+  if (!library_->is_loaded() || !is_time_to_impact(time_s)) return {};
+  features::CharacterState state = current_state();
+  if (!is_responding()) state.idle_time_s += perception.delay_s;
+  return make_response(library_->prepared(), state, clip, time_s, current_inertialization(state));
+}
+
+Status Character::answer(const Perception& perception, int clip,
+                         std::span<const models::Candidate> candidates) noexcept {
+  if (!library_->is_loaded()) return Status::not_loaded;
+  const features::Scenario& scenario = perception.scenario;
+  if (!is_time_to_impact(scenario.time_to_impact_s)) return Status::bad_threat;
+  if (perception.delay_s > 0) {
+    delayed_clip_ = clip;
+    delay_s_ = double{perception.delay_s};
+  } else if (const Status status = begin(clip, scenario.time_to_impact_s); status != Status::ok) {
     return status;
   }
-  candidates_ = candidates;
-  candidate_count_ = selection.count;
+  candidate_count_ = std::min(candidates.size(), kMaxCandidates);
+  std::copy_n(candidates.begin(), candidate_count_, candidates_.begin());
   target_ = scenario.target;
   time_to_impact_s_ = double{scenario.time_to_impact_s};
   return Status::ok;
+}
+
+Status Character::rank_and_answer(const Perception& perception, Workspace& workspace) noexcept {
+  std::array<models::Candidate, kMaxCandidates> candidates{};
+  std::size_t count = 0;
+  const Status status = rank(perception, workspace, candidates, count);
+  if (status != Status::ok) return status;
+  return answer(perception, candidates[0].clip, std::span(candidates).first(count));
 }
 
 Status Character::respond(int clip, float time_to_impact_s) noexcept {

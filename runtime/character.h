@@ -48,6 +48,12 @@ enum class Phase : std::uint8_t {
 /// The phase as one word, such as "blending"; never null.
 const char* name_of(Phase phase) noexcept;
 
+/// A threat that a character has perceived: what its response answers.
+struct Perception {
+  features::Scenario scenario;  ///< at the moment of perception, with the threat as perceived
+  float delay_s = 0;            ///< until the character can act (PerceptionLimits), s
+};
+
 /// How much of each joint's motion comes from Flinch and how much from the game.
 struct Mask {
   float weight = 1;  ///< scales the weights of all joints, 0 to 1
@@ -105,6 +111,23 @@ class Character {
   Status perceive(const features::Threat& threat, motion::Target target, float time_to_impact_s,
                   Workspace& workspace) noexcept;
 
+  /// The steps of perceive(), for a choice that looks further than the selector does
+  /// (lookahead/look_ahead.h). notice() predicts the impact as perceive() does, and counts as one:
+  /// the next threat draws other random numbers. `perception` is set only where the result is ok.
+  Status notice(const features::Threat& threat, Perception& perception) noexcept;
+  /// The clips that the selector considers for what was noticed, best first: as many as there are,
+  /// or as `best` holds. `count` is their number.
+  Status rank(const Perception& perception, Workspace& workspace, std::span<models::Candidate> best,
+              std::size_t& count) const noexcept;
+  /// The response with clip number `clip` that answer() would start if the reaction delay were
+  /// over. Its time 0 is the end of the delay. Invalid where there is no such response, or where
+  /// the threat arrives before the delay is over.
+  Response plan(const Perception& perception, int clip) const noexcept;
+  /// Starts that response, or the reaction delay before it. `candidates` are what candidates() will
+  /// return; the first kMaxCandidates of them are kept.
+  Status answer(const Perception& perception, int clip,
+                std::span<const models::Candidate> candidates) noexcept;
+
   /// Answers with clip number `clip`, for games that choose among candidates() themselves. The
   /// clip's peak falls on `time_to_impact_s` from now (above 0, at most 100 s).
   Status respond(int clip, float time_to_impact_s) noexcept;
@@ -120,6 +143,8 @@ class Character {
   /// a weight that is not finite counts as 0.
   motion::Pose pose_over(const motion::Pose& game, const Mask& mask) const noexcept;
 
+  /// The library that it was made with.
+  const Library& library() const noexcept { return *library_; }
   /// What the character is doing.
   Phase phase() const noexcept;
   /// Index in the library of the clip that answers, or of the idle clip.
@@ -146,7 +171,8 @@ class Character {
   motion::Pose pose_after(float time_s) const noexcept;
   features::CharacterState current_state() const noexcept;
   Inertialization current_inertialization(const features::CharacterState& state) const noexcept;
-  Status answer(const features::Scenario& scenario, float delay_s, Workspace& workspace) noexcept;
+  Status predict(const features::Threat& threat, Perception& perception) const noexcept;
+  Status rank_and_answer(const Perception& perception, Workspace& workspace) noexcept;
   Status counted(Status status) noexcept;
   Status begin(int clip, float time_to_impact_s) noexcept;
   void finish() noexcept;

@@ -172,6 +172,22 @@ bool is_part_sound(const models::PairwiseModel& model, std::size_t clip_count,
          });
 }
 
+bool is_part_sound(const models::ResponseCosts& costs, std::size_t clip_count) {
+  constexpr int kMaxCount = 1 << 12;
+  const auto is_amount = [](double x) { return std::isfinite(x) && x >= 0; };
+  return std::all_of(costs.vulnerability.begin(), costs.vulnerability.end(), is_amount) &&
+         is_amount(costs.reference_damage_ns) && costs.reference_damage_ns > 0 &&
+         is_amount(costs.reference_work_j) && costs.reference_work_j > 0 &&
+         costs.phase_count >= 1 && costs.phase_count <= kMaxCount && costs.time_count >= 1 &&
+         costs.time_count <= kMaxCount &&
+         costs.work_j.size() == clip_count * static_cast<std::size_t>(costs.phase_count) *
+                                    static_cast<std::size_t>(costs.time_count) &&
+         std::all_of(costs.work_j.begin(), costs.work_j.end(),
+                     [&](float work) { return is_amount(double{work}); }) &&
+         std::isfinite(costs.min_time_s) && std::isfinite(costs.time_step_s) &&
+         costs.time_step_s > 0;
+}
+
 }  // namespace
 
 bool is_sound(const models::Selector& selector) {
@@ -186,6 +202,7 @@ bool is_sound(const models::Selector& selector) {
          std::all_of(selector.clips.begin(), selector.clips.end(), is_clip_sound) &&
          feature_count > 0 && is_part_sound(selector.scaling, feature_count) &&
          selector.brawn >= 0 && selector.brawn <= 1 &&
+         (!selector.costs || is_part_sound(*selector.costs, clip_count)) &&
          std::all_of(selector.target_centres.begin(), selector.target_centres.end(), is_near) &&
          std::visit(
              [&](const auto& model) { return is_part_sound(model, clip_count, feature_count); },

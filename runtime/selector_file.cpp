@@ -121,6 +121,7 @@ bool has_bounded_size(const schema::Selector& stored, std::size_t content_size) 
   for (const schema::Clip* clip : *stored.clips()) unfolded.add(clip->name());
   for (const flatbuffers::String* name : *stored.feature_names()) unfolded.add(name);
   unfolded.add(stored.least()).add(stored.most()).add(stored.library());
+  if (stored.costs()) unfolded.add(stored.costs()->vulnerability()).add(stored.costs()->work_j());
   if (const schema::Svm* svm = stored.model_as_Svm()) {
     add_vectors(*svm, unfolded);
   } else if (const schema::Knn* knn = stored.model_as_Knn()) {
@@ -131,6 +132,22 @@ bool has_bounded_size(const schema::Selector& stored, std::size_t content_size) 
     unfolded.add(pairwise->clip()).add(pairwise->machine()).add(pairwise->weights());
   }
   return unfolded.is_within(content_size);
+}
+
+/// Returns nothing where the number of bodies is not that of a figure.
+std::optional<models::ResponseCosts> read_costs(const schema::ResponseCosts& stored) {
+  models::ResponseCosts costs;
+  if (stored.vulnerability()->size() != motion::kBodyCount) return std::nullopt;
+  std::copy(stored.vulnerability()->begin(), stored.vulnerability()->end(),
+            costs.vulnerability.begin());
+  costs.reference_damage_ns = stored.reference_damage_ns();
+  costs.reference_work_j = stored.reference_work_j();
+  costs.work_j = to_vector(*stored.work_j());
+  costs.phase_count = stored.phase_count();
+  costs.time_count = stored.time_count();
+  costs.min_time_s = stored.min_time_s();
+  costs.time_step_s = stored.time_step_s();
+  return costs;
 }
 
 /// Returns nothing unless this build computes every feature.
@@ -163,6 +180,10 @@ bool read_stored(const schema::Selector& stored, models::Selector& selector) {
     selector.model = read_model(*pairwise, selector.layout.size());
   } else {
     return false;
+  }
+  if (stored.costs() != nullptr) {
+    selector.costs = read_costs(*stored.costs());
+    if (!selector.costs) return false;
   }
   if (!is_sound(selector)) return false;
   if (auto* knn = std::get_if<models::KnnModel>(&selector.model)) models::build_leaves(*knn);

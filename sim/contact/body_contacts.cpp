@@ -67,6 +67,14 @@ BodyContacts::BodyContacts(const FigureModel& figure_model) : figure_model_(figu
   found_.reserve(motion::kBodyCount * (motion::kBodyCount - 1) / 2);
 }
 
+void BodyContacts::restart() {
+  found_.clear();
+  time_s_ = 0;
+  driven_until_s_ = {};
+  received_ns_ = {};
+  hit_now_ = {};
+}
+
 void BodyContacts::begin_step(double time_s) {
   time_s_ = time_s;
   hit_now_ = {};

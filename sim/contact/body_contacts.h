@@ -38,6 +38,8 @@ class BodyContacts {
   /// `figure_model` must outlive this.
   explicit BodyContacts(const FigureModel& figure_model);
 
+  /// Forgets all hits, as a new object would.
+  void restart();
   /// Call before the other calls of a step. Ends the driven state of bodies whose hit is long past.
   void begin_step(double time_s);
   /// Records that the ball hits `body` in this step.

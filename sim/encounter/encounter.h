@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <concepts>
 #include <limits>
 #include <utility>
 
@@ -24,6 +25,18 @@ class Encounter {
         body_contacts_(figure_model),
         scene_(std::forward<Arguments>(arguments)...),
         time_s_(time_s) {}
+
+  /// Starts anew at `time_s` as a new object would, without allocating: from the figure's state
+  /// `start`, with this ball or, if it is null, none.
+  void restart(double time_s, const motion::PerBody<BodyState>& start,
+               const features::Ball* ball) requires std::same_as<Scene, TreeScene> {
+    body_contacts_.restart();
+    scene_.restart(start, ball);
+    impulse_ = {};
+    first_contact_s_ = std::numeric_limits<double>::infinity();
+    time_s_ = time_s;
+    is_blow_ = false;
+  }
 
   /// Finds what the ball hits now and returns the length of step that this allows: at most
   /// `max_step_s`, and at least `min_step_s` even where less is safe. `now` is the state of the

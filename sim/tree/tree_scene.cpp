@@ -18,14 +18,21 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 TreeScene::TreeScene(const FigureModel& figure_model, const motion::PerBody<BodyState>& start,
                      const features::Ball* ball, double gravity_mps2)
-    : figure_model_(figure_model),
-      gravity_mps2_(gravity_mps2),
-      bodies_(start),
-      tree_(figure_model) {
+    : figure_model_(figure_model), gravity_mps2_(gravity_mps2), tree_(figure_model) {
   contacts_.reserve(kReservedRows);
   impulses_.reserve(kReservedRows);
   rows_.reserve(kReservedRows);
   propagated_.reserve(kReservedRows);
+  restart(start, ball);
+}
+
+void TreeScene::restart(const motion::PerBody<BodyState>& start, const features::Ball* ball) {
+  clear_contacts();
+  bodies_ = start;
+  ball_state_ = {};
+  ball_inertia_ = 0;
+  solver_messages_ = 0;
+  ball_.reset();
   if (!ball) return;
   ball_ = *ball;
   ball_state_.position = ball->position;

@@ -26,6 +26,9 @@ class TreeScene {
             const features::Ball* ball, double gravity_mps2)
       : TreeScene(figure_model, start.body, ball, gravity_mps2) {}
 
+  /// Starts anew from another state as a new object would, without allocating.
+  void restart(const motion::PerBody<BodyState>& start, const features::Ball* ball);
+
   motion::PerBody<MovingShape> shapes() const;
   std::optional<features::Ball> flight() const;
 

@@ -61,6 +61,8 @@ MAP = {
     "runtime/c": Folder(RUN_TIME, ["motion", "features", "database/library", "models", "runtime",
                                    "runtime/response"], ["Eigen/", "stddef.h", "stdint.h"]),
     "reaction": Folder(RUN_TIME, [*ENCOUNTER, "runtime", "runtime/response"], ["Eigen/"]),
+    "lookahead": Folder(RUN_TIME, [*ENCOUNTER, "models", "runtime", "runtime/response"],
+                        ["Eigen/"]),
     "train/scenario": Folder(OFFLINE, ["motion", "features", "database/library"], ["Eigen/"]),
     "train/objective": Folder(OFFLINE, ["motion", "features"], ["Eigen/"]),
     "train/store": Folder(OFFLINE, [*TRAIN, "train/scenario", "train/objective"],

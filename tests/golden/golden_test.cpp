@@ -24,7 +24,7 @@ namespace {
 
 constexpr std::uint64_t kScenarios = 40;
 constexpr std::uint64_t kObservationsHash = 0x3eb23a731b0b986d;
-constexpr std::uint64_t kSelectorHash = 0x451386e6ed9b39c4;
+constexpr std::uint64_t kSelectorHash = 0xcd88d60da8558972;
 constexpr std::uint64_t kPosesHash = 0xf351ae43a1882b31;
 
 constexpr const char* kAdvice =

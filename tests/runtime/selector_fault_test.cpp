@@ -59,6 +59,22 @@ TEST(SelectorFault, OfAnyModelIsNotWritten) {
        [](Selector& s) { s.target_centres[motion::Target::legs].z() = kNan; }});
 }
 
+TEST(SelectorFault, OfCostsIsNotWritten) {
+  expect_refused(
+      tests::knn_selector(),
+      {[](Selector& s) { s.costs->vulnerability[motion::Body::head] = kNanDouble; },
+       [](Selector& s) { s.costs->vulnerability[motion::Body::head] = -1; },
+       [](Selector& s) { s.costs->reference_damage_ns = 0; },
+       [](Selector& s) { s.costs->reference_work_j = 0; },
+       [](Selector& s) { s.costs->reference_work_j = kNanDouble; },
+       [](Selector& s) { s.costs->work_j.pop_back(); },
+       [](Selector& s) { s.costs->work_j[3] = -1; }, [](Selector& s) { s.costs->work_j[3] = kNan; },
+       [](Selector& s) { s.costs->phase_count = 0, s.costs->work_j.clear(); },
+       [](Selector& s) { s.costs->time_count = -3, s.costs->phase_count = -2; },
+       [](Selector& s) { s.costs->min_time_s = kNan; },
+       [](Selector& s) { s.costs->time_step_s = 0; }});
+}
+
 TEST(SelectorFault, OfAnSvmIsNotWritten) {
   expect_refused(tests::svm_selector(),
                  {[](Selector& s) { svm(s).label[1] = 8; },

@@ -116,6 +116,15 @@ void expect_same(const Selector& a, const Selector& b) {
   EXPECT_EQ(bits_of(a.scaling.max), bits_of(b.scaling.max));
   EXPECT_EQ(bits_of({a.brawn}), bits_of({b.brawn}));
   EXPECT_EQ(a.target_centres, b.target_centres);
+  ASSERT_TRUE(a.costs && b.costs);
+  EXPECT_EQ(a.costs->vulnerability, b.costs->vulnerability);
+  EXPECT_EQ(a.costs->reference_damage_ns, b.costs->reference_damage_ns);
+  EXPECT_EQ(a.costs->reference_work_j, b.costs->reference_work_j);
+  EXPECT_EQ(a.costs->work_j, b.costs->work_j);
+  EXPECT_EQ(a.costs->phase_count, b.costs->phase_count);
+  EXPECT_EQ(a.costs->time_count, b.costs->time_count);
+  EXPECT_EQ(a.costs->min_time_s, b.costs->min_time_s);
+  EXPECT_EQ(a.costs->time_step_s, b.costs->time_step_s);
   ASSERT_EQ(a.model.index(), b.model.index());
   std::visit(
       [&](const auto& model) {

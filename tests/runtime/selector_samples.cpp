@@ -45,6 +45,16 @@ Selector selector_without_model() {
   }
   selector.brawn = 0.1;
   for (Eigen::Vector3f& centre : selector.target_centres) centre = {0.1F, -0.2F, 1.0F / 3};
+  models::ResponseCosts& costs = selector.costs.emplace();
+  for (double& vulnerability : costs.vulnerability) vulnerability = 1.0 / 3;
+  costs.reference_damage_ns = 100.0 / 7;
+  costs.reference_work_j = 1000.0 / 7;
+  costs.phase_count = 2;
+  costs.time_count = 3;
+  costs.min_time_s = 0.25F;
+  costs.time_step_s = 1.0F / 30;
+  for (std::size_t i = 0; i < 6 * selector.clips.size(); ++i)
+    costs.work_j.push_back(static_cast<float>(i) / 3);
   return selector;
 }
 

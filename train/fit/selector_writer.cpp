@@ -92,6 +92,16 @@ schema::Model kind_of(const models::PairwiseModel&) {
   return schema::Model::PairwiseLinear;
 }
 
+Offset<schema::ResponseCosts> store(FlatBufferBuilder& builder,
+                                    const models::ResponseCosts& costs) {
+  const auto vulnerability =
+      builder.CreateVector(costs.vulnerability.data(), costs.vulnerability.size());
+  const auto work = builder.CreateVector(costs.work_j);
+  return schema::CreateResponseCosts(builder, vulnerability, costs.reference_damage_ns,
+                                     costs.reference_work_j, work, costs.phase_count,
+                                     costs.time_count, costs.min_time_s, costs.time_step_s);
+}
+
 // Stores the library at a multiple of 16 bytes, so that it can be read in place.
 Offset<flatbuffers::Vector<std::uint8_t>> store(FlatBufferBuilder& builder,
                                                 std::span<const std::byte> library_file) {
@@ -118,9 +128,12 @@ void store(FlatBufferBuilder& builder, const models::Selector& selector,
       std::visit([&builder](const auto& one) { return store(builder, one); }, selector.model);
   Offset<flatbuffers::Vector<std::uint8_t>> library;
   if (!library_file.empty()) library = store(builder, library_file);
+  Offset<schema::ResponseCosts> costs;
+  if (selector.costs) costs = store(builder, *selector.costs);
   schema::FinishSelectorBuffer(
-      builder, schema::CreateSelector(builder, selector.library_hash, clips, selector.idle, names,
-                                      least, most, selector.brawn, centres, kind, model, library));
+      builder,
+      schema::CreateSelector(builder, selector.library_hash, clips, selector.idle, names, least,
+                             most, selector.brawn, centres, kind, model, library, costs));
 }
 
 }  // namespace

@@ -13,6 +13,7 @@
 #include "models/fit/svm_fit.h"
 #include "motion/error.h"
 #include "train/fit/labels.h"
+#include "train/fit/response_costs.h"
 
 namespace flinch::train {
 
@@ -187,6 +188,7 @@ Training train_selector(const StoreHeader& header, std::span<const Observation> 
   selector.scaling = scaling_of(header, observations);
   selector.brawn = cost_model.brawn;
   selector.target_centres = header.idle_target_centres;
+  selector.costs = response_costs(header, observations, cost_model);
 
   const models::TrainingSet set = make_training_set(header, observations, labels, selector.scaling);
   const std::vector<int> folds =

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <limits>
+#include <optional>
+
+#include "lookahead/response_reference.h"
+#include "models/response_costs.h"
+#include "sim/encounter/encounter.h"
+
+namespace flinch::lookahead {
+
+/// What a ball does to a character that plays a response.
+struct TrialResult {
+  motion::PerBody<double> impulse;  ///< as in sim::SimulationResult, N·s
+  double damage_ns = 0;
+  /// Time of the first contact, s after perception; infinite if there is none.
+  double first_contact_s = std::numeric_limits<double>::infinity();
+  int steps = 0;        ///< simulated; 0 where the ball passes at a distance
+  bool is_cut = false;  ///< stopped because the damage exceeded what was asked for
+};
+
+/// Simulates balls against responses, each from shortly before it may touch, with the figure, the
+/// steps and the laws of training. What training takes from an undisturbed run of the whole
+/// response is approximated here: the figure starts kSettlingSteps before the contact in the
+/// response's own pose, with its velocities, and its motors settle in these steps.
+///
+/// Allocates when it is made and never after. A trial leaves nothing behind: equal calls give equal
+/// bits.
+class ResponseTrial {
+ public:
+  /// `figure_model` must outlive this. `reach_m` is features::CollisionFigure::reach_m.
+  ResponseTrial(const sim::FigureModel& figure_model, double reach_m);
+
+  /// Makes the character play `response`, which must be valid; `rate_hz` is the library's.
+  void follow(const runtime::Response& response, float rate_hz) {
+    reference_.follow(response, rate_hz);
+  }
+
+  /// Simulates `ball`, as it is at perception, until `until_s` after perception. Stops as soon as
+  /// the damage exceeds `max_damage_ns`; the result's damage is then a lower bound.
+  TrialResult meet(const features::Ball& ball, double until_s, const models::ResponseCosts& costs,
+                   double max_damage_ns = std::numeric_limits<double>::infinity());
+
+  static constexpr std::size_t kSettlingSteps = 6;
+
+ private:
+  std::optional<std::size_t> first_near_step(const features::Ball& ball, double until_s);
+  bool stays_clear(const features::Ball& ball, double now_s, double time_s, double until_s);
+  motion::PerBody<sim::BodyState> start_at(double time_s, const sim::ReferenceState& now);
+  double distance_to_reach_m(const features::Ball& ball, double time_s);
+
+  sim::SimulationOptions options_;
+  const sim::FigureModel& figure_model_;
+  double reach_m_;
+  ResponseReference reference_;
+  sim::Encounter<sim::TreeScene> encounter_;
+};
+
+}  // namespace flinch::lookahead

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#include "models/response_costs.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace flinch::models {
+
+float work_j(const ResponseCosts& costs, int clip, float idle_phase, float time_s) {
+  const auto phases = static_cast<std::size_t>(costs.phase_count);
+  const auto times = static_cast<std::size_t>(costs.time_count);
+  const float at_time = std::clamp((time_s - costs.min_time_s) / costs.time_step_s, 0.0F,
+                                   static_cast<float>(costs.time_count - 1));
+  const auto time = std::min(static_cast<std::size_t>(at_time), times - 1);
+  const auto next_time = std::min(time + 1, times - 1);
+  const float at_phase =
+      (idle_phase - std::floor(idle_phase)) * static_cast<float>(costs.phase_count);
+  const auto phase = static_cast<std::size_t>(at_phase) % phases;
+  const auto next_phase = (phase + 1) % phases;
+  const float* of_clip = &costs.work_j[static_cast<std::size_t>(clip) * phases * times];
+  const float time_weight = at_time - static_cast<float>(time);
+  const float phase_weight = at_phase - std::floor(at_phase);
+  const auto at = [&](std::size_t p) {
+    return std::lerp(of_clip[p * times + time], of_clip[p * times + next_time], time_weight);
+  };
+  return std::lerp(at(phase), at(next_phase), phase_weight);
+}
+
+double damage_ns(const ResponseCosts& costs, const motion::PerBody<double>& impulse) {
+  double damage = 0;
+  for (const motion::Body body : motion::kBodies)
+    damage += costs.vulnerability[body] * impulse[body];
+  return damage;
+}
+
+double cost_ns(const ResponseCosts& costs, double brawn, double damage_ns, double work_j) {
+  return (1 - brawn) * damage_ns +
+         brawn * work_j * costs.reference_damage_ns / costs.reference_work_j;
+}
+
+}  // namespace flinch::models

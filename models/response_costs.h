@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "motion/body.h"
+
+namespace flinch::models {
+
+/// What the selector's clips cost, as it was fitted to (docs/cost.md): what turns the impulses of a
+/// simulated hit into a cost at run time, and the measured work of each clip's response.
+struct ResponseCosts {
+  motion::PerBody<double> vulnerability;  ///< v_b, at least 0
+  double reference_damage_ns = 1;         ///< D*, positive
+  double reference_work_j = 1;            ///< W*, positive
+  /// The work of the response of each clip, J: for each clip of the library, for each phase of the
+  /// idle clip at the impact, from `min_time_s` to the impact on in steps of `time_step_s`.
+  std::vector<float> work_j;
+  int phase_count = 1;
+  int time_count = 1;
+  float min_time_s = 0;
+  float time_step_s = 1;
+};
+
+/// Returns the work of a clip's response to an impact in `time_s`, J, interpolated between the
+/// measured ones and constant beyond them. `idle_phase` is that of the idle clip at the impact, in
+/// whole periods; its integral part does not matter.
+float work_j(const ResponseCosts& costs, int clip, float idle_phase, float time_s);
+
+/// damage = sum over the bodies b of v_b I_b, N·s, of these impulses (N·s).
+double damage_ns(const ResponseCosts& costs, const motion::PerBody<double>& impulse);
+
+/// cost = (1 - brawn) damage + brawn work D*/W*, N·s.
+double cost_ns(const ResponseCosts& costs, double brawn, double damage_ns, double work_j);
+
+}  // namespace flinch::models

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#include "models/response_costs.h"
+
+#include <gtest/gtest.h>
+
+namespace flinch::models {
+namespace {
+
+using motion::Body;
+
+/// Two clips, two phases, times 0.25, 0.30 and 0.35 s: clip 1 does 100 + 10 phase + time J.
+ResponseCosts small_costs() {
+  ResponseCosts costs;
+  costs.phase_count = 2;
+  costs.time_count = 3;
+  costs.min_time_s = 0.25F;
+  costs.time_step_s = 0.05F;
+  costs.work_j = {0, 0, 0, 0, 0, 0, 100, 101, 102, 110, 111, 112};
+  return costs;
+}
+
+TEST(ResponseCosts, WorkIsWhatWasMeasuredAndLinearBetween) {
+  const ResponseCosts costs = small_costs();
+  EXPECT_FLOAT_EQ(work_j(costs, 1, 0, 0.25F), 100);
+  EXPECT_NEAR(work_j(costs, 1, 0, 0.325F), 101.5F, 1e-4F);
+  EXPECT_NEAR(work_j(costs, 1, 0.5F, 0.3F), 111, 1e-4F);
+  EXPECT_NEAR(work_j(costs, 1, 0.25F, 0.3F), 106, 1e-4F);
+  EXPECT_NEAR(work_j(costs, 1, 0.75F, 0.3F), 106, 1e-4F) << "the last phase meets the first";
+  EXPECT_NEAR(work_j(costs, 1, -2.75F, 0.3F), 106, 1e-4F) << "whole periods do not matter";
+  EXPECT_EQ(work_j(costs, 0, 0.3F, 0.3F), 0);
+}
+
+TEST(ResponseCosts, WorkIsConstantBeyondTheMeasuredTimes) {
+  const ResponseCosts costs = small_costs();
+  for (const float late_s : {0.35F, 0.5F, 100.0F})
+    EXPECT_FLOAT_EQ(work_j(costs, 1, 0, late_s), 102);
+  for (const float early_s : {0.25F, 0.1F, 0.0F})
+    EXPECT_FLOAT_EQ(work_j(costs, 1, 0, early_s), 100);
+}
+
+TEST(ResponseCosts, CostIsThatOfTheTrainer) {
+  ResponseCosts costs = small_costs();
+  costs.vulnerability[Body::head] = 1;
+  costs.vulnerability[Body::left_hand] = 0.2;
+  costs.reference_damage_ns = 12;
+  costs.reference_work_j = 300;
+  motion::PerBody<double> impulse;
+  impulse[Body::head] = 3;
+  impulse[Body::left_hand] = 5;
+  impulse[Body::chest] = 7;
+  const double damage = damage_ns(costs, impulse);
+  EXPECT_DOUBLE_EQ(damage, 4);
+  EXPECT_DOUBLE_EQ(cost_ns(costs, 0.25, damage, 50), 0.75 * 4 + 0.25 * 50 * 12 / 300);
+}
+
+}  // namespace
+}  // namespace flinch::models

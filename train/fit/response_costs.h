@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <span>
+
+#include "models/response_costs.h"
+#include "train/objective/cost.h"
+#include "train/store/store.h"
+
+namespace flinch::train {
+
+/// Returns what the clips of a store cost by this model, for the selector's file: the model's
+/// constants, and the work of each clip's response as the observations measured it. Where no
+/// observation has a clip at a phase and time, the other phases at that time tell it, then the
+/// nearest time, then the clip's reference response.
+models::ResponseCosts response_costs(const StoreHeader& header,
+                                     std::span<const Observation> observations,
+                                     const CostModel& model);
+
+}  // namespace flinch::train
