@@ -1,72 +1,56 @@
 // SPDX-License-Identifier: MIT
 #include "database/library/input_file.h"
 
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <cerrno>
 #include <cstdint>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
 #include <new>
+#include <system_error>
 #include <utility>
 
 namespace flinch::database {
 namespace {
 
-/// A regular file, open for reading; closes itself and keeps errno.
-class InputFile {
- public:
-  InputFile() = default;
-  InputFile(const InputFile&) = delete;
-  InputFile& operator=(const InputFile&) = delete;
-  ~InputFile() {
-    const int error = errno;
-    if (descriptor_ >= 0) ::close(descriptor_);
-    errno = error;
-  }
-
-  LoadStatus open(const std::string& path) {
-    // Without O_NONBLOCK, opening a FIFO waits for a writer.
-    descriptor_ = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY);
-    struct stat about {};
-    if (descriptor_ < 0 || ::fstat(descriptor_, &about) != 0) return LoadStatus::cannot_open;
-    if (!S_ISREG(about.st_mode)) return LoadStatus::not_a_file;
-    size_ = static_cast<std::uintmax_t>(about.st_size);
-    return LoadStatus::ok;
-  }
-
-  std::uintmax_t size() const { return size_; }
-
-  /// Reads up to `count` bytes. A file that has been cut short since open() has fewer.
-  template <class Bytes>
-  LoadStatus read(std::size_t count, Bytes& bytes) const {
-    Bytes read(count, typename Bytes::value_type{});
-    std::size_t done = 0;
-    while (done < count) {
-      const ssize_t got = ::read(descriptor_, read.data() + done, count - done);
-      if (got < 0 && errno == EINTR) continue;
-      if (got < 0) return LoadStatus::cannot_open;
-      if (got == 0) break;
-      done += static_cast<std::size_t>(got);
-    }
-    read.resize(done);
-    bytes = std::move(read);
-    return LoadStatus::ok;
-  }
-
- private:
-  int descriptor_ = -1;
-  std::uintmax_t size_ = 0;
+struct CloseFile {
+  void operator()(std::FILE* file) const { std::fclose(file); }
 };
+
+/// A regular file, open for reading.
+struct InputFile {
+  std::unique_ptr<std::FILE, CloseFile> file;
+  std::uintmax_t size = 0;
+};
+
+LoadStatus open(const std::string& path, InputFile& input) {
+  std::error_code error;
+  // What it is comes first: opening a FIFO would wait for a writer.
+  const std::filesystem::file_status about = std::filesystem::status(path, error);
+  if (!std::filesystem::exists(about)) return LoadStatus::cannot_open;
+  if (!std::filesystem::is_regular_file(about)) return LoadStatus::not_a_file;
+  input.file.reset(std::fopen(path.c_str(), "rb"));
+  if (!input.file) return LoadStatus::cannot_open;
+  input.size = std::filesystem::file_size(path, error);
+  return error ? LoadStatus::cannot_open : LoadStatus::ok;
+}
+
+/// Reads up to `count` bytes. A file that has been cut short since open() has fewer.
+template <class Bytes>
+LoadStatus read(const InputFile& input, std::uintmax_t count, Bytes& bytes) {
+  Bytes read(static_cast<std::size_t>(count), typename Bytes::value_type{});
+  read.resize(std::fread(read.data(), 1, read.size(), input.file.get()));
+  if (std::ferror(input.file.get()) != 0) return LoadStatus::cannot_open;
+  bytes = std::move(read);
+  return LoadStatus::ok;
+}
 
 template <class Bytes>
 LoadStatus read_whole(const std::string& path, Bytes& bytes) noexcept try {
-  InputFile file;
-  const LoadStatus status = file.open(path);
-  if (status != LoadStatus::ok) return status;
-  if (file.size() > kMaxFileSize) return LoadStatus::too_large;
-  return file.read(static_cast<std::size_t>(file.size()), bytes);
+  InputFile input;
+  if (const LoadStatus status = open(path, input); status != LoadStatus::ok) return status;
+  if (input.size > kMaxFileSize) return LoadStatus::too_large;
+  return read(input, input.size, bytes);
 } catch (const std::bad_alloc&) {
   return LoadStatus::out_of_memory;
 }
@@ -83,10 +67,9 @@ LoadStatus read_bytes(const std::string& path, std::string& bytes) noexcept {
 
 LoadStatus read_first_bytes(const std::string& path, std::size_t size, std::string& bytes) noexcept
     try {
-  InputFile file;
-  const LoadStatus status = file.open(path);
-  if (status != LoadStatus::ok) return status;
-  return file.read(static_cast<std::size_t>(std::min<std::uintmax_t>(file.size(), size)), bytes);
+  InputFile input;
+  if (const LoadStatus status = open(path, input); status != LoadStatus::ok) return status;
+  return read(input, std::min<std::uintmax_t>(input.size, size), bytes);
 } catch (const std::bad_alloc&) {
   return LoadStatus::out_of_memory;
 }

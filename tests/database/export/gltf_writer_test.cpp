@@ -350,7 +350,7 @@ TEST(GltfWriter, RefusesWhatItCannotWriteAndLeavesNoFile) {
   nobody = character;
   nobody.skeleton.offset[Role::left_shin].z() = -3e38F;
   nobody.skeleton.offset[Role::left_foot].z() = -3e38F;
-  EXPECT_THAT(refusal(nobody, motion), HasSubstr("too large"));
+  EXPECT_THAT(refusal(nobody, motion), HasSubstr("longer than 5 m"));
 
   BallTrack ball{0.1F, std::vector<std::optional<Vector3f>>(2)};
   EXPECT_THAT(refusal(character, motion, ball), HasSubstr("2 positions, the motion 3 poses"));
