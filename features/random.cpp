@@ -2,7 +2,9 @@
 #include "features/random.h"
 
 #include <cmath>
-#include <numbers>
+#include <utility>
+
+#include "features/portable_math.h"
 
 namespace flinch::features {
 
@@ -52,7 +54,7 @@ double Random::uniform(double min, double max) {
 double Random::normal() {
   const double u = 1 - uniform();
   const double v = uniform();
-  return std::sqrt(-2 * std::log(u)) * std::cos(2 * std::numbers::pi * v);
+  return std::sqrt(-2 * portable_log(u)) * cos_of_turns(v);
 }
 
 std::uint64_t Random::index(std::uint64_t count) {
@@ -61,6 +63,27 @@ std::uint64_t Random::index(std::uint64_t count) {
   std::uint64_t draw = bits();
   while (draw < reject_below) draw = bits();
   return draw % count;
+}
+
+// Fisher and Yates' shuffle. An index below count is the upper half of count times 32 random bits;
+// the lower half tells the draws that must be rejected, which hardly ever takes a division (Lemire
+// 2019, "Fast random integer generation in an interval").
+void Random::shuffle(std::span<int> items) {
+  std::uint64_t word = 0;
+  bool has_half = false;
+  const auto draw = [&](std::uint32_t count) {
+    word = has_half ? word >> 32 : bits();
+    has_half = !has_half;
+    return std::uint64_t{count} * static_cast<std::uint32_t>(word);
+  };
+  for (auto count = static_cast<std::uint32_t>(items.size()); count > 1; --count) {
+    std::uint64_t product = draw(count);
+    if (static_cast<std::uint32_t>(product) < count) {
+      const std::uint32_t reject_below = (0 - count) % count;
+      while (static_cast<std::uint32_t>(product) < reject_below) product = draw(count);
+    }
+    std::swap(items[count - 1], items[product >> 32]);
+  }
 }
 
 }  // namespace flinch::features

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 
 namespace flinch::features {
 
@@ -41,6 +42,9 @@ class Random {
   double normal();
   /// Returns an index uniform in [0, count), without bias. `count` is positive.
   std::uint64_t index(std::uint64_t count);
+  /// Reorders fewer than 2^32 items; all orders are equally likely. Cheaper than index() per item,
+  /// as one block of the generator serves four.
+  void shuffle(std::span<int> items);
 
  private:
   std::uint64_t seed_;

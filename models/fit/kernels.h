@@ -1,12 +1,25 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <vector>
 
 namespace flinch::models {
 
 /// Counts of rows and elements that kernels accept are multiples of this.
 inline constexpr std::size_t kKernelBlock = 16;
+
+/// Floats that are aligned as the widest vectors are: kernels read them fastest.
+struct alignas(kKernelBlock * sizeof(float)) KernelBlock {
+  std::array<float, kKernelBlock> values{};
+};
+inline float* floats_of(std::vector<KernelBlock>& blocks) {
+  return reinterpret_cast<float*>(blocks.data());
+}
+inline const float* floats_of(const std::vector<KernelBlock>& blocks) {
+  return reinterpret_cast<const float*>(blocks.data());
+}
 
 /// Partial sums of a dot product.
 inline constexpr std::size_t kPartialSums = 32;

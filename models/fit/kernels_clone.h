@@ -63,23 +63,41 @@ void add_product(const ProductShape& shape, const float* a, const float* b, floa
   for (; i < shape.rows; i += kWidth) add_rows<kWidth, 1>(shape, a + i, b, c + i);
 }
 
+/// Adds the upper half of the sums to the lower half, until one is left.
+template <std::size_t kWidth, std::size_t kVectors>
+float sum_by_halves(const typename Lanes<kWidth>::Vector (&sums)[kVectors]) {
+  using L = Lanes<kWidth>;
+  if constexpr (kVectors > 1) {
+    typename L::Vector half[kVectors / 2];
+    for (std::size_t v = 0; v < kVectors / 2; ++v) half[v] = sums[v] + sums[v + kVectors / 2];
+    return sum_by_halves<kWidth>(half);
+  } else if constexpr (kWidth > 4) {
+    float lanes[kWidth];
+    L::store(sums[0], lanes);
+    using Half = Lanes<kWidth / 2>;
+    const typename Half::Vector halves[2] = {Half::load(lanes), Half::load(lanes + kWidth / 2)};
+    return sum_by_halves<kWidth / 2>(halves);
+  } else {
+    return (sums[0][0] + sums[0][2]) + (sums[0][1] + sums[0][3]);
+  }
+}
+
 template <std::size_t kWidth>
 float dot(std::size_t count, const float* x, const float* y) {
   using L = Lanes<kWidth>;
   constexpr std::size_t kVectors = kPartialSums / kWidth;
-  typename L::Vector sums[kVectors] = {};
+  typename L::Vector sums[kVectors];
+#pragma GCC unroll 8
+  for (std::size_t v = 0; v < kVectors; ++v) sums[v] = typename L::Vector{};
   std::size_t i = 0;
   for (; i + kPartialSums <= count; i += kPartialSums)
     for (std::size_t v = 0; v < kVectors; ++v)
       sums[v] += L::load(x + i + v * kWidth) * L::load(y + i + v * kWidth);
-  for (std::size_t v = 0; i < count; i += kWidth, ++v) sums[v] += L::load(x + i) * L::load(y + i);
-  for (std::size_t half = kVectors / 2; half > 0; half /= 2)
-    for (std::size_t v = 0; v < half; ++v) sums[v] += sums[v + half];
-  float last[kWidth];
-  L::store(sums[0], last);
-  for (std::size_t half = kWidth / 2; half > 0; half /= 2)
-    for (std::size_t lane = 0; lane < half; ++lane) last[lane] += last[lane + half];
-  return last[0];
+  if (i < count) {  // one block, half as many as there are partial sums
+    for (std::size_t v = 0; v < kKernelBlock / kWidth; ++v)
+      sums[v] += L::load(x + i + v * kWidth) * L::load(y + i + v * kWidth);
+  }
+  return sum_by_halves<kWidth>(sums);
 }
 
 template <std::size_t kWidth>

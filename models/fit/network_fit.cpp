@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <numeric>
 #include <string>
 
+#include "features/portable_math.h"
 #include "features/random.h"
 #include "models/fit/network_gradient.h"
 #include "models/fit/parallel_for.h"
@@ -163,14 +163,12 @@ VectorXf fit_member(const NetworkShape& shape, const Observations& all,
   double seen = 0;
   NetworkBatch batch;
   for (int epoch = 0; epoch < parameters.epoch_count; ++epoch) {
-    for (std::size_t i = order.size(); i > 1; --i) {
-      std::swap(order[i - 1], order[random.index(i)]);
-    }
+    random.shuffle(order);
     for (std::size_t first = 0; first < order.size(); first += kBatchSize) {
       const auto chosen =
           std::span(order).subspan(first, std::min(std::size_t{kBatchSize}, order.size() - first));
       choose(all, chosen, batch);
-      const double rate = kFirstRate * (1 + std::cos(std::numbers::pi * seen / seen_in_all)) / 2;
+      const double rate = kFirstRate * (1 + features::cos_of_turns(seen / seen_in_all / 2)) / 2;
       adam.step(network_gradient(shape, batch, weights, kernels), rate, weights);
       seen += static_cast<double>(chosen.size());
     }

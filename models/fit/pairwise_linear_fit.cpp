@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <utility>
 
+#include "features/portable_math.h"
 #include "models/fit/parallel_for.h"
 #include "models/fit/weighted_svm.h"
 #include "models/pair_index.h"
@@ -61,7 +62,7 @@ std::vector<ClipTrials> clip_trials_of(const TrainingSet& set, std::span<const i
       const auto cost = double{costs[static_cast<std::size_t>(clips[c])]};
       trials[c].cost.push_back(static_cast<float>(cost / unit));
       trials[c].share.push_back(
-          static_cast<float>(std::exp((min_cost - cost) / (unit * nearness))));
+          static_cast<float>(features::portable_exp((min_cost - cost) / (unit * nearness))));
     }
   }
   return trials;
@@ -75,7 +76,7 @@ std::vector<WeightedExample> examples_of(const ClipTrials& first, const ClipTria
     const float share = std::max(first.share[i], second.share[i]);
     const float more = second.cost[i] - first.cost[i];
     if (share >= kMinShare && std::isfinite(more) && more != 0) {
-      examples.push_back({.row = static_cast<int>(i),
+      examples.push_back({.row = i,
                           .sign = more > 0 ? 1.0F : -1.0F,
                           .bound = static_cast<float>(c) * share * std::abs(more)});
     }
@@ -87,28 +88,33 @@ std::vector<WeightedExample> examples_of(const ClipTrials& first, const ClipTria
 FeatureRows expanded(const TrainingSet& set) {
   std::vector<std::int16_t> terms(
       PairwiseModel::row_size(static_cast<std::size_t>(set.feature_count)));
-  FeatureRows rows(set.size(), static_cast<Eigen::Index>(terms.size()));
+  std::vector<float> values(terms.size());
+  FeatureRows rows(static_cast<std::size_t>(set.size()), terms.size());
   for (int i = 0; i < set.size(); ++i) {
     expand(set.point(i), terms);
-    std::transform(terms.begin(), terms.end(), rows.row(i).begin(), [](std::int16_t term) {
+    std::ranges::transform(terms, values.begin(), [](std::int16_t term) {
       return std::ldexp(static_cast<float>(term), -PairwiseModel::kTermBits);
     });
+    rows.set_row(static_cast<std::size_t>(i), values);
   }
   return rows;
 }
 
 /// Scales the weights to integers, as large as sums allow; empty for a machine of zeros only.
 std::vector<std::int16_t> whole_numbers(const Eigen::VectorXf& weights) {
-  const Eigen::VectorXd exact = weights.cast<double>();
-  if (exact.isZero(0)) {
-    return {};
+  double sum = 0;  // in order: Eigen's order depends on the processor's vectors
+  double largest = 0;
+  for (const float weight : weights) {
+    sum += std::abs(double{weight});
+    largest = std::max(largest, std::abs(double{weight}));
   }
+  if (sum == 0) return {};
   // Rounding changes each weight by at most a half.
-  const double room = PairwiseModel::kMaxWeightSum - static_cast<double>(exact.size());
-  const double scale = std::min(room / exact.lpNorm<1>(), 0x7FFF / exact.lpNorm<Eigen::Infinity>());
+  const double room = PairwiseModel::kMaxWeightSum - static_cast<double>(weights.size());
+  const double scale = std::min(room / sum, 0x7FFF / largest);
   std::vector<std::int16_t> whole;
-  for (const double weight : exact) {
-    whole.push_back(static_cast<std::int16_t>(std::lround(weight * scale)));
+  for (const float weight : weights) {
+    whole.push_back(static_cast<std::int16_t>(std::lround(double{weight} * scale)));
   }
   return whole;
 }
@@ -119,7 +125,8 @@ std::vector<PairwiseParameters> pairwise_grid() {
   return {{1, 0.1}, {3, 0.1}, {1, 0.2}};
 }
 
-PairwiseModel fit_pairwise(const TrainingSet& set, const PairwiseParameters& parameters) {
+PairwiseModel fit_pairwise(const TrainingSet& set, const PairwiseParameters& parameters,
+                           const Kernels& kernels) {
   check(set);
   check_costs(set);
   check_parameters(parameters);
@@ -134,7 +141,8 @@ PairwiseModel fit_pairwise(const TrainingSet& set, const PairwiseParameters& par
     const auto [a, b] = pairs[pair];
     const auto examples = examples_of(trials[a], trials[b], parameters.c);
     const features::Random random(kSeed, features::RandomStream::fitting, pair);
-    weights[pair] = whole_numbers(fit_weighted_svm(rows, examples, kLimits, random).weights);
+    weights[pair] =
+        whole_numbers(fit_weighted_svm(rows, examples, kLimits, random, kernels).weights);
   });
   int machines = 0;
   for (const std::vector<std::int16_t>& row : weights) {

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "models/fit/kernels.h"
 #include "models/fit/training_set.h"
 #include "models/pairwise_linear.h"
 
@@ -30,6 +31,7 @@ std::vector<PairwiseParameters> pairwise_grid();
 /// linear in the number of observations. Pairs are fitted in parallel by OpenMP; the bits do not
 /// depend on the number of threads. Throws Error for a set that check() rejects, for a set without
 /// costs, and for parameters that are not positive and finite.
-PairwiseModel fit_pairwise(const TrainingSet& set, const PairwiseParameters& parameters);
+PairwiseModel fit_pairwise(const TrainingSet& set, const PairwiseParameters& parameters,
+                           const Kernels& kernels = widest_kernels());
 
 }  // namespace flinch::models

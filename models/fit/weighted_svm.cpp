@@ -26,17 +26,16 @@ struct GradientRange {
 class Descent {
  public:
   Descent(const FeatureRows& features, std::span<const WeightedExample> examples,
-          features::Random random)
+          features::Random random, const Kernels& kernels)
       : features_(features),
         examples_(examples),
         random_(random),
+        kernels_(kernels),
         order_(examples.size()),
         active_(examples.size()),
-        machine_{Eigen::VectorXf::Zero(features.cols()), std::vector<float>(examples.size())} {
-    std::iota(order_.begin(), order_.end(), std::size_t{0});
-    for (const WeightedExample& one : examples) {
-      squared_norm_.push_back(features.row(one.row).squaredNorm());
-    }
+        weights_(features.row_size() / kKernelBlock),
+        multipliers_(examples.size()) {
+    std::iota(order_.begin(), order_.end(), 0);
   }
 
   LinearMachine run(const DescentOptions& limits) {
@@ -52,20 +51,23 @@ class Descent {
       last.max = is_settled || seen.max <= 0 ? kInfinity : seen.max;
       last.min = is_settled || seen.min >= 0 ? -kInfinity : seen.min;
     }
-    return std::move(machine_);
+    return {Eigen::Map<const Eigen::VectorXf>(floats_of(weights_),
+                                              static_cast<Eigen::Index>(features_.column_count())),
+            std::move(multipliers_)};
   }
 
  private:
   /// Visits every active example once, in random order. Deactivates those whose gradient at a bound
   /// exceeds the range of the previous pass.
   GradientRange visit_active(const GradientRange& last) {
+    random_.shuffle(std::span(order_).first(active_));
     GradientRange range;
     for (std::size_t place = 0; place < active_;) {
-      std::swap(order_[place], order_[place + random_.index(active_ - place)]);
-      const std::size_t example = order_[place];
+      fetch_row_of(order_[std::min(place + 1, active_ - 1)]);
+      const auto example = static_cast<std::size_t>(order_[place]);
       const float gradient = gradient_of(example);
-      const bool at_zero = machine_.multipliers[example] <= 0;
-      const bool at_bound = machine_.multipliers[example] >= examples_[example].bound;
+      const bool at_zero = multipliers_[example] <= 0;
+      const bool at_bound = multipliers_[example] >= examples_[example].bound;
       if ((at_zero && gradient > last.max) || (at_bound && gradient < last.min)) {
         std::swap(order_[place], order_[--active_]);
         continue;
@@ -81,34 +83,59 @@ class Descent {
     return range;
   }
 
-  float gradient_of(std::size_t example) const {
+  /// The rows of all examples exceed the cache, and are read in random order: the next one is
+  /// fetched while the current one is computed with.
+  void fetch_row_of(int example) const {
+    const float* next = features_.row(examples_[static_cast<std::size_t>(example)].row);
+    for (std::size_t i = 0; i < features_.row_size(); i += kKernelBlock)
+      __builtin_prefetch(next + i);
+  }
+
+  float gradient_of(std::size_t example) {
     const WeightedExample& one = examples_[example];
-    return one.sign * features_.row(one.row).dot(machine_.weights) - 1;
+    return one.sign *
+               kernels_.dot(features_.row_size(), features_.row(one.row), floats_of(weights_)) -
+           1;
   }
 
   void step(std::size_t example, float gradient) {
     const WeightedExample& one = examples_[example];
-    float& multiplier = machine_.multipliers[example];
+    float& multiplier = multipliers_[example];
     const float before = multiplier;
-    multiplier = std::clamp(before - gradient / squared_norm_[example], 0.0F, one.bound);
-    machine_.weights += (multiplier - before) * one.sign * features_.row(one.row).transpose();
+    multiplier = std::clamp(before - gradient / features_.squared_norm(one.row), 0.0F, one.bound);
+    kernels_.add_scaled(features_.row_size(), (multiplier - before) * one.sign,
+                        features_.row(one.row), floats_of(weights_));
   }
 
   const FeatureRows& features_;
   std::span<const WeightedExample> examples_;
   features::Random random_;
-  std::vector<std::size_t> order_;  ///< of the examples, the active ones first
+  const Kernels& kernels_;
+  std::vector<int> order_;  ///< of the examples, the active ones first
   std::size_t active_;
-  std::vector<float> squared_norm_;  ///< of each example's row
-  LinearMachine machine_;
+  std::vector<KernelBlock> weights_;
+  std::vector<float> multipliers_;
 };
 
 }  // namespace
 
+FeatureRows::FeatureRows(std::size_t row_count, std::size_t column_count)
+    : column_count_(column_count),
+      row_size_((column_count + kKernelBlock - 1) / kKernelBlock * kKernelBlock),
+      blocks_(row_count * row_size_ / kKernelBlock),
+      squared_norm_(row_count) {}
+
+void FeatureRows::set_row(std::size_t row, std::span<const float> values) {
+  float* to = floats_of(blocks_) + row * row_size_;
+  std::copy(values.begin(), values.end(), to);
+  squared_norm_[row] = widest_kernels().dot(row_size_, to, to);
+}
+
 LinearMachine fit_weighted_svm(const FeatureRows& features,
                                std::span<const WeightedExample> examples,
-                               const DescentOptions& limits, features::Random random) {
-  return Descent(features, examples, random).run(limits);
+                               const DescentOptions& limits, features::Random random,
+                               const Kernels& kernels) {
+  return Descent(features, examples, random, kernels).run(limits);
 }
 
 }  // namespace flinch::models

@@ -2,22 +2,42 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <cstdint>
+#include <cstddef>
 #include <span>
 #include <vector>
 
 #include "features/random.h"
+#include "models/fit/kernels.h"
 
 namespace flinch::models {
 
-/// Explicit features, one row per observation.
-using FeatureRows = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+/// Explicit features, one row per observation, which zeros fill up to whole blocks of the kernels.
+class FeatureRows {
+ public:
+  /// All features are 0.
+  FeatureRows(std::size_t row_count, std::size_t column_count);
+
+  /// `values` has column_count() values.
+  void set_row(std::size_t row, std::span<const float> values);
+
+  std::size_t column_count() const { return column_count_; }
+  /// Number of floats in a row, zeros included: a multiple of kKernelBlock.
+  std::size_t row_size() const { return row_size_; }
+  const float* row(std::size_t row) const { return floats_of(blocks_) + row * row_size_; }
+  float squared_norm(std::size_t row) const { return squared_norm_[row]; }
+
+ private:
+  std::size_t column_count_;
+  std::size_t row_size_;
+  std::vector<KernelBlock> blocks_;
+  std::vector<float> squared_norm_;
+};
 
 /// One training example of a linear machine.
 struct WeightedExample {
-  int row = 0;      ///< index into the features
-  float sign = 1;   ///< +1 or -1: the class
-  float bound = 1;  ///< C times the example's weight, above 0: the factor of its hinge loss
+  std::size_t row = 0;  ///< index into the features
+  float sign = 1;       ///< +1 or -1: the class
+  float bound = 1;      ///< C times the example's weight, above 0: the factor of its hinge loss
 };
 
 struct DescentOptions {
@@ -27,7 +47,7 @@ struct DescentOptions {
 
 /// A linear machine u without offset, which votes for +1 where u.x > 0.
 struct LinearMachine {
-  Eigen::VectorXf weights;         ///< u
+  Eigen::VectorXf weights;         ///< u, one weight per column
   std::vector<float> multipliers;  ///< dual variable of each example, in [0, bound]
 };
 
@@ -35,10 +55,11 @@ struct LinearMachine {
 /// vector machine with one weight per example. Uses the dual coordinate descent of Hsieh, Chang,
 /// Lin, Keerthi and Sundararajan (2008), "A dual coordinate descent method for large-scale linear
 /// SVM", with their shrinking. Takes time and memory linear in the examples and features. The order
-/// of examples is drawn from `random`: same examples, same numbers, same bits. Rows must be finite
-/// and not zero.
+/// of examples is drawn from `random`: same examples, same numbers, same bits, whatever the
+/// kernels. Rows must be finite and not zero.
 LinearMachine fit_weighted_svm(const FeatureRows& features,
                                std::span<const WeightedExample> examples,
-                               const DescentOptions& limits, features::Random random);
+                               const DescentOptions& limits, features::Random random,
+                               const Kernels& kernels = widest_kernels());
 
 }  // namespace flinch::models

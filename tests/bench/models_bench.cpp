@@ -285,6 +285,36 @@ void fit_pairwise_machines(benchmark::State& state) {
 }
 BENCHMARK(fit_pairwise_machines)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime();
 
+// The same fits by the kernels of one instruction set: 0 the baseline, 1 AVX2, 2 AVX-512.
+
+const Kernels* kernels_of(benchmark::State& state) {
+  const Kernels* kernels = kernels_for(static_cast<InstructionSet>(state.range(0)));
+  if (kernels) {
+    state.SetLabel(kernels->instruction_set);
+  } else {
+    state.SkipWithError("this processor lacks the instruction set");
+  }
+  return kernels;
+}
+
+void fit_network_by_kernels(benchmark::State& state) {
+  const Kernels* kernels = kernels_of(state);
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(
+        fit_network(large_set(), {.member_count = 1, .epoch_count = 1}, *kernels));
+  }
+}
+BENCHMARK(fit_network_by_kernels)->DenseRange(0, 2)->Unit(benchmark::kMillisecond);
+
+void fit_pairwise_by_kernels(benchmark::State& state) {
+  const Kernels* kernels = kernels_of(state);
+  for (auto _ : state) benchmark::DoNotOptimize(fit_pairwise(masked_set(), {}, *kernels));
+}
+BENCHMARK(fit_pairwise_by_kernels)
+    ->DenseRange(0, 2)
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime();
+
 /// Fits pair by pair on all processors, against svm_train, which uses one.
 void fit_one_svm(benchmark::State& state) {
   const SvmParameters& parameters = kSvms[static_cast<std::size_t>(state.range(0))];

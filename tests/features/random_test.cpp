@@ -3,7 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <map>
+#include <numeric>
 #include <set>
 #include <vector>
 
@@ -81,6 +84,37 @@ TEST(Random, IndexIsUniform) {
   std::vector<int> count(7);
   for (int i = 0; i < kDraws; ++i) ++count[random.index(7)];
   for (const int c : count) EXPECT_NEAR(c, kDraws / 7, 400);  // 4 standard deviations
+}
+
+TEST(Random, ShuffleGivesAllOrdersAlike) {
+  Random random(1, RandomStream::fitting, 0);
+  constexpr int kShuffles = 48'000;
+  std::map<std::vector<int>, int> count;
+  for (int i = 0; i < kShuffles; ++i) {
+    std::vector<int> items{0, 1, 2, 3};
+    random.shuffle(items);
+    ++count[items];
+  }
+  EXPECT_EQ(count.size(), 24U);
+  for (const auto& [order, c] : count) EXPECT_NEAR(c, kShuffles / 24, 175);  // 4 deviations
+}
+
+TEST(Random, ShufflePutsEachItemAnywhere) {
+  Random random(2, RandomStream::fitting, 0);
+  constexpr int kItems = 1001;
+  constexpr int kShuffles = 400;
+  std::vector<double> sum(kItems);
+  std::vector<int> items(kItems);
+  for (int i = 0; i < kShuffles; ++i) {
+    std::iota(items.begin(), items.end(), 0);
+    random.shuffle(items);
+    for (std::size_t place = 0; place < items.size(); ++place) sum[place] += items[place];
+    std::ranges::sort(items);
+    for (int item = 0; item < kItems; ++item)
+      ASSERT_EQ(items[static_cast<std::size_t>(item)], item);
+  }
+  // The mean item of each place, with a standard error of 289 / sqrt(400).
+  for (const double s : sum) EXPECT_NEAR(s / kShuffles, 500, 72);
 }
 
 }  // namespace

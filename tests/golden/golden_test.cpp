@@ -25,6 +25,7 @@ namespace {
 constexpr std::uint64_t kScenarios = 40;
 constexpr std::uint64_t kObservationsHash = 0x3eb23a731b0b986d;
 constexpr std::uint64_t kSelectorHash = 0xcd88d60da8558972;
+constexpr std::uint64_t kPairwiseHash = 0x375d490f288fbff7;
 constexpr std::uint64_t kPosesHash = 0xf351ae43a1882b31;
 
 constexpr const char* kAdvice =
@@ -85,13 +86,17 @@ std::uint64_t hash_of(std::span<const train::Observation> observations) {
 }
 
 /// A selector's file, fitted by as many threads as OpenMP is given.
-std::string selector_file(const train::Store& store) {
+std::string selector_file(const train::Store& store, train::Method method) {
   const train::CostModel cost_model =
       train::make_cost_model(store.header, train::vulnerability_profiles()[0].vulnerability, 0.1);
-  const train::Training training = train_selector(store.header, store.observations, cost_model,
-                                                  train::Method::network, store.header.seed);
+  const train::Training training =
+      train_selector(store.header, store.observations, cost_model, method, store.header.seed);
   return train::selector_bytes(training.selector,
                                std::as_bytes(std::span(store.header.library_file)));
+}
+
+std::uint64_t hash_of(const std::string& file) {
+  return database::content_hash(std::as_bytes(std::span(file)));
 }
 
 /// Number `number` of the balls that fly at a character at the origin: from anywhere, at the
@@ -145,9 +150,10 @@ TEST(Golden, StoreSelectorAndAMinuteOfReactionsHaveTheStatedHashes) {
     const train::Store store = simulated_store(setup, threads);
     expect_hash(kObservationsHash, hash_of(store.observations), "kObservationsHash");
     omp_set_num_threads(threads);
-    const std::string selector = selector_file(store);
-    expect_hash(kSelectorHash, database::content_hash(std::as_bytes(std::span(selector))),
-                "kSelectorHash");
+    const std::string selector = selector_file(store, train::Method::network);
+    expect_hash(kSelectorHash, hash_of(selector), "kSelectorHash");
+    expect_hash(kPairwiseHash, hash_of(selector_file(store, train::Method::pairwise_cost)),
+                "kPairwiseHash");
     if (threads == 1) expect_hash(kPosesHash, hash_of_a_minute(selector), "kPosesHash");
   }
 }

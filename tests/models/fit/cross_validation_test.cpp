@@ -204,7 +204,9 @@ TEST(HeldOutChoices, MatchKnnsWithoutTheObservation) {
 TEST(HeldOutChoices, MatchPairwiseModelsFittedWithoutTheObservation) {
   expect_choices_of_others(with_costs(masked_clouds(90), 10), 3,
                            std::vector<PairwiseParameters>{{}, {.c = 0.01, .nearness = 1}},
-                           fit_pairwise);
+                           [](const TrainingSet& set, const PairwiseParameters& parameters) {
+                             return fit_pairwise(set, parameters);
+                           });
 }
 
 TEST(HeldOutChoices, SkipObservationsThatAreNeverHeldOut) {

@@ -10,6 +10,7 @@
 
 #include "models/selector.h"
 #include "motion/error.h"
+#include "tests/models/fit/kernel_sets.h"
 #include "tests/models/training_sets.h"
 
 namespace flinch::models {
@@ -115,6 +116,15 @@ TEST(PairwiseFit, HasTheSameBitsForAnyNumberOfThreads) {
   }
   omp_set_num_threads(threads);
   EXPECT_NE(fit_pairwise(set, {.c = 0.01}).weights, alone.weights);
+}
+
+TEST(PairwiseFit, HasTheSameBitsForAnyInstructionSet) {
+  const TrainingSet set = with_costs(random_clouds(7, 300, 6, 9), 8);
+  const PairwiseModel expected = fit_pairwise(set, {}, *kernels_for(InstructionSet::baseline));
+  for (const Kernels* kernels : kernel_sets()) {
+    EXPECT_EQ(fit_pairwise(set, {}, *kernels).weights, expected.weights)
+        << kernels->instruction_set;
+  }
 }
 
 TEST(PairwiseFit, RefusesInvalidInput) {

@@ -24,25 +24,27 @@ struct Problem {
 /// same.
 Problem random_problem(std::uint64_t seed, int count, int features, bool is_weighted) {
   std::mt19937_64 random(seed);
-  Problem problem{FeatureRows(count, features), {}};
+  Problem problem{FeatureRows(static_cast<std::size_t>(count), static_cast<std::size_t>(features)),
+                  {}};
   const std::vector<double> plane = random_point(random, features);
   for (int i = 0; i < count; ++i) {
     const std::vector<double> x = random_point(random, features);
     double height = 0;
-    for (std::size_t f = 0; f < x.size(); ++f) {
-      problem.rows(i, static_cast<Eigen::Index>(f)) = static_cast<float>(x[f]);
-      height += plane[f] * x[f];
-    }
+    for (std::size_t f = 0; f < x.size(); ++f) height += plane[f] * x[f];
+    const auto row = static_cast<std::size_t>(i);
+    problem.rows.set_row(row, std::vector<float>(x.begin(), x.end()));
     const bool is_wrong = random() % 5 == 0;
     const auto weight = static_cast<float>(1 + random() % 16) / 4;
     problem.examples.push_back(
-        {i, (height > 0) != is_wrong ? 1.0F : -1.0F, is_weighted ? weight : 2.0F});
+        {row, (height > 0) != is_wrong ? 1.0F : -1.0F, is_weighted ? weight : 2.0F});
   }
   return problem;
 }
 
 Eigen::VectorXd row(const Problem& problem, const WeightedExample& one) {
-  return problem.rows.row(one.row).cast<double>();
+  return Eigen::Map<const Eigen::VectorXf>(problem.rows.row(one.row),
+                                           static_cast<Eigen::Index>(problem.rows.column_count()))
+      .cast<double>();
 }
 
 double primal(const Problem& problem, const Eigen::VectorXd& u) {
@@ -57,7 +59,7 @@ double primal(const Problem& problem, const Eigen::VectorXd& u) {
 /// step: slow and simple.
 Eigen::VectorXd reference_weights(const Problem& problem) {
   const auto count = static_cast<Eigen::Index>(problem.examples.size());
-  Eigen::MatrixXd x(count, problem.rows.cols());
+  Eigen::MatrixXd x(count, static_cast<Eigen::Index>(problem.rows.column_count()));
   Eigen::VectorXd bound(count);
   for (Eigen::Index i = 0; i < count; ++i) {
     const WeightedExample& one = problem.examples[static_cast<std::size_t>(i)];
@@ -118,17 +120,24 @@ TEST(WeightedSvm, ReactivatesShrunkExamples) {
   }
 }
 
+/// On the mean of ten problems, as a single one depends on the order in which examples are visited.
 TEST(WeightedSvm, ConvergesWithinAFewPasses) {
-  const Problem problem = random_problem(4, 400, 20, true);
-  const auto value_after = [&](const DescentOptions& limits) {
-    const LinearMachine machine =
-        fit_weighted_svm(problem.rows, problem.examples, limits,
-                         features::Random(4, features::RandomStream::fitting, 0));
-    return primal(problem, machine.weights.cast<double>());
-  };
-  const double min_value = value_after(kUntilConverged);
-  EXPECT_LT(value_after({}), 1.02 * min_value);
-  EXPECT_GT(value_after({.pass_count = 1, .tolerance = 0}), 1.02 * min_value);
+  double excess = 0;  // of the objective over its minimum
+  double excess_after_one_pass = 0;
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    const Problem problem = random_problem(seed, 400, 20, true);
+    const auto value_after = [&](const DescentOptions& limits) {
+      const LinearMachine machine =
+          fit_weighted_svm(problem.rows, problem.examples, limits,
+                           features::Random(seed, features::RandomStream::fitting, 0));
+      return primal(problem, machine.weights.cast<double>());
+    };
+    const double min_value = value_after(kUntilConverged);
+    excess += (value_after({}) / min_value - 1) / 10;
+    excess_after_one_pass += (value_after({.pass_count = 1, .tolerance = 0}) / min_value - 1) / 10;
+  }
+  EXPECT_LT(excess, 0.03);
+  EXPECT_GT(excess_after_one_pass, 0.3);
 }
 
 // libsvm's machines have an offset and ours do not. With every example mirrored at the origin, the
