@@ -65,7 +65,7 @@ const char* message_of(Status status) noexcept {
     case Status::bad_pose:
       return "the pose has a number that is not finite or a rotation that is not of unit length";
     case Status::bad_placement:
-      return "the position or direction is not finite";
+      return "the position is not within 1e5 m of the origin, or the direction is not finite";
   }
   return "unknown";
 }
@@ -99,9 +99,9 @@ motion::PerRole<float> Mask::whole_body() {
 Character::Character(const Library& library) noexcept : library_(&library) {}
 
 Status Character::place(const Eigen::Vector2f& position, float facing, float idle_time_s) noexcept {
-  const auto is_near = [](float x) { return std::abs(x) <= features::kMaxExtent; };
-  if (!is_near(position.x()) || !is_near(position.y()) || !is_near(facing) ||
-      !is_near(idle_time_s)) {
+  const auto is_within = [](float x, float max) { return std::abs(x) <= max; };  // false for NaN
+  if (!is_within(position.x(), kMaxPlace_m) || !is_within(position.y(), kMaxPlace_m) ||
+      !is_within(facing, features::kMaxExtent) || !is_within(idle_time_s, features::kMaxExtent)) {
     return Status::bad_placement;
   }
   state_ = {idle_time_s, position, facing};

@@ -30,7 +30,7 @@ enum class Status : std::uint8_t {
   bad_threat,       ///< a threat that is not usable (features::is_usable), or a time out of range
   bad_time,         ///< a time step that is not above 0 and at most kMaxTimeStep_s
   bad_pose,         ///< a number that is not finite, or a rotation that is not unit (to 1 %)
-  bad_placement,    ///< a position, direction or time that is not finite or beyond 1e6
+  bad_placement,    ///< a position beyond 1e5 m, a direction or time beyond 1e6, or not finite
 };
 /// The status in words; never null.
 const char* message_of(Status status) noexcept;
@@ -82,7 +82,8 @@ class Character {
 
   /// Puts the character at `position`, turned by `facing` (counter-clockwise from +X), at
   /// `idle_time_s` of its idle clip; different times make neighbours differ. Ends any response.
-  /// Returns bad_placement for a number that is not finite or beyond 1e6.
+  /// Returns bad_placement for a position beyond 1e5 m, a direction or time beyond 1e6, or a number
+  /// that is not finite.
   Status place(const Eigen::Vector2f& position, float facing, float idle_time_s) noexcept;
 
   /// Reports the pose of a character that the game animates: `now`, and `before`, which it had

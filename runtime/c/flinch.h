@@ -12,8 +12,9 @@
  *
  * Units and frames. SI units, seconds, radians. The world is right-handed with Z up, the ground at
  * 0; a character whose facing is 0 looks along +X and has +Y at its left. Quaternions are unit, in
- * the order w, x, y, z. Positions are within 1e6 m of the origin, and a threat's velocity, radius
- * and mass within 1e6 m/s, m and kg; numbers beyond are refused as those that are not finite are.
+ * the order w, x, y, z. Characters are within 1e5 m of the origin, where floats are 8 mm apart, and
+ * a threat's position, velocity, radius and mass within 1e6 m, m/s, m and kg; numbers beyond are
+ * refused as those that are not finite are.
  *
  * Errors. Functions that can fail return a status. 0 is success; a status above 0 is an answer, not
  * an error; below 0 the call was refused and has changed nothing, neither the object nor what `out`
@@ -80,7 +81,7 @@ enum {
   FLINCH_BAD_THREAT = -7,     /* a number that is not finite or out of range */
   FLINCH_BAD_TIME = -8,       /* a time step that is not above 0 and at most 1e6 s */
   FLINCH_BAD_POSE = -9,       /* a number that is not finite, a rotation that is not unit */
-  FLINCH_BAD_PLACEMENT = -10, /* a number that is not finite or beyond 1e6 */
+  FLINCH_BAD_PLACEMENT = -10, /* a position beyond 1e5 m, another number beyond 1e6, not finite */
   FLINCH_BAD_LIMITS = -11,    /* of perception: not finite, or out of range */
   FLINCH_BAD_MASK = -12,      /* a weight that is not in [0, 1] */
   FLINCH_OUT_OF_MEMORY = -13,

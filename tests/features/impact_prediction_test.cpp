@@ -334,7 +334,7 @@ TEST(PredictImpact, ABallAtRestOnTheBodyHitsWhenItsFallBringsItNearest) {
 TEST(PredictImpact, TimesOfTouchingBallsStayWithinTheHorizon) {
   std::mt19937 random(7);
   int touching = 0;
-  for (int i = 0; i < samples(100000); ++i) {
+  for (int i = 0; i < samples(1000000); ++i) {
     const Threat threat = touching_ball(random, 1e-3F);
     const PredictedImpact impact =
         predict_impact(threat, figure().collision_figure, figure().standing);
@@ -344,7 +344,7 @@ TEST(PredictImpact, TimesOfTouchingBallsStayWithinTheHorizon) {
         << impact.time_to_impact_s << " s for a ball at " << threat.position.transpose()
         << " that moves at " << threat.velocity.transpose();
   }
-  EXPECT_GT(touching, samples(50000));
+  EXPECT_GT(touching, samples(500000));
 }
 
 TEST(PredictImpact, IsInvariantToRigidMotionOfTheWorld) {

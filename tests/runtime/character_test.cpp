@@ -326,6 +326,12 @@ TEST(Character, ARefusedCallChangesNoBit) {
     away.root_position.x() = bad;
     expect_refused(Status::bad_pose, character.set_pose(pose, away, 0.01F));
   }
+  for (float far : {1.01e5F, -1.01e5F}) {
+    expect_refused(Status::bad_placement, character.place({far, 0}, 0, 0));
+    Pose away = pose;
+    away.root_position.z() = far;
+    expect_refused(Status::bad_pose, character.set_pose(away, pose, 0.01F));
+  }
   expect_refused(Status::other_workspace, character.perceive(good, none));
   expect_refused(Status::other_workspace, character.perceive(good, Target::legs, 0.5F, none));
   expect_refused(Status::bad_clip, character.respond(-1, 0.5F));
