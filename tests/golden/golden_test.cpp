@@ -24,8 +24,8 @@ namespace {
 
 constexpr std::uint64_t kScenarios = 40;
 constexpr std::uint64_t kObservationsHash = 0x3eb23a731b0b986d;
-constexpr std::uint64_t kSelectorHash = 0xcd88d60da8558972;
-constexpr std::uint64_t kPairwiseHash = 0x375d490f288fbff7;
+constexpr std::uint64_t kSelectorHash = 0xcb6941bb666c5709;
+constexpr std::uint64_t kPairwiseHash = 0x9d5ff2eccff82b88;
 constexpr std::uint64_t kPosesHash = 0xf351ae43a1882b31;
 
 constexpr const char* kAdvice =
