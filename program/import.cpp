@@ -44,7 +44,8 @@ Json document_of(const ImportOptions& options, const database::ImportResult& res
                      {"source", clip.source},
                      {"duration_s", shortest(clip.duration_s)},
                      {"annotated", clip.is_annotated},
-                     {"added_foot_drift_m", shortest(clip.drift.added_m)}});
+                     {"added_foot_drift_m", shortest(clip.drift.added_m)},
+                     {"warnings", clip.warnings}});
   }
   Json sources = Json::array();
   for (const database::SourceReport& source : result.report.sources)
@@ -86,10 +87,16 @@ std::string skipped_text(const database::SkippedFile& file) {
   return "skipped " + printable(located(file.path, file.reason)) + '\n';
 }
 
-void print_source_notes(const std::vector<database::SourceReport>& sources) {
-  for (const database::SourceReport& source : sources) {
+// The details of files hold their notes already.
+void print_notes(const database::ImportReport& report, bool with_details) {
+  for (const database::SourceReport& source : report.sources) {
+    if (with_details) break;
     for (const std::string& warning : source.warnings)
       std::cout << "note: " << printable(located(source.path, warning)) << '\n';
+  }
+  for (const database::ClipReport& clip : report.clips) {
+    for (const std::string& warning : clip.warnings)
+      std::cout << "note: " << clip.source << ": clip " << clip.name << ": " << warning << '\n';
   }
 }
 
@@ -104,7 +111,7 @@ void print_text(const ImportOptions& options, const database::ImportResult& resu
     unannotated += clip.purpose == motion::Purpose::anticipation && !clip.is_annotated ? 1U : 0U;
   }
   for (const database::SkippedFile& file : result.report.skipped) std::cout << skipped_text(file);
-  if (!options.verbose) print_source_notes(result.report.sources);
+  print_notes(result.report, options.verbose);
   for (const std::string& warning : result.report.warnings)
     std::cout << "note: " << printable(warning) << '\n';
   const database::ClipLibrary& library = result.library;

@@ -31,15 +31,6 @@ bool touches_t_pose(const Trajectory& trajectory, const FrameSpan& span) {
   return is_t_pose(trajectory.joints[span.first]) || is_t_pose(trajectory.joints[span.last]);
 }
 
-bool is_stretched_sideways(const JointPositions& joints, Role upper_arm, Role forearm, Role hand) {
-  constexpr float kStretched = 0.95F;  // of the arm's length: the elbow within 36 degrees
-  constexpr float kLevel = 0.25F;      // the sine of 15 degrees
-  const Eigen::Vector3f arm = joints[hand] - joints[upper_arm];
-  const float length =
-      (joints[forearm] - joints[upper_arm]).norm() + (joints[hand] - joints[forearm]).norm();
-  return arm.norm() > kStretched * length && std::abs(arm.z()) < kLevel * length;
-}
-
 std::optional<FrameSpan> longest_rest(const Trajectory& trajectory,
                                       const std::vector<FrameSpan>& still) {
   std::optional<FrameSpan> longest;
@@ -86,12 +77,6 @@ std::vector<FrameSpan> still_spans(const std::vector<float>& speed, float limit_
   std::erase_if(
       spans, [&](const FrameSpan& span) { return span.count() < frames_in(kMinStill_s, rate_hz); });
   return spans;
-}
-
-bool is_t_pose(const JointPositions& joints) {
-  return is_stretched_sideways(joints, Role::left_upper_arm, Role::left_forearm, Role::left_hand) &&
-         is_stretched_sideways(joints, Role::right_upper_arm, Role::right_forearm,
-                               Role::right_hand);
 }
 
 std::optional<Guess<FrameSpan>> find_idle(const Trajectory& trajectory,

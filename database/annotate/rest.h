@@ -32,10 +32,6 @@ float still_limit(const std::vector<float>& speed);
 /// Returns the spans in which the body stays below the limit for at least 0.2 s.
 std::vector<FrameSpan> still_spans(const std::vector<float>& speed, float limit_mps, float rate_hz);
 
-/// Returns whether both arms are stretched sideways at shoulder height: the pose of a calibration,
-/// which no one rests in.
-bool is_t_pose(const JointPositions& joints);
-
 /// Returns the span to take for the idle clip: the longest still span of at least 0.5 s that is no
 /// T-pose; else the fifth of a second with the lowest mean speed, if that is at most 0.6 m/s, as in
 /// a boxer's guard. There, only spans that are no farther from the stance than half of the take

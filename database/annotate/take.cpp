@@ -15,15 +15,12 @@ namespace {
 constexpr float kRate_hz = 60;
 constexpr float kStature_m = 1.75F;
 
-// The whole body's speed that no recording reaches: in the fastest movements of the recordings that
-// this was written with (a roll, a long jump) it is 5 m/s. A T-pose in the first frame leaves at 9.
-constexpr float kMaxSpeed_mps = 7.2F;
 // Exporters put their pose into the first frames, not into the middle.
 constexpr double kMaxLeadIn_s = 0.5;
 
 // Returns the first pose of the recording proper.
 std::size_t first_recorded(const Trajectory& trajectory) {
-  const float farthest = kMaxSpeed_mps / trajectory.rate_hz;
+  const float farthest = kMaxBodySpeed_mps / trajectory.rate_hz;
   const std::size_t end =
       std::min(frames_in(kMaxLeadIn_s, trajectory.rate_hz), trajectory.count() - 1);
   std::size_t first = 0;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "database/annotate/trajectory.h"
 
-#include <array>
 #include <cmath>
 
 #include "database/annotate/signals.h"
@@ -11,11 +10,6 @@ namespace flinch::database {
 namespace {
 
 using motion::Role;
-
-constexpr std::array<Role, 11> kTracked{Role::pelvis,       Role::chest,     Role::head,
-                                        Role::left_forearm, Role::left_hand, Role::right_forearm,
-                                        Role::right_hand,   Role::left_shin, Role::left_foot,
-                                        Role::right_shin,   Role::right_foot};
 
 constexpr double kSmoothingReach_s = 0.05;
 constexpr double kMedianStep_s = 0.1;
@@ -48,18 +42,12 @@ Trajectory trajectory_of(const motion::Figure& figure, const motion::Motion& mot
   return trajectory;
 }
 
-float pose_distance(const JointPositions& one, const JointPositions& other) {
-  float sum = 0;
-  for (Role role : kTracked) sum += (one[role] - other[role]).squaredNorm();
-  return std::sqrt(sum / static_cast<float>(kTracked.size()));
-}
-
 std::vector<float> body_speed(const Trajectory& trajectory) {
   std::vector<float> speed;
   for (std::size_t i = 0; i < trajectory.count(); ++i) {
     float sum = 0;
-    for (Role role : kTracked) sum += velocity(trajectory, role, i).squaredNorm();
-    speed.push_back(std::sqrt(sum / static_cast<float>(kTracked.size())));
+    for (Role role : kTrackedJoints) sum += velocity(trajectory, role, i).squaredNorm();
+    speed.push_back(std::sqrt(sum / static_cast<float>(kTrackedJoints.size())));
   }
   return moving_mean(speed, frames_in(kSmoothingReach_s, trajectory.rate_hz));
 }
@@ -82,7 +70,7 @@ std::vector<float> departure_from_stance(const std::vector<JointPositions>& rela
                                          float rate_hz) {
   std::vector<JointPositions> stance(relative.size());
   std::vector<float> coordinate(relative.size());
-  for (Role role : kTracked) {
+  for (Role role : kTrackedJoints) {
     for (int axis = 0; axis < 3; ++axis) {
       for (std::size_t i = 0; i < relative.size(); ++i) coordinate[i] = relative[i][role][axis];
       const std::vector<float> median = running_median(

@@ -4,13 +4,11 @@
 #include <Eigen/Geometry>
 #include <vector>
 
+#include "database/quality/joint_positions.h"
 #include "motion/clip.h"
 #include "motion/figure.h"
 
 namespace flinch::database {
-
-/// Positions of all joints in one frame, m.
-using JointPositions = motion::PerRole<Eigen::Vector3f>;
 
 /// Where a motion takes the joints. All vectors have one element per pose.
 struct Trajectory {
@@ -26,11 +24,7 @@ struct Trajectory {
 /// Returns the trajectory of a motion in the world.
 Trajectory trajectory_of(const motion::Figure& figure, const motion::Motion& motion);
 
-/// Returns the root mean square, over pelvis, chest, head, elbows, wrists, knees and ankles, of the
-/// distance between two poses, m.
-float pose_distance(const JointPositions& one, const JointPositions& other);
-
-/// Returns the same of the joints' speeds, m/s, smoothed over 0.1 s.
+/// Returns the root mean square of the speeds of kTrackedJoints, m/s, smoothed over 0.1 s.
 std::vector<float> body_speed(const Trajectory& trajectory);
 
 /// Reach of the running median that gives a stance, s: longer than a movement to either side, so

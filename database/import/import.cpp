@@ -5,11 +5,13 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <iterator>
 #include <map>
 #include <set>
 #include <utility>
 
 #include "database/import/manifest.h"
+#include "database/import/plausibility.h"
 #include "database/library/text_check.h"
 #include "motion/error.h"
 #include "motion/mirror.h"
@@ -130,7 +132,8 @@ motion::Annotation annotation_in(const ManifestEntry& entry, double start_s, flo
   return annotation;
 }
 
-void add_clip(const ManifestEntry& entry, const LoadedSource& loaded, ImportResult& result) {
+void add_clip(const ManifestEntry& entry, const LoadedSource& loaded, const motion::Figure& figure,
+              ImportResult& result) {
   ClipLibrary& library = result.library;
   const motion::Skeleton& skeleton = library.character.skeleton;
   const Segment segment = segment_of(entry, loaded.motion, library.rate_hz);
@@ -146,7 +149,8 @@ void add_clip(const ManifestEntry& entry, const LoadedSource& loaded, ImportResu
   }
   result.report.clips.push_back(
       {clip.name, clip.purpose, clip.source, clip.motion.duration_s(), clip.annotation.has_value(),
-       measure_foot_drift(loaded.motion, skeleton, segment, clip.motion)});
+       measure_foot_drift(loaded.motion, skeleton, segment, clip.motion),
+       judge_motion({loaded.source, loaded.motion, segment, figure, clip})});
   library.clips.push_back(clip);
   if (is_mirrored(entry)) library.clips.push_back(motion::mirrored(clip));
 }
@@ -170,8 +174,9 @@ ImportResult build(const Manifest& manifest, const std::vector<std::string>& pat
   result.library.name = manifest.name;
   result.library.rate_hz = rate_hz;
   result.library.character = character_of(sources.at(skeleton_path).source, manifest.character);
+  const motion::Figure figure = motion::make_figure(result.library.character);
   for (std::size_t i = 0; i < manifest.entries.size(); ++i) {
-    add_clip(manifest.entries[i], sources.at(paths[i]), result);
+    add_clip(manifest.entries[i], sources.at(paths[i]), figure, result);
   }
   for (const LoadedSource& one : sources.all()) {
     result.report.sources.push_back(one.source.report);
@@ -350,7 +355,19 @@ std::vector<std::string> manifest_files(const std::vector<std::string>& paths,
 }
 
 SourceReport inspect_bvh(const std::string& path, const SourceOptions& options) {
-  return analyse_source(read_bvh(path), options).report;
+  LoadedSource loaded{analyse_source(read_bvh(path), options), {}};
+  loaded.motion = source_motion(loaded.source);
+  const motion::Figure figure = motion::make_figure(character_of(loaded.source));
+  const Segment whole{0, loaded.motion.duration_s(), 0};
+  motion::Clip clip;
+  // No more poses than the file has frames.
+  const auto own_rate_hz = static_cast<float>(1 / loaded.motion.frame_time_s);
+  clip.motion =
+      retarget(loaded.motion, figure.skeleton(), whole, std::min(own_rate_hz, kDefaultRate));
+  SourceReport report = loaded.source.report;
+  std::ranges::move(judge_motion({loaded.source, loaded.motion, whole, figure, clip}),
+                    std::back_inserter(report.warnings));
+  return report;
 }
 
 }  // namespace flinch::database

@@ -26,6 +26,7 @@ struct ClipReport {
   float duration_s = 0;
   bool is_annotated = false;
   FootDrift drift;
+  std::vector<std::string> warnings;  ///< of judge_motion
 };
 
 /// A file that was skipped, with the reason.
@@ -81,7 +82,8 @@ ImportResult import_library(const std::vector<std::string>& paths,
 std::vector<std::string> manifest_files(const std::vector<std::string>& paths,
                                         const std::string& manifest_path);
 
-/// Returns what an import would detect in a BVH file: units, up axis, roles. Throws Error.
+/// Returns what an import would detect in a BVH file: units, up axis, roles, and in its warnings
+/// all that is odd in the motion of the whole file. Throws Error.
 SourceReport inspect_bvh(const std::string& path, const SourceOptions& options = {});
 
 }  // namespace flinch::database

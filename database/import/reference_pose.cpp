@@ -189,6 +189,16 @@ StandingPose find_standing_pose(const Bvh& bvh, const SourceFigure& figure, UpAx
           min_doubt};
 }
 
+bool feet_point_backward(const SourceFigure& figure, const StandingPose& standing) {
+  constexpr double kHasLength = 0.05;  // of the leg's length; stubs point nowhere
+  const FigureFrame frame = figure_frame(figure, standing.joints, standing.to_world);
+  return std::ranges::all_of(kLegRoles, [&](const LegRoles& leg) {
+    if (!figure.end[leg.foot]) return false;
+    const Vector3d foot = frame.end[leg.foot] - frame.position[leg.foot];
+    return foot.norm() > kHasLength * leg_length(frame) && foot.x() < -0.5 * foot.norm();
+  });
+}
+
 ReferencePose make_reference_pose(const SourceFigure& figure, const StandingPose& standing) {
   const FigureFrame frame = figure_frame(figure, standing.joints, standing.to_world);
   const PerRole<Quaterniond> turn = Straightener(figure, frame, standing.frame < 0).turns();

@@ -19,6 +19,9 @@ struct ReferencePose {
   /// -1: from the OFFSETs, which form a standing human; otherwise the frame of the motion that it
   /// was taken from.
   int frame = -1;
+  /// Whether the feet of the standing pose do, as those of a left-handed file do when it is read as
+  /// right-handed.
+  bool feet_point_backward = false;
   /// Score of that frame: 0 is upright and symmetric; above 0.5 the figure hardly stands.
   double doubt = 0;
 };
@@ -44,6 +47,10 @@ StandingPose find_standing_pose(const Bvh& bvh, const SourceFigure& figure, UpAx
 /// its direction in the T-pose, from the trunk outwards, so that elbows and knees straighten about
 /// their own hinges. Feet rotate only about the vertical, because they are already flat.
 ReferencePose make_reference_pose(const SourceFigure& figure, const StandingPose& standing);
+
+/// Returns whether both feet point backward. Ask before with_human_ends, which takes such ends for
+/// none.
+bool feet_point_backward(const SourceFigure& figure, const StandingPose& standing);
 
 /// Returns whether a figure stands like a human, with Z up: legs straight down, head above the
 /// pelvis, hips level, arms straight and not raised.

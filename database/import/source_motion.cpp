@@ -3,13 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+#include <iterator>
+#include <limits>
 #include <numbers>
 #include <utility>
 
 #include "database/import/calibration.h"
 #include "database/import/ground_contact.h"
 #include "database/import/human_ends.h"
+#include "database/import/plausibility.h"
 #include "database/import/position_channels.h"
 #include "database/import/up_estimate.h"
 #include "motion/error.h"
@@ -117,12 +119,6 @@ SourceFrame source_frame(const Source& source, int number) {
   return frame;
 }
 
-std::string rounded(double value, const char* format) {
-  char text[64];
-  std::snprintf(text, sizeof text, format, value);
-  return text;
-}
-
 void find_space(Source& source, const SourceOptions& options) {
   const UpEstimate found = estimate_up(source.bvh, source.figure);
   SourceReport& report = source.report;
@@ -132,10 +128,10 @@ void find_space(Source& source, const SourceOptions& options) {
   if (!options.up && found.rival) {
     report.warnings.push_back(taken + ", but it may be " + std::string(name_of(*found.rival)) +
                               ": the OFFSETs stand along another axis than the motion; say which "
-                              "with `up`");
+                              "with --up");
   } else if (!options.up && found.certainty < 0.6) {
     report.warnings.push_back(taken +
-                              ", but the figure hardly stands in this file; say so with `up`");
+                              ", but the figure hardly stands in this file; say so with --up");
   }
   source.to_world = to_world(report.up);
 }
@@ -156,8 +152,10 @@ void find_reference(Source& source, const SourceOptions& options) {
     looked_at += " of " + *options.rest;
   } else {
     const StandingPose standing = find_standing_pose(source.bvh, source.figure, report.up);
+    const bool is_backward = feet_point_backward(source.figure, standing);
     source.figure = with_human_ends(source.figure, standing);
     source.reference = make_reference_pose(source.figure, standing);
+    source.reference.feet_point_backward = is_backward;
   }
   for (Role role : {Role::left_toes, Role::right_toes}) {
     if (report.joint_name[role].empty() || source.figure.has(role)) continue;
@@ -171,7 +169,7 @@ void find_reference(Source& source, const SourceOptions& options) {
                               "from frame " +
                               std::to_string(report.first_frame + source.reference.frame) +
                               ", the most upright, and may be wrong; name a file in which it "
-                              "stands with `rest`");
+                              "stands with --rest");
   }
 }
 
@@ -182,12 +180,6 @@ void find_unit(Source& source, const SourceOptions& options) {
   report.unit_given = options.unit.has_value();
   source.metres_per_unit = metres_in(report.unit);
   report.head_height_m = head_height * source.metres_per_unit;
-  if (!options.unit && std::abs(std::log(report.head_height_m / 1.5)) > std::log(1.25)) {
-    report.warnings.push_back("units are taken to be " + std::string(name_of(report.unit)) +
-                              ", which puts the head joint at " +
-                              rounded(report.head_height_m, "%.2f") +
-                              " m; say which they are with `units`");
-  }
 }
 
 }  // namespace
@@ -201,6 +193,12 @@ SourceOptions merged(SourceOptions options, const SourceOptions& stronger) {
   if (stronger.frames.skip_first) options.frames.skip_first = stronger.frames.skip_first;
   for (const auto& [role, joint] : stronger.roles) options.roles[role] = joint;
   return options;
+}
+
+double bone_length_m(const Source& source, Role role) {
+  if (!source.figure.end[role]) return std::numeric_limits<double>::quiet_NaN();
+  return source.metres_per_unit *
+         (source.reference.end[role] - source.reference.position[role]).norm();
 }
 
 Source analyse_source(Bvh bvh, const SourceOptions& options) {
@@ -230,6 +228,7 @@ Source analyse_source(Bvh bvh, const SourceOptions& options) {
   find_space(source, options);
   find_reference(source, options);
   find_unit(source, options);
+  std::ranges::copy(judge_figure(source), std::back_inserter(report.warnings));
   return source;
 }
 

@@ -98,6 +98,9 @@ struct Source {
   Eigen::Quaterniond to_world = Eigen::Quaterniond::Identity();
 };
 
+/// The length of a role's segment in the reference pose, m; not a number where its end is unknown.
+double bone_length_m(const Source& source, motion::Role role);
+
 /// Maps the roles, and detects up axis, units and reference pose. Throws Error, also for a rest
 /// file with another skeleton.
 Source analyse_source(Bvh bvh, const SourceOptions& options = {});

@@ -48,23 +48,35 @@ constexpr std::array<SpeedRow, 10> kSpeeds{{{"trunk", 500},
 
 using FramesOfClip = std::vector<JointFrames>;
 
+float median(std::vector<float>& values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::ranges::nth_element(values, middle);
+  return *middle;
+}
+
 void measure_joints(const FramesOfClip& frames, float rate_hz, ClipQuality& quality) {
+  std::vector<float> excess_deg(frames.size());
   for (const JointLimits& limits : human_joint_limits()) {
     const float human_speed = radians(peak_human_speed_dps(limits.name));
+    Eigen::Quaternionf before = Eigen::Quaternionf::Identity();
     for (std::size_t k = 0; k < frames.size(); ++k) {
       const Eigen::Quaternionf rotation = relative_rotation(frames[k], limits.from, limits.to);
-      const float excess = degrees(limit_excess(limits, rotation));
-      if (excess > quality.limit_excess_deg) {
-        quality.limit_excess_deg = excess;
+      excess_deg[k] = degrees(limit_excess(limits, rotation));
+      if (excess_deg[k] > quality.limit_excess_deg) {
+        quality.limit_excess_deg = excess_deg[k];
         quality.limit_joint = limits.name;
       }
-      if (k == 0) continue;
-      const Eigen::Quaternionf before = relative_rotation(frames[k - 1], limits.from, limits.to);
-      const float share = before.angularDistance(rotation) * rate_hz / human_speed;
+      const float share = k == 0 ? 0 : before.angularDistance(rotation) * rate_hz / human_speed;
+      before = rotation;
       if (share > quality.speed_share) {
         quality.speed_share = share;
         quality.speed_joint = limits.name;
       }
+    }
+    const float usual_deg = median(excess_deg);
+    if (usual_deg > quality.usual_limit_excess_deg) {
+      quality.usual_limit_excess_deg = usual_deg;
+      quality.usual_limit_joint = limits.name;
     }
   }
 }
@@ -160,6 +172,20 @@ ClipQuality measure_quality(const motion::Figure& figure, const Clip& clip) {
   measure_feet(figure, frames, quality);
   measure_balance(figure, clip, frames, quality);
   measure_accelerations(figure, frames, clip.motion.rate_hz, quality);
+  return quality;
+}
+
+ClipQuality measure_joints_and_feet(const motion::Figure& figure, const Clip& clip, float rate_hz) {
+  const auto step =
+      static_cast<std::size_t>(std::max(1L, std::lround(clip.motion.rate_hz / rate_hz)));
+  FramesOfClip frames;
+  for (std::size_t k = 0; k < clip.motion.poses.size(); k += step) {
+    frames.push_back(motion::forward_kinematics(figure.skeleton(), clip.motion.poses[k]));
+  }
+  ClipQuality quality;
+  quality.name = clip.name;
+  measure_joints(frames, clip.motion.rate_hz / static_cast<float>(step), quality);
+  measure_feet(figure, frames, quality);
   return quality;
 }
 

@@ -15,6 +15,9 @@ struct ClipQuality {
   /// largest excess of a joint over its human limit in the clip, degrees
   float limit_excess_deg = 0;
   std::string limit_joint;  ///< that joint; empty where none exceeds its limit
+  /// Largest excess that a joint has for half of the clip, the median over the poses, degrees.
+  float usual_limit_excess_deg = 0;
+  std::string usual_limit_joint;  ///< that joint; empty where that is none
   /// Smallest distance between a hand's capsule and head or trunk, m: negative where they
   /// intersect.
   float hand_clearance_m = 0;
@@ -47,6 +50,11 @@ inline constexpr float kContactHeight = 0.005F;
 
 /// Measures one clip of the figure, authored or recorded.
 ClipQuality measure_quality(const motion::Figure& figure, const motion::Clip& clip);
+
+/// The measures of joints and feet alone, from about `rate_hz` poses a second: a quick look at a
+/// clip. The others are 0.
+ClipQuality measure_joints_and_feet(const motion::Figure& figure, const motion::Clip& clip,
+                                    float rate_hz);
 
 /// Measures all clips of a library, in its order.
 std::vector<ClipQuality> measure_quality(const ClipLibrary& library);

@@ -78,6 +78,39 @@ TEST_F(Mocap, TheWholeManifestBecomesALibrary) {
   EXPECT_TRUE(imported().report.skipped.empty());
 }
 
+// One is in a unit that is none of those known; in the other the left wrist is turned by a quarter.
+TEST_F(Mocap, AtMostTwoFilesGetANote) {
+  std::map<std::string, std::string> notes;
+  for (const SourceReport& source : imported().report.sources) {
+    for (const std::string& note : source.warnings) {
+      notes[std::filesystem::path(source.path).filename()] += note + '\n';
+    }
+  }
+  for (const ClipReport& clip : imported().report.clips) {
+    for (const std::string& note : clip.warnings) {
+      notes[std::filesystem::path(clip.source).filename()] += note + '\n';
+    }
+  }
+  EXPECT_EQ(imported().report.sources.size(), 44U);
+  EXPECT_LE(notes.size(), 2U) << testing::PrintToString(notes);
+}
+
+// The folders' descriptions say which files begin with a T-pose.
+TEST_F(Mocap, TPosesInFrontAreToldAndNothingElse) {
+  const auto told = [](const std::string& file) {
+    return testing::PrintToString(inspect_bvh(kMocap + "/" + file).warnings);
+  };
+  for (const char* file : {"cmu_motionbuilder/02_04.bvh", "cmu_daz/13_39.bvh",
+                           "snu_boxing/ducking_dir_f0000-0909.bvh"}) {
+    EXPECT_THAT(told(file), testing::HasSubstr("a T-pose")) << file;
+  }
+  for (const char* file : {"snu_boxing/block_01_left_arm_high.bvh",
+                           "bandai/dataset-2_raise-up-both-hands_active_001.bvh",
+                           "deepmimic/humanoid3d_roll.bvh", "snu_push/PushStep00.bvh"}) {
+    EXPECT_EQ(told(file), "{}") << file;
+  }
+}
+
 TEST_F(Mocap, TheCharacterIsAnAdultOfHumanProportions) {
   const motion::Physique& character = imported().library.character;
   const JointFrames rest =

@@ -3,6 +3,8 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
+
 #include "tests/database/author/author_scene.h"
 
 namespace flinch::database {
@@ -42,6 +44,34 @@ TEST(Quality, DetectsAHyperextendedKnee) {
   EXPECT_NEAR(quality.limit_excess_deg, 20, 0.01);
   EXPECT_EQ(quality.limit_joint, "left_knee");
   EXPECT_THAT(broken_bounds(quality), Contains("limit_excess_deg"));
+}
+
+TEST(Quality, TheUsualExcessIsThatOfHalfOfTheClip) {
+  const AuthorScene scene;
+  motion::Pose bent = scene.start;
+  bent.rotation[Role::left_shin] = rotation_about(Eigen::Vector3f::UnitY(), radians(-25));
+  for (std::size_t bent_count : {14U, 16U}) {
+    Clip clip = still_clip(scene.start, 30);
+    std::fill_n(clip.motion.poses.begin(), bent_count, bent);
+    const ClipQuality quality = measure_quality(scene.figure, clip);
+    EXPECT_NEAR(quality.limit_excess_deg, 20, 0.01);
+    EXPECT_NEAR(quality.usual_limit_excess_deg, bent_count > 15 ? 20 : 0, 0.01) << bent_count;
+  }
+}
+
+TEST(Quality, FewPosesGiveTheMeasuresOfJointsAndFeet) {
+  const AuthorScene scene;
+  Clip clip = still_clip(scene.start);
+  for (std::size_t k = 0; k < clip.motion.poses.size(); ++k) {
+    motion::Pose& pose = clip.motion.poses[k];
+    pose.root_position.x() += 0.001F * static_cast<float>(k);
+    pose.rotation[Role::left_shin] = rotation_about(Eigen::Vector3f::UnitY(), radians(-25));
+  }
+  const ClipQuality whole = measure_quality(scene.figure, clip);
+  const ClipQuality few = measure_joints_and_feet(scene.figure, clip, clip.motion.rate_hz / 3);
+  EXPECT_NEAR(few.usual_limit_excess_deg, whole.usual_limit_excess_deg, 0.01F);
+  EXPECT_EQ(few.usual_limit_joint, whole.usual_limit_joint);
+  EXPECT_NEAR(few.support_drift_m, whole.support_drift_m, 0.0025F);
 }
 
 TEST(Quality, DetectsAHandInsideTheTrunk) {
