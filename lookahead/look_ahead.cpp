@@ -38,6 +38,10 @@ bool is_known(const ForeseenCandidate& candidate) {
   return candidate.foreseen == Foreseen::misses || candidate.foreseen == Foreseen::simulated;
 }
 
+bool is_more_urgent(const Perception& first, const Perception& second) {
+  return first.scenario.time_to_impact_s < second.scenario.time_to_impact_s;
+}
+
 }  // namespace
 
 struct LookAheadWorkspace::Memory {
@@ -94,47 +98,84 @@ bool LookAheadWorkspace::reserve_memory(const runtime::Library& library,
   return false;
 }
 
+bool LookAheadWorkspace::is_for(const runtime::Library& library) const noexcept {
+  return memory_ && memory_->library == &library;
+}
+
 Search::Search(const runtime::Library& library) noexcept : character_(library) {}
 
 Status Search::begin(runtime::Character& character, std::span<const features::Threat> threats,
                      int candidates, LookAheadWorkspace& workspace) noexcept {
   if (!character.library().is_loaded()) return Status::not_loaded;
-  if (!workspace.memory_ || workspace.memory_->library != &character.library())
-    return Status::other_workspace;
-  runtime::Character perceiving = character;
-  LookAheadStatus status;
+  if (!workspace.is_for(character.library())) return Status::other_workspace;
   std::array<Perception, kMaxThreats> urgent{};
-  Status unanswered = Status::misses;
-  for (const features::Threat& threat : threats) {
-    Perception perception;
-    const Status noticed = perceiving.notice(threat, perception);
-    if (noticed == Status::bad_threat) return noticed;
-    if (noticed == Status::unnoticed) unanswered = noticed;
-    if (noticed != Status::ok) continue;
-    // Insertion into the most urgent so far; of equally urgent ones the first.
-    const auto first = urgent.begin();
-    const auto end = first + static_cast<std::ptrdiff_t>(status.threats);
-    const auto at = std::upper_bound(first, end, perception, [](const auto& a, const auto& b) {
-      return a.scenario.time_to_impact_s < b.scenario.time_to_impact_s;
-    });
-    if (status.threats == kMaxThreats) ++status.ignored;
-    if (at == urgent.end()) continue;
-    const auto last = status.threats == kMaxThreats ? end - 1 : end;
-    std::move_backward(at, last, last + 1);
-    *at = perception;
-    status.threats = std::min(status.threats + 1, kMaxThreats);
+  const runtime::Notice noticed = character.notice(threats, urgent);
+  if (noticed.count == 0) {
+    if (noticed.status == Status::misses || noticed.status == Status::unnoticed) {
+      is_open_ = false;
+      status_ = {};
+      status_.status = noticed.status;
+    }
+    return noticed.status;
   }
-  character = perceiving;
-  status.status = status.threats > 0 ? Status::ok : unanswered;
-  status_ = status;
-  is_open_ = status.threats > 0;
-  if (!is_open_) return status_.status;
-  character_ = perceiving;
-  threats_ = urgent;
+  const Status status =
+      begin(character, std::span(urgent).first(noticed.count), candidates, workspace);
+  status_.ignored = noticed.ignored;
+  return status;
+}
+
+Status Search::begin(const runtime::Character& character, std::span<const Perception> threats,
+                     int candidates, LookAheadWorkspace& workspace) noexcept {
+  const Status status = open(character, threats, workspace);
+  if (status == Status::ok) rank(candidates, workspace);
+  return status;
+}
+
+Status Search::begin(const runtime::Character& character, std::span<const Perception> threats,
+                     std::span<const models::Candidate> candidates,
+                     LookAheadWorkspace& workspace) noexcept {
+  const auto clips = static_cast<int>(
+      character.library().is_loaded() ? character.library().clip_library().clips.size() : 0);
+  const bool are_clips =
+      !candidates.empty() &&
+      std::ranges::all_of(candidates, [clips](const models::Candidate& candidate) {
+        return candidate.clip >= 0 && candidate.clip < clips;
+      });
+  if (clips > 0 && !are_clips) return Status::bad_clip;
+  const Status status = open(character, threats, workspace);
+  if (status != Status::ok) return status;
+  status_.count = std::min(candidates.size(), kMaxCandidates);
+  for (std::size_t i = 0; i < status_.count; ++i) status_.candidates[i].candidate = candidates[i];
+  return status;
+}
+
+/// Starts a search without candidates.
+Status Search::open(const runtime::Character& character, std::span<const Perception> threats,
+                    const LookAheadWorkspace& workspace) noexcept {
+  if (!character.library().is_loaded()) return Status::not_loaded;
+  if (!workspace.is_for(character.library())) return Status::other_workspace;
+  const auto is_usable = [](const Perception& threat) {
+    const float time_s = threat.scenario.time_to_impact_s;
+    return features::is_usable(threat.scenario.threat) && time_s > 0 &&
+           time_s <= features::kMaxHorizon_s && threat.delay_s >= 0;
+  };
+  if (threats.empty() || threats.size() > kMaxThreats || !std::ranges::all_of(threats, is_usable))
+    return Status::bad_threat;
+  status_ = {};
+  status_.status = Status::ok;
+  status_.threats = threats.size();
+  auto end = threats_.begin();
+  for (const Perception& threat : threats) {  // an insertion sort, since stable_sort allocates
+    *end = threat;
+    const auto at = std::upper_bound(threats_.begin(), end, threat, is_more_urgent);
+    std::rotate(at, end, end + 1);
+    ++end;
+  }
+  character_ = character;
   next_ = 0;
   elapsed_s_ = latest_begin_s_ = 0;
-  rank(candidates, workspace);
-  return status_.status;
+  is_open_ = true;
+  return Status::ok;
 }
 
 /// Takes the threats' best clips in turn, each clip once, until there are as many as wanted.
@@ -219,7 +260,7 @@ bool Search::try_candidate(ForeseenCandidate& candidate, const Budget& budget, d
 
 bool Search::advance(const Budget& budget, LookAheadWorkspace& workspace) noexcept {
   if (!is_open_) return true;
-  if (!workspace.memory_ || workspace.memory_->library != &character_.library()) return false;
+  if (!workspace.is_for(character_.library())) return false;
   const double end_us =
       budget.now_us != nullptr ? budget.now_us(budget.clock) + budget.us : budget.us;
   // Where there is no choice, there is nothing to find out.
@@ -253,17 +294,34 @@ Status Search::update(runtime::Character& character, float dt_s, const Budget& b
   return character.update(dt_s);
 }
 
-LookAheadStatus perceive(runtime::Character& character, std::span<const features::Threat> threats,
-                         const LookAhead& look_ahead, LookAheadWorkspace& workspace) noexcept {
-  Search search(character.library());
-  const Status status = search.begin(character, threats, look_ahead.candidates, workspace);
-  if (!search.is_open()) {
-    LookAheadStatus refused = search.status();
-    refused.status = status;
+namespace {
+
+LookAheadStatus finished(Search& search, Status begun, runtime::Character& character,
+                         const LookAhead& look_ahead, LookAheadWorkspace& workspace) {
+  if (begun != Status::ok) {
+    LookAheadStatus refused;
+    refused.status = begun;
     return refused;
   }
   search.advance(look_ahead.budget, workspace);
   return search.finish(character);
+}
+
+}  // namespace
+
+LookAheadStatus perceive(runtime::Character& character, std::span<const features::Threat> threats,
+                         const LookAhead& look_ahead, LookAheadWorkspace& workspace) noexcept {
+  Search search(character.library());
+  const Status begun = search.begin(character, threats, look_ahead.candidates, workspace);
+  return finished(search, begun, character, look_ahead, workspace);
+}
+
+LookAheadStatus perceive(runtime::Character& character, const Perception& perception,
+                         const LookAhead& look_ahead, LookAheadWorkspace& workspace) noexcept {
+  Search search(character.library());
+  const Status begun =
+      search.begin(character, std::span(&perception, 1), look_ahead.candidates, workspace);
+  return finished(search, begun, character, look_ahead, workspace);
 }
 
 }  // namespace flinch::lookahead

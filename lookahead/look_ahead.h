@@ -17,7 +17,8 @@ struct FigureModel;  // opaque
 namespace flinch::lookahead {
 
 inline constexpr std::size_t kMaxCandidates = 16;  ///< that are looked at for one answer
-inline constexpr std::size_t kMaxThreats = 8;      ///< that are looked at at once
+/// Threats that are looked at at once.
+inline constexpr std::size_t kMaxThreats = runtime::Character::kMaxThreats;
 
 /// How long a search may take. It reads no clock of its own.
 struct Budget {
@@ -96,6 +97,8 @@ class LookAheadWorkspace {
   /// or not enough memory. Allocates; throws nothing.
   bool reserve_memory(const runtime::Library& library,
                       std::shared_ptr<const LookAheadData> data) noexcept;
+  /// Whether it has memory for the characters of this library.
+  bool is_for(const runtime::Library& library) const noexcept;
 
  private:
   friend class Search;
@@ -120,6 +123,19 @@ class Search {
   runtime::Status begin(runtime::Character& character, std::span<const features::Threat> threats,
                         int candidates, LookAheadWorkspace& workspace) noexcept;
 
+  /// The same for threats that `character` has perceived already (Character::notice), or that the
+  /// game knows to hit; at most kMaxThreats, any order. bad_threat if there are none, or more, or
+  /// if an impact is not above 0 and at most 100 s away.
+  runtime::Status begin(const runtime::Character& character,
+                        std::span<const runtime::Perception> threats, int candidates,
+                        LookAheadWorkspace& workspace) noexcept;
+  /// The same with candidates of the caller, the first kMaxCandidates of them; bad_clip if there
+  /// are none or if one is not a clip of the library.
+  runtime::Status begin(const runtime::Character& character,
+                        std::span<const runtime::Perception> threats,
+                        std::span<const models::Candidate> candidates,
+                        LookAheadWorkspace& workspace) noexcept;
+
   /// Tries candidates until none is left, or until the budget ends, exceeding it by at most one
   /// encounter. Returns whether none is left.
   bool advance(const Budget& budget, LookAheadWorkspace& workspace) noexcept;
@@ -140,6 +156,9 @@ class Search {
   const LookAheadStatus& status() const noexcept { return status_; }
 
  private:
+  runtime::Status open(const runtime::Character& character,
+                       std::span<const runtime::Perception> threats,
+                       const LookAheadWorkspace& workspace) noexcept;
   void rank(int candidates, LookAheadWorkspace& workspace) noexcept;
   bool try_candidate(ForeseenCandidate& candidate, const Budget& budget, double end_us,
                      LookAheadWorkspace& workspace) noexcept;
@@ -152,6 +171,11 @@ class Search {
   float latest_begin_s_ = 0;  ///< when the best so far has to move, s after begin()
   LookAheadStatus status_;
 };
+
+/// The same for a threat that the game knows to hit `perception.scenario.target` in
+/// `time_to_impact_s`: begin(), advance() and finish() of a Search at once.
+LookAheadStatus perceive(runtime::Character& character, const runtime::Perception& perception,
+                         const LookAhead& look_ahead, LookAheadWorkspace& workspace) noexcept;
 
 /// Perceives `threats`, tries the selector's best clips against all of them, and answers with the
 /// one that costs least: begin(), advance() and finish() of a Search at once. One threat, or

@@ -109,6 +109,7 @@ Status Character::place(const Eigen::Vector2f& position, float facing, float idl
   response_ = {};
   inertialization_ = {};
   delayed_clip_.reset();
+  waiting_count_ = 0;
   return Status::ok;
 }
 
@@ -120,6 +121,7 @@ Status Character::set_pose(const Pose& before, const Pose& now, float dt_s) noex
   inertialization_ = make_inertialization(library_->prepared(), state_, before, now, dt_s);
   time_s_ = 0;
   response_ = {};
+  waiting_count_ = 0;
   return Status::ok;
 }
 
@@ -159,6 +161,75 @@ Status Character::predict(const features::Threat& threat, Perception& perception
 
 Status Character::notice(const features::Threat& threat, Perception& perception) noexcept {
   return counted(predict(threat, perception));
+}
+
+Notice Character::notice(std::span<const features::Threat> threats,
+                         std::span<Perception> most_urgent) noexcept {
+  if (!library_->is_loaded()) return {};
+  Notice noticed{Status::misses};
+  const std::uint64_t threats_before = threats_;
+  for (const features::Threat& threat : threats) {
+    Perception perception;
+    const Status status = notice(threat, perception);
+    if (!is_answer(status)) {
+      threats_ = threats_before;
+      return {status};
+    }
+    if (status == Status::unnoticed) noticed.status = status;
+    if (status != Status::ok) continue;
+    // Insertion into the most urgent so far; of equally urgent ones the first stays first.
+    const auto first = most_urgent.begin();
+    const auto end = first + static_cast<std::ptrdiff_t>(noticed.count);
+    const auto at = std::upper_bound(
+        first, end, perception, [](const Perception& sooner, const Perception& later) {
+          return sooner.scenario.time_to_impact_s < later.scenario.time_to_impact_s;
+        });
+    const bool is_full = noticed.count == most_urgent.size();
+    if (is_full) ++noticed.ignored;
+    if (is_full && at == end) continue;
+    std::move_backward(at, is_full ? end - 1 : end, is_full ? end : end + 1);
+    *at = perception;
+    if (!is_full) ++noticed.count;
+  }
+  if (noticed.count > 0) noticed.status = Status::ok;
+  return noticed;
+}
+
+Status Character::perceive(std::span<const features::Threat> threats,
+                           Workspace& workspace) noexcept {
+  if (!library_->is_loaded()) return Status::not_loaded;
+  if (workspace.memory().size() < library_->selection_bytes()) return Status::other_workspace;
+  std::array<Perception, kMaxThreats> urgent{};
+  const Notice noticed = notice(threats, urgent);
+  if (noticed.count == 0) return noticed.status;
+  std::array<Waiting, kMaxThreats - 1> waiting{};
+  for (std::size_t i = 1; i < noticed.count; ++i) {
+    std::array<models::Candidate, 1> best{};
+    std::size_t count = 0;
+    rank(urgent[i], workspace, best, count);
+    waiting[i - 1] = {best[0].clip, urgent[i].scenario.target,
+                      double{urgent[i].scenario.time_to_impact_s}};
+  }
+  const Status status = rank_and_answer(urgent[0], workspace);
+  if (status != Status::ok) return status;
+  waiting_ = waiting;
+  waiting_count_ = noticed.count - 1;
+  return Status::ok;
+}
+
+/// Begins the response to the next threat that leaves time for one.
+void Character::answer_next() noexcept {
+  while (waiting_count_ > 0) {
+    const Waiting next = waiting_[0];
+    std::move(waiting_.begin() + 1, waiting_.end(), waiting_.begin());
+    const std::size_t left = --waiting_count_;
+    if (next.time_to_impact_s < double{kMinBlend_s}) continue;
+    if (begin(next.clip, static_cast<float>(next.time_to_impact_s)) != Status::ok) continue;
+    waiting_count_ = left;
+    target_ = next.target;
+    time_to_impact_s_ = next.time_to_impact_s;
+    return;
+  }
 }
 
 Status Character::perceive(const features::Threat& threat, Workspace& workspace) noexcept {
@@ -213,6 +284,7 @@ Status Character::answer(const Perception& perception, int clip,
   const features::Scenario& scenario = perception.scenario;
   if (!is_time_to_impact(scenario.time_to_impact_s)) return Status::bad_threat;
   if (perception.delay_s > 0) {
+    waiting_count_ = 0;
     delayed_clip_ = clip;
     delay_s_ = double{perception.delay_s};
   } else if (const Status status = begin(clip, scenario.time_to_impact_s); status != Status::ok) {
@@ -273,6 +345,7 @@ Status Character::begin(int clip, float time_to_impact_s) noexcept {
   inertialization_ = {};
   time_s_ = 0;
   delayed_clip_.reset();
+  waiting_count_ = 0;
   return Status::ok;
 }
 
@@ -294,9 +367,13 @@ Status Character::update(float dt_s) noexcept {
     if (time_to_impact_s_ <= 0) {
       delayed_clip_.reset();
     } else if (delay_s_ <= 0) {
+      const std::size_t waiting = waiting_count_;
       begin(*delayed_clip_, static_cast<float>(time_to_impact_s_));
+      waiting_count_ = waiting;
     }
   }
+  for (Waiting& waiting : waiting_) waiting.time_to_impact_s -= dt;
+  if (time_to_impact_s_ <= 0) answer_next();
   if (is_responding() && time_s_ >= double{duration_s(response_)}) finish();
   if (!is_responding()) {
     // The idle clip plays forwards and backwards. Removing whole periods changes nothing and keeps

@@ -54,6 +54,13 @@ struct Perception {
   float delay_s = 0;            ///< until the character can act (PerceptionLimits), s
 };
 
+/// What a character noticed of several threats.
+struct Notice {
+  Status status = Status::not_loaded;  ///< ok if `count` is above 0
+  std::size_t count = 0;               ///< of threats that will hit and found room
+  std::size_t ignored = 0;             ///< of threats that will hit and are less urgent than those
+};
+
 /// How much of each joint's motion comes from Flinch and how much from the game.
 struct Mask {
   float weight = 1;  ///< scales the weights of all joints, 0 to 1
@@ -107,6 +114,11 @@ class Character {
   /// library. Costs tens of microseconds.
   Status perceive(const features::Threat& threat, Workspace& workspace) noexcept;
 
+  /// Answers several threats that come at once: the most urgent one first and, when its impact is
+  /// over, the next that leaves at least kMinBlend_s, each with the clip that the selector chooses
+  /// now. Keeps the kMaxThreats most urgent ones. A threat that is not usable refuses all of them.
+  Status perceive(std::span<const features::Threat> threats, Workspace& workspace) noexcept;
+
   /// Answers a threat that the game knows to hit `target` in `time_to_impact_s` (above 0, at most
   /// 100 s). Predicts nothing; otherwise as above.
   Status perceive(const features::Threat& threat, motion::Target target, float time_to_impact_s,
@@ -128,6 +140,11 @@ class Character {
   /// return; the first kMaxCandidates of them are kept.
   Status answer(const Perception& perception, int clip,
                 std::span<const models::Candidate> candidates) noexcept;
+
+  /// notice() of several threats: writes those that will hit, the most urgent first and as many as
+  /// find room. A threat that is not usable refuses all of them.
+  Notice notice(std::span<const features::Threat> threats,
+                std::span<Perception> most_urgent) noexcept;
 
   /// Answers with clip number `clip`, for games that choose among candidates() themselves. The
   /// clip's peak falls on `time_to_impact_s` from now (above 0, at most 100 s).
@@ -165,6 +182,7 @@ class Character {
   float response_time_s() const noexcept { return static_cast<float>(time_s_); }
 
   static constexpr std::size_t kMaxCandidates = 8;  ///< candidates kept for each threat
+  static constexpr std::size_t kMaxThreats = 8;     ///< that are kept of one perception
 
  private:
   bool is_responding() const noexcept;
@@ -176,7 +194,15 @@ class Character {
   Status rank_and_answer(const Perception& perception, Workspace& workspace) noexcept;
   Status counted(Status status) noexcept;
   Status begin(int clip, float time_to_impact_s) noexcept;
+  void answer_next() noexcept;
   void finish() noexcept;
+
+  /// A threat that is answered after the current one.
+  struct Waiting {
+    int clip = 0;
+    motion::Target target = motion::Target::head;
+    double time_to_impact_s = 0;
+  };
 
   const Library* library_;
   features::CharacterState state_;  ///< when `time_s_` was 0
@@ -190,8 +216,10 @@ class Character {
   motion::Target target_ = motion::Target::head;
   std::array<models::Candidate, kMaxCandidates> candidates_{};
   std::size_t candidate_count_ = 0;
-  std::optional<int> delayed_clip_;  ///< chosen; starts after the reaction delay
-  double delay_s_ = 0;               ///< what is left of the reaction delay
+  std::optional<int> delayed_clip_;                 ///< chosen; starts after the reaction delay
+  double delay_s_ = 0;                              ///< what is left of the reaction delay
+  std::array<Waiting, kMaxThreats - 1> waiting_{};  ///< the most urgent first
+  std::size_t waiting_count_ = 0;
 };
 
 }  // namespace flinch::runtime
