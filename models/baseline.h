@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "models/selector.h"
 
@@ -13,6 +14,11 @@ namespace flinch::models {
 /// facing), then the lower index. This is what games commonly script by hand.
 int nearest_annotation(std::span<const ClipSummary> clips, int idle, motion::Target threatened,
                        float azimuth);
+
+/// Returns the allowed clips with an annotation in this order, nearest first; the idle clip alone
+/// if there are none.
+std::vector<int> nearest_annotations(std::span<const ClipSummary> clips, int idle,
+                                     motion::Target threatened, float azimuth);
 
 /// Returns one of the allowed clips, including idle, with equal probability. `draw` is uniform over
 /// 64 bits.

@@ -93,6 +93,7 @@ void run_compare(const CompareOptions& options) {
   report.methods = train::summaries_of(fitted);
   report.groups = train::group_rows(split, report.evaluation, seed);
   report.reliability = train::reliability(report.evaluation);
+  report.brawn = train::brawn_rows(split, cost_model);
   report.noise = train::noise_rows(plan, fitted);
   if (options.curves) report.curves = train::learning_curve_rows(plan, tell);
   if (options.transfer) report.transfer = train::transfer_rows(plan, tell);

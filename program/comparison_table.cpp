@@ -66,6 +66,46 @@ std::string timing_text(const train::Report& report) {
   return table.text();
 }
 
+std::string look_ahead_text(const std::vector<train::LookAheadRow>& rows) {
+  Table table({{"looking ahead"},
+               {"accuracy", right},
+               {"cost, N s", right},
+               {"damage, N s", right},
+               {"regret, N s", right},
+               {"protection", right},
+               {"95 %", right},
+               {"simulated", right},
+               {"median, us", right},
+               {"p99, us", right}});
+  for (const train::LookAheadRow& ahead : rows) {
+    const train::EvaluationRow& row = ahead.row;
+    table.add({row.name, fixed(row.accuracy.value, 3), fixed(row.mean_cost_ns.value, 4),
+               fixed(row.mean_damage_ns.value, 4), fixed(row.regret_ns.value, 4),
+               fixed(row.protection.value, 3), text(row.protection.interval, 3),
+               fixed(ahead.encounters, 1), fixed(ahead.median_us, 0), fixed(ahead.p99_us, 0)});
+  }
+  return table.text();
+}
+
+/// One line per brawn, with the shares of the kinds of clips.
+std::string brawn_text(const std::vector<train::BrawnRow>& rows) {
+  std::vector<Table::Column> columns{
+      {"exhaustive choice, brawn"}, {"damage, N s", right}, {"work, J", right}};
+  for (const auto& [kind, share] : rows.front().kind) columns.push_back({kind, right});
+  columns.push_back({"other target", right});
+  columns.push_back({"135 degrees off", right});
+  Table table(columns);
+  for (const train::BrawnRow& row : rows) {
+    std::vector<std::string> cells{fixed(row.brawn, 1), fixed(row.mean_damage_ns, 3),
+                                   fixed(row.mean_work_j, 0)};
+    for (const auto& [kind, share] : row.kind) cells.push_back(fixed(share, 3));
+    cells.push_back(fixed(row.other_target, 3));
+    cells.push_back(fixed(row.far_direction, 3));
+    table.add(cells);
+  }
+  return table.text();
+}
+
 /// One line per group, with the regret of each row.
 std::string groups_text(const train::Report& report) {
   std::vector<Table::Column> columns{{"regret, N s"}, {""}, {"scenarios", right}};
@@ -155,7 +195,11 @@ std::string comparison_text(const train::Report& report) {
                      fixed(report.evaluation.cost_model.brawn, 2) + "; " +
                      std::to_string(report.features.size()) + " features\n\n";
   text += rows_text(report.evaluation.rows) + '\n' + paired_text(report.evaluation.rows) + '\n' +
-          timing_text(report) + '\n' + groups_text(report) + '\n';
+          timing_text(report) + '\n';
+  if (!report.evaluation.look_ahead.empty())
+    text += look_ahead_text(report.evaluation.look_ahead) + '\n';
+  if (!report.brawn.empty()) text += brawn_text(report.brawn) + '\n';
+  text += groups_text(report) + '\n';
   if (!report.noise.empty())
     text += sweep_text("protection with noise on the features", report.noise,
                        [](const train::NoiseRow& row) { return fixed(row.noise, 2); });

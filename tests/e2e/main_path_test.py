@@ -69,7 +69,19 @@ class MainPath(ProgramTest):
         self.assertEqual(document, json.loads((report / "report.json").read_text()))
         names = [row["name"] for row in document["rows"]]
         self.assertEqual(names[:3] + names[-1:], ["idle", "random", "nearest_annotation", "oracle"])
-        self.assertEqual(names[3:-1], [row["name"] for row in timing])
+        ahead = {row["name"]: row for row in document["look_ahead"]}
+        self.assertEqual(names[3:-1] + list(ahead), [row["name"] for row in timing])
+        self.assertLessEqual({"network+2", "network+4", "network+8", "network+16", "svm+8", "knn+8",
+                              "pairwise_cost+8", "nearest_annotation+8", "random+8"}, set(ahead))
+        costs_of_rows = {row["name"]: row["mean_cost"] for row in document["rows"]}
+        for name in ("random", "nearest_annotation"):
+            self.assertLess(ahead[name + "+8"]["mean_cost"], costs_of_rows[name])
+        self.assertGreater(ahead["network+16"]["protection"], 0.95)
+        self.assertEqual([row["brawn"] for row in document["brawn"]],
+                         [0, 0.1, 0.2, 0.3, 0.5, 0.7, 0.9, 1])
+        self.assertAlmostEqual(document["brawn"][-1]["idle"], 1)  # all that counts is work
+        damages = [row["mean_damage"] for row in document["brawn"]]
+        self.assertLess(damages[0], damages[-1])
         self.assertLessEqual({"knn", "svm"}, set(names))
         model = document["cost_model"]
         known = costs(self.store, model["vulnerability"], model["brawn"])

@@ -8,6 +8,7 @@
 #include "features/random.h"
 #include "models/baseline.h"
 #include "runtime/selection.h"
+#include "train/evaluate/look_ahead_chooser.h"
 #include "train/fit/selector_writer.h"
 
 namespace flinch::train {
@@ -82,6 +83,90 @@ void add_methods(const TrainTestSplit& split, std::span<const FittedMethod> meth
   }
 }
 
+/// The rows that look ahead, and at how many candidates.
+struct LookAheadPlan {
+  std::string_view of;
+  int candidates;
+};
+constexpr std::array<LookAheadPlan, 9> kLookAheadPlans{{{"random", 8},
+                                                        {"nearest_annotation", 8},
+                                                        {"knn", 8},
+                                                        {"svm", 8},
+                                                        {"pairwise_cost", 8},
+                                                        {"network", 2},
+                                                        {"network", 4},
+                                                        {"network", 8},
+                                                        {"network", 16}}};
+
+std::vector<models::Candidate> proposals(const std::vector<int>& clips) {
+  std::vector<models::Candidate> proposed;
+  for (const int clip : clips) proposed.push_back({.clip = clip});
+  return proposed;
+}
+
+/// All allowed clips in a random order.
+std::vector<int> shuffled_allowed(const StoreHeader& header, const Observation& observation,
+                                  std::uint64_t seed) {
+  const models::ClipMask allowed =
+      models::allowed_clips(header.clips, header.idle, observation.scenario.target);
+  std::vector<int> clips;
+  for (std::size_t i = 0; i < allowed.size(); ++i)
+    if (allowed[i]) clips.push_back(static_cast<int>(i));
+  features::Random random(seed, features::RandomStream::baseline, observation.number);
+  for (std::size_t left = clips.size(); left > 1; --left)
+    std::swap(clips[left - 1], clips[random.bits() % left]);
+  return clips;
+}
+
+Proposer proposer_of(const LookAheadPlan& plan, const StoreHeader& header,
+                     const models::Selector& selector, std::uint64_t seed) {
+  if (plan.of == "random")
+    return [&header, seed](const Observation& observation) {
+      return proposals(shuffled_allowed(header, observation, seed));
+    };
+  if (plan.of == "nearest_annotation")
+    return [&header](const Observation& observation) {
+      return proposals(models::nearest_annotations(header.clips, header.idle,
+                                                   observation.scenario.target,
+                                                   azimuth_of(observation.scenario)));
+    };
+  const auto count = static_cast<std::size_t>(plan.candidates);
+  return [&selector, count](const Observation& observation) {
+    const auto candidates =
+        models::candidates(selector, observation.features, observation.scenario.target,
+                           std::pmr::get_default_resource(), count);
+    return std::vector<models::Candidate>(candidates.begin(), candidates.end());
+  };
+}
+
+double quantile(const std::vector<double>& sorted, double share);
+
+/// Baselines look ahead with the costs of the first method.
+void add_look_ahead(const TrainTestSplit& split, std::span<const FittedMethod> methods,
+                    std::uint64_t seed, const Clock& clock, Evaluation& evaluation) {
+  for (const LookAheadPlan& plan : kLookAheadPlans) {
+    const bool is_baseline = plan.of == "random" || plan.of == "nearest_annotation";
+    const auto method =
+        is_baseline ? methods.begin() : std::ranges::find_if(methods, [&](const auto& fitted) {
+          return name_of(fitted.method) == plan.of;
+        });
+    if (method == methods.end()) continue;
+    const models::Selector& selector = method->training.selector;
+    const auto played = playable(split.header, selector);
+    if (!played) return;
+    LookAheadChooser chooser(*played, plan.candidates,
+                             proposer_of(plan, split.header, selector, seed), clock);
+    LookAheadRow added{row_of(std::string(plan.of) + '+' + std::to_string(plan.candidates), split,
+                              evaluation, std::ref(chooser)),
+                       plan.candidates, 0, 0, chooser.encounters_per_choice()};
+    std::vector<double> took_s = chooser.took_s();
+    std::ranges::sort(took_s);
+    added.median_us = 1e6 * quantile(took_s, 0.5);
+    added.p99_us = 1e6 * quantile(took_s, 0.99);
+    evaluation.look_ahead.push_back(std::move(added));
+  }
+}
+
 void add_oracle(const TrainTestSplit& split, Evaluation& evaluation) {
   std::size_t next = 0;
   const auto choose = [&](const Observation&) {
@@ -94,27 +179,37 @@ struct RowMeans {
   ResampledMean cost, damage, hit, hit_in_three;
 };
 
+RowMeans means_of(const EvaluationRow& row, const Resamples& resamples) {
+  const auto of = [&](const std::vector<double>& values) {
+    return resampled_mean(values, resamples);
+  };
+  return {of(row.cost_ns), of(row.damage_ns), of(row.hit), of(row.hit_in_three)};
+}
+
+/// Sets a row's estimates, except its differences from other rows.
+void set_estimates(const RowMeans& means, const ResampledMean& idle, const ResampledMean& oracle,
+                   EvaluationRow& row) {
+  const auto itself = [](double mean) { return mean; };
+  row.accuracy = estimate(itself, means.hit);
+  row.top_three = estimate(itself, means.hit_in_three);
+  row.mean_cost_ns = estimate(itself, means.cost);
+  row.mean_damage_ns = estimate(itself, means.damage);
+  row.regret_ns = estimate(std::minus{}, means.cost, oracle);
+  row.protection = estimate(protection_of, idle, means.cost, oracle);
+}
+
 void add_estimates(std::uint64_t seed, Evaluation& evaluation) {
   const Resamples resamples = draw_resamples(evaluation.labels.clip.size(), kResampleCount, seed);
   std::vector<RowMeans> means;
-  for (const EvaluationRow& row : evaluation.rows) {
-    const auto of = [&](const std::vector<double>& values) {
-      return resampled_mean(values, resamples);
-    };
-    means.push_back({of(row.cost_ns), of(row.damage_ns), of(row.hit), of(row.hit_in_three)});
-  }
-  const auto itself = [](double mean) { return mean; };
+  for (const EvaluationRow& row : evaluation.rows) means.push_back(means_of(row, resamples));
   const ResampledMean& idle = means.front().cost;
   const ResampledMean& oracle = means.back().cost;
+  for (LookAheadRow& ahead : evaluation.look_ahead)
+    set_estimates(means_of(ahead.row, resamples), idle, oracle, ahead.row);
   for (std::size_t i = 0; i < evaluation.rows.size(); ++i) {
     EvaluationRow& row = evaluation.rows[i];
     const ResampledMean& cost = means[i].cost;
-    row.accuracy = estimate(itself, means[i].hit);
-    row.top_three = estimate(itself, means[i].hit_in_three);
-    row.mean_cost_ns = estimate(itself, cost);
-    row.mean_damage_ns = estimate(itself, means[i].damage);
-    row.regret_ns = estimate(std::minus{}, cost, oracle);
-    row.protection = estimate(protection_of, idle, cost, oracle);
+    set_estimates(means[i], idle, oracle, row);
     for (const std::string_view reference : kPairedReferences) {
       const EvaluationRow* from = row_named(evaluation, reference);
       if (from == nullptr || from == &row) continue;
@@ -191,6 +286,7 @@ Evaluation evaluate(const TrainTestSplit& split, const CostModel& cost_model,
   add_baselines(split, seed, evaluation);
   add_methods(split, methods, evaluation);
   add_oracle(split, evaluation);
+  add_look_ahead(split, methods, seed, clock, evaluation);
   add_estimates(seed, evaluation);
   for (const FittedMethod& fitted : methods)
     evaluation.timing.push_back(timing_of(fitted, split.tested, clock));

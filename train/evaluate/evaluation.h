@@ -78,12 +78,25 @@ struct RowTiming {
   std::size_t file_bytes = 0;
 };
 
+/// A row that looks ahead: it simulates the first candidates of another row as a game does
+/// (lookahead/look_ahead.h), and chooses the one of least simulated cost. Its costs are those of
+/// the store all the same.
+struct LookAheadRow {
+  EvaluationRow row;  ///< its name is that of the other row, "+" and the number of candidates
+  int candidates = 0;
+  double median_us = 0;  ///< from features to the chosen clip's response, one thread
+  double p99_us = 0;
+  double encounters = 0;  ///< balls that were simulated, per choice
+};
+
 /// Rows compared on the same scenarios.
 struct Evaluation {
   CostModel cost_model;
   Labels labels;                    ///< of the test scenarios
   std::vector<EvaluationRow> rows;  ///< idle, random, nearest_annotation, methods, oracle
   std::vector<RowTiming> timing;    ///< of the methods
+  /// Of the baselines and methods; none if the store does not hold its library.
+  std::vector<LookAheadRow> look_ahead;
 };
 
 /// Returns (idle - cost) / (idle - oracle); not a number if idling is the best choice.

@@ -52,6 +52,22 @@ Json document_of(const EvaluationRow& row) {
   return document;
 }
 
+Json document_of(const LookAheadRow& ahead) {
+  Json document = document_of(ahead.row);
+  document["candidates"] = ahead.candidates;
+  document["encounters"] = ahead.encounters;
+  return document;
+}
+
+Json document_of(const BrawnRow& row) {
+  Json document{
+      {"brawn", row.brawn}, {"mean_damage", row.mean_damage_ns}, {"mean_work", row.mean_work_j}};
+  for (const auto& [kind, share] : row.kind) document[kind] = share;
+  document["other_target"] = row.other_target;
+  document["far_direction"] = row.far_direction;
+  return document;
+}
+
 Json document_of(const GroupRow& row) {
   Json document{
       {"group", row.group}, {"value", row.value}, {"scenarios", row.scenarios}, {"name", row.name}};
@@ -136,8 +152,8 @@ Json paired_document(const Evaluation& evaluation) {
 }
 
 /// Parts of the document that are also written as files.
-constexpr std::array kCharts{"groups",   "reliability", "noise",     "curves",
-                             "transfer", "ablation",    "prevention"};
+constexpr std::array kCharts{"look_ahead", "groups",   "reliability", "noise",     "curves",
+                             "transfer",   "ablation", "brawn",       "prevention"};
 
 std::string cell(const Json& value) {
   if (value.is_number_float()) return exact_text(value.get<double>());
@@ -181,6 +197,7 @@ Json report_document(const Report& report) {
           {"features", report.features},
           {"cost_model", cost_model_document(report.evaluation.cost_model)},
           {"rows", list(report.evaluation.rows, to_document)},
+          {"look_ahead", list(report.evaluation.look_ahead, to_document)},
           {"paired", paired_document(report.evaluation)},
           {"methods", list(report.methods, to_document)},
           {"sizes", sizes},
@@ -190,11 +207,15 @@ Json report_document(const Report& report) {
           {"curves", list(report.curves, to_document)},
           {"transfer", list(report.transfer, to_document)},
           {"ablation", list(report.ablation, to_document)},
+          {"brawn", list(report.brawn, to_document)},
           {"prevention", list(report.prevention, to_document)}};
 }
 
 Json timing_document(const Evaluation& evaluation) {
-  return list(evaluation.timing, [](const RowTiming& timing) { return document_of(timing); });
+  std::vector<RowTiming> timing = evaluation.timing;
+  for (const LookAheadRow& ahead : evaluation.look_ahead)
+    timing.push_back({ahead.row.name, ahead.median_us, ahead.p99_us, 0, 0});
+  return list(timing, [](const RowTiming& row) { return document_of(row); });
 }
 
 std::string scenarios_csv(const TrainTestSplit& split, const Evaluation& evaluation) {

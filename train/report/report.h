@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "train/evaluate/brawn.h"
 #include "train/evaluate/evaluation.h"
 #include "train/evaluate/groups.h"
 #include "train/evaluate/prevention.h"
@@ -30,6 +31,7 @@ struct Report {
   std::vector<LearningCurveRow> curves;   ///< empty unless requested
   std::vector<TransferRow> transfer;      ///< empty unless requested
   std::vector<AblationRow> ablation;      ///< empty unless requested
+  std::vector<BrawnRow> brawn;            ///< over the test scenarios
   std::vector<PreventionRow> prevention;  ///< over all scenarios of the training store
 };
 

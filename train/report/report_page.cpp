@@ -125,6 +125,41 @@ std::string ablation_table(const Report& report) {
   return table(titles, rows);
 }
 
+std::string look_ahead_table(const Report& report) {
+  std::vector<std::vector<std::string>> rows;
+  for (const LookAheadRow& ahead : report.evaluation.look_ahead) {
+    const EvaluationRow& row = ahead.row;
+    rows.push_back({html_escaped(row.name), fixed(row.accuracy.value, 3),
+                    fixed(row.mean_cost_ns.value, 3), fixed(row.regret_ns.value, 3),
+                    fixed(row.protection.value, 3), interval(row.protection.interval, 3),
+                    fixed(ahead.encounters, 1), fixed(ahead.median_us, 0), fixed(ahead.p99_us, 0)});
+  }
+  return table({"selector + candidates", "accuracy", "cost, N s", "regret, N s", "protection",
+                "95 %", "simulated", "median, µs", "p99, µs"},
+               rows);
+}
+
+/// What a microsecond buys: each selector alone, if it has a time, and looking ahead.
+LineChart frontier(const Report& report) {
+  LineChart chart{
+      "What a microsecond buys", "median time to choose, µs", "protection", true, false, {}};
+  const auto series_named = [&](const std::string& name) -> Series& {
+    const auto found = std::ranges::find(chart.series, name, &Series::name);
+    return found != chart.series.end() ? *found : chart.series.emplace_back(Series{name, {}, {}});
+  };
+  const auto add = [&](const std::string& name, double us, const Estimate& protection) {
+    if (!(us > 0)) return;
+    series_named(name).x.push_back(us);
+    series_named(name).y.push_back(protection.value);
+  };
+  for (const RowTiming& timing : report.evaluation.timing)
+    if (const EvaluationRow* row = row_named(report.evaluation, timing.name))
+      add(timing.name, timing.median_us, row->protection);
+  for (const LookAheadRow& ahead : report.evaluation.look_ahead)
+    add(ahead.row.name.substr(0, ahead.row.name.find('+')), ahead.median_us, ahead.row.protection);
+  return chart;
+}
+
 template <class Estimated>
 DotChart dots(const Report& report, const std::string& title, const std::string& x_title,
               const Estimated& estimated) {
@@ -162,6 +197,7 @@ std::string charts(const Report& report) {
                   [](const EvaluationRow& row) { return row.regret_ns; })) +
       svg_of(dots(report, "Protection: 0 for standing still, 1 for the exhaustive choice", "share",
                   [](const EvaluationRow& row) { return row.protection; }));
+  if (!report.evaluation.look_ahead.empty()) text += svg_of(frontier(report));
   const auto protection = [](const auto& row) { return row.protection; };
   if (!report.curves.empty()) {
     text += svg_of(LineChart{
@@ -211,6 +247,8 @@ std::string report_page(const Report& report) {
                      summary(report) + "</p>\n" + rows_table(report) +
                      "<h2>Charts</h2>\n<div class='cards'>\n" + charts(report) +
                      "</div>\n<h2>Regret by group</h2>\n" + groups_table(report);
+  if (!report.evaluation.look_ahead.empty())
+    page += "<h2>Looking ahead</h2>\n" + look_ahead_table(report);
   if (!report.ablation.empty())
     page += "<h2>Regret with other features, N s</h2>\n" + ablation_table(report);
   return page + "<h2>Time and size</h2>\n" + timing_table(report) + "</body></html>\n";
