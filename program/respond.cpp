@@ -12,6 +12,7 @@
 #include "motion/rotation.h"
 #include "program/command.h"
 #include "program/load.h"
+#include "program/look_ahead_option.h"
 #include "program/printable.h"
 #include "program/response_recording.h"
 #include "program/table.h"
@@ -25,6 +26,7 @@ struct RespondOptions {
   std::string selector;
   std::string out;
   ThreatOptions threat;
+  std::optional<int> look_ahead;
   bool force = false;
   bool json = false;
 };
@@ -95,9 +97,12 @@ void run_respond(const RespondOptions& options) {
   const runtime::Library library = load_runtime_library(options.selector);
   const motion::PerTarget<Eigen::Vector3f>& centres = library.selector().target_centres;
   const features::ThreatDescription threat = described(options.threat, centres);
+  lookahead::LookAheadWorkspace look_ahead;
+  if (options.look_ahead) look_ahead = look_ahead_workspace(library, options.selector);
   const ResponseRecording recording =
       record_response(library, features::threat_from_description(threat, centres[threat.target], 0),
-                      threat.target, threat.time_to_impact_s);
+                      threat.target, threat.time_to_impact_s,
+                      options.look_ahead ? &look_ahead : nullptr, options.look_ahead.value_or(1));
   write(library, recording, options);
 
   const std::string& clip = clip_name(library, recording.clip);
@@ -144,7 +149,8 @@ Command respond_command() {
                         "filmstrip",
                         &options->out}},
           .optional = join({threat_options(options->threat),
-                            {force_option(options->force), json_option(options->json)}}),
+                            {look_ahead_option(options->look_ahead), force_option(options->force),
+                             json_option(options->json)}}),
           .notes =
               "The character stands at the origin, facing the front, perceives the threat at once, "
               "and is\n"

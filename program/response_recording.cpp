@@ -47,12 +47,21 @@ bool idles(const reaction::ReactingCharacter& character) {
 }  // namespace
 
 ResponseRecording record_response(const runtime::Library& library, const features::Threat& threat,
-                                  motion::Target target, float time_to_impact_s, float rate_hz) {
+                                  motion::Target target, float time_to_impact_s,
+                                  lookahead::LookAheadWorkspace* look_ahead, int candidates,
+                                  float rate_hz) {
   runtime::Workspace workspace;
   if (workspace.reserve_memory(library.selection_bytes()) != database::LoadStatus::ok)
     throw Error("", "there is not enough memory");
   reaction::ReactingCharacter character(library, reaction::make_reaction_data(library));
-  check(character.character().perceive(threat, target, time_to_impact_s, workspace));
+  if (look_ahead != nullptr) {
+    const runtime::Perception perception{{threat, target, time_to_impact_s, {}}, 0};
+    check(lookahead::perceive(character.character(), perception, {.candidates = candidates},
+                              *look_ahead)
+              .status);
+  } else {
+    check(character.character().perceive(threat, target, time_to_impact_s, workspace));
+  }
 
   ResponseRecording recording;
   recording.motion.rate_hz = rate_hz;

@@ -5,6 +5,7 @@
 
 #include "database/export/gltf_writer.h"
 #include "features/threat.h"
+#include "lookahead/look_ahead.h"
 #include "motion/clip.h"
 #include "runtime/library.h"
 
@@ -25,9 +26,11 @@ struct ResponseRecording {
 
 /// Plays the response of a character at the origin, facing +X, to a threat that will hit `target`
 /// in `time_to_impact_s`: the run time's motion and, from shortly before the impact, the physical
-/// reaction (reaction/reaction.h). Throws Error if the run time refuses the threat.
+/// reaction (reaction/reaction.h). Chooses by looking ahead at so many candidates, if `look_ahead`
+/// is memory for that. Throws Error if the run time refuses the threat.
 ResponseRecording record_response(const runtime::Library& library, const features::Threat& threat,
                                   motion::Target target, float time_to_impact_s,
-                                  float rate_hz = 60);
+                                  lookahead::LookAheadWorkspace* look_ahead = nullptr,
+                                  int candidates = 1, float rate_hz = 60);
 
 }  // namespace flinch::program

@@ -6,9 +6,11 @@
 #include <memory>
 
 #include "models/selector.h"
+#include "motion/error.h"
 #include "motion/rotation.h"
 #include "program/command.h"
 #include "program/load.h"
+#include "program/look_ahead_option.h"
 #include "program/printable.h"
 #include "program/table.h"
 #include "program/threat_options.h"
@@ -21,6 +23,7 @@ namespace {
 struct SelectOptions {
   std::string selector;
   ThreatOptions threat;
+  std::optional<int> look_ahead;
   bool json = false;
 };
 
@@ -77,7 +80,84 @@ void print_text(const models::Selector& selector, const ThreatOptions& threat,
     std::cout << "and " << candidates.size() - kMaxShown << " more (--json lists all)\n";
 }
 
+/// A candidate with what was foreseen of it; what is not known is left out.
+Json foreseen_document(const models::Selector& selector,
+                       const lookahead::ForeseenCandidate& candidate) {
+  Json document = candidate_document(selector, candidate.candidate);
+  document["foreseen"] = name_of(candidate.foreseen);
+  const auto put = [&document](const char* key, float value) {
+    if (std::isfinite(value)) document[key] = shortest(value);
+  };
+  put("work_j", candidate.work_j);
+  put("damage_ns", candidate.damage_ns);
+  put("cost_ns", candidate.cost_ns);
+  put("contact_s", candidate.contact_s);
+  return document;
+}
+
+void print_foreseen(const models::Selector& selector, const ThreatOptions& threat,
+                    const lookahead::LookAheadStatus& status) {
+  using enum Table::Align;
+  Table table({{"candidate"},
+               {"foreseen"},
+               {"work, J", right},
+               {"damage, N s", right},
+               {"cost, N s", right},
+               {"contact, s", right}});
+  const auto number = [](float value, int decimals) {
+    return std::isfinite(value) ? fixed(double{value}, decimals) : std::string("-");
+  };
+  const auto name_of_clip = [&selector](const lookahead::ForeseenCandidate& candidate) {
+    return selector.clips[static_cast<std::size_t>(candidate.candidate.clip)].name;
+  };
+  for (const lookahead::ForeseenCandidate& candidate :
+       std::span(status.candidates).first(status.count)) {
+    const bool is_bound = candidate.foreseen == lookahead::Foreseen::costlier ||
+                          candidate.foreseen == lookahead::Foreseen::cut;
+    table.add({printable(name_of_clip(candidate)), name_of(candidate.foreseen),
+               number(candidate.work_j, 0), number(candidate.damage_ns, 3),
+               (is_bound ? "over " : "") + number(candidate.cost_ns, 3),
+               number(candidate.contact_s, 3)});
+  }
+  std::cout << printable(name_of_clip(status.candidates[status.chosen])) << ": for a threat to the "
+            << threat.target << " from " << fixed(threat.azimuth, 0) << " degrees in "
+            << fixed(threat.time_to_impact_s, 2) << " s, of " << status.count << " candidates\n\n"
+            << table.text();
+}
+
+/// Looks ahead as a game does whose character stands at the origin.
+void run_look_ahead(const SelectOptions& options) {
+  const runtime::Library library = load_runtime_library(options.selector);
+  lookahead::LookAheadWorkspace workspace = look_ahead_workspace(library, options.selector);
+  const models::Selector& selector = library.selector();
+  const features::ThreatDescription threat = described(options.threat, selector.target_centres);
+  const features::Threat thrown =
+      features::threat_from_description(threat, selector.target_centres[threat.target], 0);
+  const runtime::Perception perception{{thrown, threat.target, threat.time_to_impact_s, {}}, 0};
+  runtime::Character character(library);
+  const lookahead::LookAheadStatus status =
+      lookahead::perceive(character, perception, {.candidates = *options.look_ahead}, workspace);
+  if (status.status != runtime::Status::ok) throw Error("", message_of(status.status));
+  if (!options.json) {
+    print_foreseen(selector, options.threat, status);
+    return;
+  }
+  Json list = Json::array();
+  for (const lookahead::ForeseenCandidate& candidate :
+       std::span(status.candidates).first(status.count))
+    list.push_back(foreseen_document(selector, candidate));
+  print({{"clip", list[status.chosen]["clip"]},
+         {"target", options.threat.target},
+         {"time_to_impact_s", options.threat.time_to_impact_s},
+         {"encounters", status.encounters},
+         {"candidates", list}});
+}
+
 void run_select(const SelectOptions& options) {
+  if (options.look_ahead) {
+    run_look_ahead(options);
+    return;
+  }
   const models::Selector selector = load_selector_file(options.selector).selector;
   const features::ThreatDescription threat = described(options.threat, selector.target_centres);
   const std::pmr::vector<models::Candidate> candidates = models::candidates(
@@ -97,7 +177,8 @@ Command select_command() {
   return {.name = "select",
           .summary = "Ask a selector for the clip to answer a threat with",
           .required = {{"SELECTOR", "selector made by flinch train", &options->selector}},
-          .optional = join({threat_options(options->threat), {json_option(options->json)}}),
+          .optional = join({threat_options(options->threat),
+                            {look_ahead_option(options->look_ahead), json_option(options->json)}}),
           .notes =
               "The character stands still, facing the front, until the impact.\n\n"
               "Example:\n  flinch select real.flinch --azimuth 40 --speed 24 --target head "

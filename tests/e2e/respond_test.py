@@ -42,6 +42,20 @@ class Respond(ProgramTest):
         self.assertGreater(played["duration_s"], 1)
         self.assertFalse(played["knocked_over"])
 
+    def test_looking_ahead_takes_the_cheapest_of_the_first_candidates(self):
+        plain = self.document("select", self.selector, *THREAT)
+        one = self.document("select", self.selector, *THREAT, "--look-ahead", 1)
+        self.assertEqual(one["clip"], plain["clip"])
+        ahead = self.document("select", self.selector, *THREAT, "--look-ahead", 8)
+        self.assertEqual(ahead["candidates"][0]["clip"], plain["clip"])
+        self.assertGreater(len(ahead["candidates"]), 1)
+        known = {candidate["clip"]: candidate["cost_ns"] for candidate in ahead["candidates"]}
+        self.assertEqual(known[ahead["clip"]], min(known.values()))
+        _, played = self.respond("ahead.glb", *THREAT, "--look-ahead", 8)
+        self.assertEqual(played["clip"], ahead["clip"])
+        text = self.succeed("select", self.selector, *THREAT, "--look-ahead", 8).stdout
+        self.assertTrue(text.startswith(ahead["clip"] + ": "), text)
+
     def test_same_threat_same_bytes(self):
         for name in ("a.glb", "a.bvh", "a.svg"):
             first, _ = self.respond(name)
