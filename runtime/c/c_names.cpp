@@ -2,6 +2,7 @@
 // Status messages and names of the C interface, which need no handle.
 #include <string_view>
 
+#include "lookahead/look_ahead.h"
 #include "runtime/c/flinch.h"
 #include "runtime/character.h"
 
@@ -34,7 +35,7 @@ const char* flinch_status_message(flinch_status status) {
     case FLINCH_OTHER_LIBRARY:
       return "the workspace was made for a different library than the character";
     case FLINCH_BAD_INDEX:
-      return "there is no such clip or target, or the capacity is negative";
+      return "there is no such clip or target, or a capacity or count is out of range";
     case FLINCH_BAD_CLIP:
       return message_of(runtime::Status::bad_clip);
     case FLINCH_BAD_THREAT:
@@ -67,6 +68,8 @@ const char* flinch_status_message(flinch_status status) {
       return "the selector was trained on other features than this version of Flinch computes";
     case FLINCH_WITHOUT_CLIPS:
       return "the selector has no clips in its file: train it again";
+    case FLINCH_WITHOUT_COSTS:
+      return "the selector does not know what its clips cost: train it again";
     default:
       return "this is not a status of Flinch";
   }
@@ -92,4 +95,10 @@ const char* flinch_target_name(int32_t target) {
 const char* flinch_phase_name(int32_t phase) {
   if (!is_below(phase, FLINCH_RETURNING + 1)) return nullptr;
   return name_of(static_cast<runtime::Phase>(phase));
+}
+
+const char* flinch_foreseen_name(int32_t foreseen) {
+  namespace lookahead = flinch::lookahead;
+  if (!is_below(foreseen, FLINCH_FORESEEN_CUT + 1)) return nullptr;
+  return name_of(static_cast<lookahead::Foreseen>(foreseen));
 }

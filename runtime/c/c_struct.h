@@ -16,6 +16,9 @@ template <class T>
 inline constexpr std::size_t kMinSize = sizeof(T);
 template <>
 inline constexpr std::size_t kMinSize<flinch_threat> = offsetof(flinch_threat, radius);
+template <>
+inline constexpr std::size_t kMinSize<flinch_look_ahead_options> =
+    offsetof(flinch_look_ahead_options, budget_us);
 
 template <class T>
 flinch_status check_struct(const T* value) {

@@ -113,6 +113,30 @@ Mask mask_of(const flinch_mask& mask) {
   return result;
 }
 
+lookahead::LookAhead look_ahead_of(const flinch_look_ahead_options& options) {
+  const flinch_look_ahead_options from = read_struct(options);
+  return {.candidates = from.candidates,
+          .budget = {.us = double{from.budget_us}, .now_us = from.now_us, .clock = from.clock}};
+}
+
+flinch_look_ahead_status to_c(const lookahead::LookAheadStatus& status) {
+  flinch_look_ahead_status result{};
+  result.candidate_count = static_cast<std::int32_t>(status.count);
+  result.tried = static_cast<std::int32_t>(status.tried);
+  result.encounters = static_cast<std::int32_t>(status.encounters);
+  result.chosen = static_cast<std::int32_t>(status.chosen);
+  result.threats = static_cast<std::int32_t>(status.threats);
+  result.ignored = static_cast<std::int32_t>(status.ignored);
+  result.is_complete = status.is_complete ? 1 : 0;
+  for (std::size_t i = 0; i < status.count; ++i) {
+    const lookahead::ForeseenCandidate& from = status.candidates[i];
+    result.candidate[i] = {from.candidate.clip, static_cast<std::int32_t>(from.foreseen),
+                           from.work_j,         from.damage_ns,
+                           from.cost_ns,        from.contact_s};
+  }
+  return result;
+}
+
 bool is_valid(const Mask& mask) {
   const auto is_share = [](float weight) { return weight >= 0 && weight <= 1; };
   return is_share(mask.weight) && std::ranges::all_of(mask.joint, is_share);

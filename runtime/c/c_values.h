@@ -3,6 +3,7 @@
 
 #include "database/library/file_header.h"
 #include "features/threat.h"
+#include "lookahead/look_ahead.h"
 #include "motion/skeleton.h"
 #include "runtime/c/flinch.h"
 #include "runtime/character.h"
@@ -26,6 +27,10 @@ flinch_joint_frames to_c(const motion::JointFrames& frames);
 flinch_skeleton to_c(const motion::Skeleton& skeleton);
 /// The result refers to the clip's strings.
 flinch_clip to_c(const motion::Clip& clip);
+
+/// Defaults for a struct that leaves out the budget: no limit.
+lookahead::LookAhead look_ahead_of(const flinch_look_ahead_options& options);
+flinch_look_ahead_status to_c(const lookahead::LookAheadStatus& status);
 
 /// Whether all weights are in [0, 1].
 bool is_valid(const Mask& mask);

@@ -2,6 +2,8 @@
 #include "runtime/c/flinch.h"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <memory>
 #include <new>
 #include <span>
@@ -9,6 +11,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "models/selector.h"
 #include "runtime/c/c_handle.h"
 #include "runtime/c/c_struct.h"
 #include "runtime/c/c_values.h"
@@ -17,6 +20,7 @@
 #include "runtime/pose_check.h"
 #include "runtime/workspace.h"
 
+namespace lookahead = flinch::lookahead;
 namespace motion = flinch::motion;
 namespace runtime = flinch::runtime;
 using runtime::free_handle;
@@ -55,6 +59,18 @@ struct flinch_character : runtime::HandleHeader {
   };
   static_assert(sizeof(Content) <= std::size_t{16} * 1024);
   explicit flinch_character(Content made)
+      : HandleHeader(kMark), content(std::make_unique<Content>(std::move(made))) {}
+
+  std::unique_ptr<Content> content;
+};
+
+struct flinch_look_ahead : runtime::HandleHeader {
+  static constexpr std::uint32_t kMark = 0xF11C0004;
+  struct Content {
+    SharedLibrary library;
+    lookahead::LookAheadWorkspace workspace;
+  };
+  explicit flinch_look_ahead(Content made)
       : HandleHeader(kMark), content(std::make_unique<Content>(std::move(made))) {}
 
   std::unique_ptr<Content> content;
@@ -99,6 +115,23 @@ flinch_status load(const Source& source, flinch_library** out) try {
   return status == FLINCH_OK ? make_handle(out, [&] { return library; }) : status;
 } catch (const std::bad_alloc&) {
   return FLINCH_OUT_OF_MEMORY;
+}
+
+/// Calls `use` with the caller's array of threats, which may be of a smaller, older struct.
+template <class Use>
+flinch_status with_threats(const flinch_threat* threats, std::int32_t count, const Use& use) {
+  if (count < 0 || count > FLINCH_MOST_THREATS) return FLINCH_BAD_INDEX;
+  if (threats == nullptr && count > 0) return FLINCH_NULL_POINTER;
+  std::array<flinch::features::Threat, FLINCH_MOST_THREATS> all;
+  const auto* bytes = reinterpret_cast<const std::byte*>(threats);
+  for (std::int32_t i = 0; i < count; ++i) {
+    const auto* threat =
+        reinterpret_cast<const flinch_threat*>(bytes + static_cast<std::size_t>(i) * threats->size);
+    if (const flinch_status status = check(threat)) return status;
+    if (threat->size != threats->size) return FLINCH_BAD_SIZE;
+    all[static_cast<std::size_t>(i)] = runtime::threat_of(*threat);
+  }
+  return use(std::span<const flinch::features::Threat>(all).first(static_cast<std::size_t>(count)));
 }
 
 const motion::Clip& clip_at(const flinch_library& library, std::int32_t index) {
@@ -235,6 +268,16 @@ flinch_status flinch_character_perceive(flinch_character* character, const flinc
                                                           workspace->content->workspace));
 }
 
+flinch_status flinch_character_perceive_all(flinch_character* character,
+                                            const flinch_threat* threats, int32_t count,
+                                            flinch_workspace* workspace) {
+  if (const flinch_status status = check(character, workspace)) return status;
+  if (character->content->library != workspace->content->library) return FLINCH_OTHER_LIBRARY;
+  return with_threats(threats, count, [&](std::span<const flinch::features::Threat> all) {
+    return status_of(character->content->character.perceive(all, workspace->content->workspace));
+  });
+}
+
 flinch_status flinch_character_perceive_known(flinch_character* character,
                                               const flinch_threat* threat, int32_t target,
                                               float time_to_impact_s, flinch_workspace* workspace) {
@@ -301,4 +344,42 @@ flinch_status flinch_character_candidates(const flinch_character* character, fli
   });
   *count = static_cast<std::int32_t>(first.size());
   return FLINCH_OK;
+}
+
+flinch_status flinch_look_ahead_create(const flinch_library* library, flinch_look_ahead** out) {
+  if (out == nullptr) return FLINCH_NULL_POINTER;
+  *out = nullptr;
+  if (const flinch_status status = check(library)) return status;
+  if (!library->content->selector().costs) return FLINCH_WITHOUT_COSTS;
+  flinch_look_ahead::Content content{library->content, {}};
+  if (!content.workspace.reserve_memory(*library->content,
+                                        lookahead::make_look_ahead_data(*library->content)))
+    return FLINCH_OUT_OF_MEMORY;
+  return make_handle(out, [&] { return std::move(content); });
+}
+
+flinch_status flinch_look_ahead_free(flinch_look_ahead* look_ahead) {
+  return free_handle(look_ahead);
+}
+
+flinch_status flinch_character_look_ahead(flinch_character* character, const flinch_threat* threats,
+                                          int32_t count, const flinch_look_ahead_options* options,
+                                          flinch_look_ahead* look_ahead,
+                                          flinch_look_ahead_status* out) {
+  if (const flinch_status status = check(character, options, look_ahead)) return status;
+  if (out != nullptr) {
+    if (const flinch_status status = check(out)) return status;
+  }
+  // A size that ends within a pointer would leave half of it.
+  if (options->size > offsetof(flinch_look_ahead_options, now_us) &&
+      options->size < sizeof *options)
+    return FLINCH_BAD_SIZE;
+  if (character->content->library != look_ahead->content->library) return FLINCH_OTHER_LIBRARY;
+  return with_threats(threats, count, [&](std::span<const flinch::features::Threat> all) {
+    const lookahead::LookAheadStatus status =
+        lookahead::perceive(character->content->character, all, runtime::look_ahead_of(*options),
+                            look_ahead->content->workspace);
+    if (out != nullptr && status.status == runtime::Status::ok) write_struct(*out, to_c(status));
+    return status_of(status.status);
+  });
 }

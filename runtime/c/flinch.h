@@ -9,6 +9,8 @@
  *   flinch_library    what `flinch train` writes: skeleton, clips and selector. Immutable.
  *   flinch_workspace  memory for choosing clips. One for each thread that perceives.
  *   flinch_character  one character of a library: it perceives, answers, and returns to idle.
+ *   flinch_look_ahead memory for simulating what clips would do. One for each thread that looks
+ * ahead.
  *
  * Units and frames. SI units, seconds, radians. The world is right-handed with Z up, the ground at
  * 0; a character whose facing is 0 looks along +X and has +Y at its left. Quaternions are unit, in
@@ -57,10 +59,12 @@ extern "C" {
 
 #define FLINCH_JOINT_COUNT 21    /* joints of every skeleton */
 #define FLINCH_MOST_CANDIDATES 8 /* candidates kept for each threat */
+#define FLINCH_MOST_THREATS 256  /* threats of one call */
 
-typedef struct flinch_library flinch_library;     /* see above */
-typedef struct flinch_workspace flinch_workspace; /* see above */
-typedef struct flinch_character flinch_character; /* see above */
+typedef struct flinch_library flinch_library;       /* see above */
+typedef struct flinch_workspace flinch_workspace;   /* see above */
+typedef struct flinch_character flinch_character;   /* see above */
+typedef struct flinch_look_ahead flinch_look_ahead; /* see above */
 
 /* ---- Status ---------------------------------------------------------------------------------- */
 
@@ -76,7 +80,7 @@ enum {
   FLINCH_BAD_HANDLE = -2,     /* freed, or of another kind */
   FLINCH_BAD_SIZE = -3,       /* `size` of a struct */
   FLINCH_OTHER_LIBRARY = -4,  /* character and workspace are of different libraries */
-  FLINCH_BAD_INDEX = -5,      /* no such clip or target, or a capacity below 0 */
+  FLINCH_BAD_INDEX = -5,      /* no such clip or target, or a capacity or count out of range */
   FLINCH_BAD_CLIP = -6,       /* no such clip, or one without annotation, which cannot answer */
   FLINCH_BAD_THREAT = -7,     /* a number that is not finite or out of range */
   FLINCH_BAD_TIME = -8,       /* a time step that is not above 0 and at most 1e6 s */
@@ -93,7 +97,8 @@ enum {
   FLINCH_OTHER_LAYOUT = -24,   /* trained on other features than this build computes */
   FLINCH_WITHOUT_CLIPS = -25,  /* a selector without its clips: train it again */
   FLINCH_NOT_A_FILE = -26,     /* a folder, a pipe or a device */
-  FLINCH_TOO_LARGE = -27       /* larger than 1 GiB */
+  FLINCH_TOO_LARGE = -27,      /* larger than 1 GiB */
+  FLINCH_WITHOUT_COSTS = -28   /* a selector that does not know what clips cost: train it again */
 };
 
 /* The status in words: one line of English without a full stop. Never NULL, for any number. */
@@ -252,6 +257,11 @@ typedef struct flinch_threat {
 FLINCH_API flinch_status flinch_character_perceive(flinch_character* character,
                                                    const flinch_threat* threat,
                                                    flinch_workspace* workspace);
+/* Answers `count` threats that come at once: the most urgent one first and, when its impact is
+ * over, the next. All have the `size` of the first. One that is refused refuses all. */
+FLINCH_API flinch_status flinch_character_perceive_all(flinch_character* character,
+                                                       const flinch_threat* threats, int32_t count,
+                                                       flinch_workspace* workspace);
 /* Answers a threat that the game knows to hit `target` in `time_to_impact_s`, which is above 0 and
  * at most 100. */
 FLINCH_API flinch_status flinch_character_perceive_known(flinch_character* character,
@@ -318,6 +328,68 @@ typedef struct flinch_candidate {
 FLINCH_API flinch_status flinch_character_candidates(const flinch_character* character,
                                                      flinch_candidate* out, int32_t capacity,
                                                      int32_t* count);
+
+/* ---- Looking ahead --------------------------------------------------------------------------- */
+
+#define FLINCH_MOST_FORESEEN 16 /* candidates that are looked at for one answer */
+
+/* Makes memory for looking ahead, at most 256 KiB and the figure's, which is for one thread at a
+ * time. FLINCH_WITHOUT_COSTS for a selector of an earlier version. */
+FLINCH_API flinch_status flinch_look_ahead_create(const flinch_library* library,
+                                                  flinch_look_ahead** out);
+/* Frees it. */
+FLINCH_API flinch_status flinch_look_ahead_free(flinch_look_ahead* look_ahead);
+
+/* How far to look ahead. A `size` that leaves out all but `candidates` means no limit of time. */
+typedef struct flinch_look_ahead_options {
+  uint32_t size;
+  int32_t candidates; /* of the selector's best clips, from 1 to FLINCH_MOST_FORESEEN; clamped */
+  float budget_us;    /* exceeded by at most one simulation; without `now_us` there is no limit */
+  int32_t reserved;   /* 0 */
+  double (*now_us)(void* clock); /* time since any fixed moment, us; NULL: no limit */
+  void* clock;                   /* passed to `now_us` */
+} flinch_look_ahead_options;
+
+/* What is known of a candidate. */
+enum {
+  FLINCH_FORESEEN_NOTHING = 0,  /* the budget ended first, or it is the only candidate */
+  FLINCH_FORESEEN_COSTLIER = 1, /* its work alone costs more than the best; not simulated */
+  FLINCH_FORESEEN_MISSES = 2,   /* no ball comes near it */
+  FLINCH_FORESEEN_SIMULATED = 3,
+  FLINCH_FORESEEN_CUT = 4 /* simulated until it cost more than the best: damage is a lower bound */
+};
+FLINCH_API const char* flinch_foreseen_name(int32_t foreseen); /* NULL: no such value */
+
+/* A candidate, and why it was chosen or not; not a number where nothing is known. */
+typedef struct flinch_foreseen {
+  int32_t clip;
+  int32_t foreseen; /* FLINCH_FORESEEN_NOTHING, ... */
+  float work_j;
+  float damage_ns; /* of all threats together */
+  float cost_ns;
+  float contact_s; /* s after perception; infinite if nothing touches */
+} flinch_foreseen;
+
+/* The result of looking ahead. */
+typedef struct flinch_look_ahead_status {
+  uint32_t size;
+  int32_t candidate_count;
+  int32_t tried;       /* candidates that the budget allowed; 0 if there is only one */
+  int32_t encounters;  /* balls that were simulated */
+  int32_t chosen;      /* index of the answer in `candidate` */
+  int32_t threats;     /* that will hit and were looked at, the most urgent ones */
+  int32_t ignored;     /* that would hit, and are less urgent */
+  int32_t is_complete; /* 1: all candidates were tried */
+  flinch_foreseen candidate[FLINCH_MOST_FORESEEN]; /* in the selector's order */
+} flinch_look_ahead_status;
+
+/* Perceives `count` threats, simulates the selector's best clips against all of them, and answers
+ * with the one that costs least. All threats have the `size` of the first. `out` may be NULL. */
+FLINCH_API flinch_status flinch_character_look_ahead(flinch_character* character,
+                                                     const flinch_threat* threats, int32_t count,
+                                                     const flinch_look_ahead_options* options,
+                                                     flinch_look_ahead* look_ahead,
+                                                     flinch_look_ahead_status* out);
 
 #ifdef __cplusplus
 }
