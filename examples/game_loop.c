@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* A game loop in C: two people stand side by side, a ball flies at one of them, and the loop prints
- * what both do. Usage: game_loop SELECTOR, which `flinch train` makes.
+/* A game loop in C: two people stand side by side, a ball flies at one of them, who looks ahead
+ * before choosing an answer, and the loop prints what both do. Usage: game_loop SELECTOR, which
+ * `flinch train` makes.
  *
  * Left out: drawing, and what happens when the ball hits. */
 #include <flinch.h>
@@ -56,12 +57,29 @@ static void print_person(const flinch_library* library, const flinch_character* 
          flinch_phase_name(state.phase), clip.name, (double)head_height(library, character));
 }
 
+/* Simulates what the best clips would do, answers with the cheapest, and prints why. */
+static flinch_status look_ahead_at(flinch_character* character, flinch_look_ahead* look_ahead,
+                                   const flinch_threat* ball) {
+  const flinch_look_ahead_options options = {.size = sizeof options, .candidates = 8};
+  flinch_look_ahead_status found = {.size = sizeof found};
+  const flinch_status status =
+      flinch_character_look_ahead(character, ball, 1, &options, look_ahead, &found);
+  for (int i = 0; status == FLINCH_OK && i < found.candidate_count; ++i) {
+    const flinch_foreseen* candidate = &found.candidate[i];
+    printf("%s clip %3d: %-9s  damage %6.3f N s, work %4.0f J, cost %6.3f N s\n",
+           i == found.chosen ? "->" : "  ", (int)candidate->clip,
+           flinch_foreseen_name(candidate->foreseen), (double)candidate->damage_ns,
+           (double)candidate->work_j, (double)candidate->cost_ns);
+  }
+  return status;
+}
+
 /* One frame: perceives the ball if it is thrown now, then updates. Returns the new phase. */
-static int32_t step(flinch_character* character, flinch_workspace* workspace,
+static int32_t step(flinch_character* character, flinch_look_ahead* look_ahead,
                     const flinch_threat* ball, float dt_s) {
   if (ball != NULL) {
-    const flinch_status seen = flinch_character_perceive(character, ball, workspace);
-    printf("a ball is thrown: %s\n", flinch_status_message(checked("perceive", seen)));
+    const flinch_status seen = look_ahead_at(character, look_ahead, ball);
+    printf("a ball is thrown: %s\n", flinch_status_message(checked("look ahead", seen)));
   }
   checked("update", flinch_character_update(character, dt_s));
   return state_of(character).phase;
@@ -70,7 +88,7 @@ static int32_t step(flinch_character* character, flinch_workspace* workspace,
 int main(int argument_count, char** arguments) {
   const flinch_threat ball = thrown_ball();
   flinch_library* library = NULL;
-  flinch_workspace* workspace = NULL; /* one per thread */
+  flinch_look_ahead* look_ahead = NULL; /* one per thread */
   flinch_character* person[COUNT] = {NULL, NULL};
   int32_t phase[COUNT] = {FLINCH_IDLE, FLINCH_IDLE};
   int answers[COUNT] = {0, 0};
@@ -78,7 +96,7 @@ int main(int argument_count, char** arguments) {
   float time_s = 0;
   if (argument_count != 2) return fputs("usage: game_loop SELECTOR\n", stderr), 2;
   if (checked(arguments[1], flinch_library_load(arguments[1], &library)) != FLINCH_OK) return 1;
-  checked("workspace", flinch_workspace_create(library, &workspace));
+  checked("look ahead", flinch_look_ahead_create(library, &look_ahead));
   for (int i = 0; i < COUNT; ++i) {
     checked("character", flinch_character_create(library, &person[i]));
     checked("place", flinch_character_place(person[i], 0, -3.0f * (float)i, 0, 0.7f * (float)i));
@@ -91,7 +109,7 @@ int main(int argument_count, char** arguments) {
     time_s += dt_s;
     for (int i = 0; i < COUNT; ++i) {
       const int32_t before = phase[i];
-      phase[i] = step(person[i], workspace, throws ? &ball : NULL, dt_s);
+      phase[i] = step(person[i], look_ahead, throws ? &ball : NULL, dt_s);
       if (phase[i] != before) print_person(library, person[i], i, time_s);
       answers[i] += phase[i] == FLINCH_PROTECTING && before != phase[i];
     }
@@ -101,7 +119,7 @@ int main(int argument_count, char** arguments) {
   for (int i = 0; i < COUNT; ++i) {
     checked("free", flinch_character_free(person[i]));
   }
-  checked("free", flinch_workspace_free(workspace));
+  checked("free", flinch_look_ahead_free(look_ahead));
   checked("free", flinch_library_free(library));
   printf("answers: %d and %d\n", answers[0], answers[1]);
   return failures == 0 && answers[0] == 1 && answers[1] == 0 && phase[0] == FLINCH_IDLE ? 0 : 1;
