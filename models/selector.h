@@ -37,7 +37,7 @@ struct Selector {
   features::Layout layout;         ///< of the features that it takes
   features::Scaling scaling;
   std::variant<SvmModel, KnnModel, NetworkModel, PairwiseModel> model;
-  double brawn = 0.1;  ///< used for the labels that it was fitted to
+  double brawn = 0.5;  ///< used for the labels that it was fitted to
   /// Centres of the idling character's targets, by Target, in the frame of the features, m. A
   /// threat described without a character is aimed at them.
   motion::PerTarget<Eigen::Vector3f> target_centres{

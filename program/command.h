@@ -40,7 +40,7 @@ std::vector<std::string> method_names();
 
 /// How to label scenarios, as given by options.
 struct CostOptions {
-  double brawn = 0.1;
+  double brawn = train::CostModel{}.brawn;
   std::string vulnerability{train::vulnerability_profiles()[0].name};
 };
 std::vector<Option> cost_options(CostOptions& options);

@@ -70,7 +70,7 @@ class Author(ProgramTest):
         self.author_default()
         store = self.folder / "a.flinchobs"
         self.succeed("simulate", self.library, "--out", store, "-n", 56)
-        document = self.document("compare", store)
+        document = self.document("compare", store, "--brawn", 0.1)
         row = document["prevention"][0]
         self.assertEqual((row["group"], row["value"]), ("all", "0.50 s or more"))
         with sqlite3.connect(store) as database:

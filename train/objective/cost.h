@@ -27,7 +27,7 @@ const VulnerabilityProfile* vulnerability_profile_named(std::string_view name);
 /// Parameters that turn impulses and work into a cost.
 struct CostModel {
   Vulnerability vulnerability = vulnerability_profiles()[0].vulnerability;
-  double brawn = 0.1;              ///< in [0, 1]: weight of work against damage
+  double brawn = 0.5;              ///< in [0, 1]: weight of work against damage
   double reference_damage_ns = 1;  ///< D*
   double reference_work_j = 1;     ///< W*, positive
 };
