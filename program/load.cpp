@@ -18,7 +18,8 @@ runtime::SelectorFile load_selector_file(const std::string& path) {
   if (database::file_kind_of(bytes) != database::FileKind::selector)
     throw Error(path, "is " + std::string(database::name_of(database::file_kind_of(bytes))) +
                           ", not a selector; `flinch train` makes one");
-  throw Error(path, std::string("the selector ") + database::message_of(status) +
+  throw Error(path, "the selector " +
+                        database::refusal_of(status, database::kSelectorFormat, bytes) +
                         "; run `flinch train` again");
 }
 

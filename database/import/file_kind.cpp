@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "database/import/bvh_lexer.h"
-#include "database/library/file_header.h"
 #include "motion/enum_array.h"
 
 namespace flinch::database {
@@ -44,6 +43,13 @@ FileKind file_kind_of(std::string_view bytes) {
   if (opens_as_bvh(bytes)) return FileKind::bvh;
   const std::string_view start = bytes.substr(0, 512);
   return std::all_of(start.begin(), start.end(), is_text_byte) ? FileKind::text : FileKind::unknown;
+}
+
+std::string refusal_of(LoadStatus status, const FileFormat& format, std::string_view file) {
+  if (status != LoadStatus::other_version) return message_of(status);
+  const auto version = static_cast<unsigned char>(file.at(format.magic.size()));
+  return "is of format " + std::to_string(version) + ", and this program reads format " +
+         std::to_string(format.version);
 }
 
 std::string_view name_of(FileKind kind) {

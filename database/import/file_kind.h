@@ -6,6 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include "database/library/file_header.h"
+
 namespace flinch::database {
 
 /// Bytes from the beginning of a file that are enough to judge its kind.
@@ -25,6 +27,10 @@ enum class FileKind : std::uint8_t {
 };
 
 FileKind file_kind_of(std::string_view bytes);
+
+/// Returns why a file was refused that is of this format: the status' message, or the two versions
+/// if they differ.
+std::string refusal_of(LoadStatus status, const FileFormat& format, std::string_view file);
 
 /// Returns the kind with its article, such as "a library" or "a BVH file".
 std::string_view name_of(FileKind kind);

@@ -134,7 +134,7 @@ ClipLibrary load_library(const std::string& path) {
     throw Error(path, "is " + std::string(name_of(file_kind_of(bytes))) +
                           ", not a library; `flinch import` makes one");
   }
-  throw Error(path, std::string("the library ") + message_of(status) + "; make it again");
+  throw Error(path, "the library " + refusal_of(status, kLibraryFormat, bytes) + "; make it again");
 }
 
 }  // namespace flinch::database

@@ -120,8 +120,8 @@ void require_store(Database& database) {
     throw Error(database.path(), "not a store; `flinch simulate` makes one");
   const std::int64_t version = pragma(database, "user_version");
   if (version != kStoreFormatVersion)
-    throw Error(database.path(), "a store of format " + std::to_string(version) +
-                                     ", this program reads format " +
+    throw Error(database.path(), "is a store of format " + std::to_string(version) +
+                                     ", and this program reads format " +
                                      std::to_string(kStoreFormatVersion) +
                                      "; delete it and run `flinch simulate` again");
 }

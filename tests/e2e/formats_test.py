@@ -1,0 +1,81 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Files of every version of the formats so far, in tests/formats, are read or refused by name."""
+
+import gzip
+import pathlib
+import shutil
+import unittest
+
+from flinch_program import ProgramTest
+
+FROZEN = pathlib.Path(__file__).resolve().parent.parent / "formats"
+CHOSEN = {"selector-3-knn.flinch": "cover_mirrored", "selector-3-svm.flinch": "idle",
+          "selector-3-pairwise_cost.flinch": "cover_mirrored"}
+VERSIONS = {"library": (1, 2), "store": (1, 2, 3), "selector": (1, 2, 3)}  # the last: today's
+
+
+class Formats(ProgramTest):
+    def setUp(self):
+        super().setUp()
+        for path in FROZEN.glob("*-*"):
+            if path.suffix == ".gz":
+                (self.folder / path.stem).write_bytes(gzip.decompress(path.read_bytes()))
+            else:
+                shutil.copy(path, self.folder)
+
+    def files(self, kind, version):
+        found = sorted(self.folder.glob(f"{kind}-{version}*"))
+        self.assertTrue(found, f"{kind} {version}")
+        return found
+
+    def readers(self, kind, path):
+        out = self.folder / "out"
+        return {"library": [["simulate", path, "--out", out, "-n", 1],
+                            ["author", "--character", path, "--out", out]],
+                "store": [["train", path, "--out", out], ["compare", path],
+                          ["merge", path, "--out", out]],
+                "selector": [["select", path], ["respond", path, "--out", f"{out}.bvh"]]}[kind]
+
+    def test_there_is_a_file_of_every_version(self):
+        here = {tuple(path.name.split(".")[0].split("-")[:2]) for path in FROZEN.glob("*-*")}
+        self.assertEqual(here, {(kind, str(version)) for kind in VERSIONS for version in VERSIONS[kind]})
+        self.assertLess(max(path.stat().st_size for path in FROZEN.iterdir()), 12000)
+
+    def test_earlier_versions_are_refused_by_name(self):
+        for kind, (*earlier, today) in VERSIONS.items():
+            for version in earlier:
+                for path in self.files(kind, version):
+                    for command in [["info", path], *self.readers(kind, path)]:
+                        with self.subTest(file=path.name, command=command[0]):
+                            line = self.fail_with(1, *command)
+                            self.assertRegex(line, rf"{path}: .*of format {version}, "
+                                                   rf"and this program reads format {today}")
+        self.assertEqual(list(self.folder.glob("out*")), [])
+
+    def test_libraries_of_today_are_read(self):
+        path, = self.files("library", 2)
+        library = self.document("info", path)
+        self.assertEqual((library["name"], library["rate_hz"], library["hash"]),
+                         ("frozen", 10, "e101abd6b2137305"))
+        self.assertEqual([clip["name"] for clip in library["clips"]],
+                         ["idle", "cover", "cover_mirrored"])
+        self.assertEqual(library["clips"][1]["annotation"]["direction_degrees"], 45)
+        self.succeed("simulate", path, "--out", self.folder / "new", "-n", 1)
+
+    def test_stores_of_today_are_read(self):
+        path, = self.files("store", 3)
+        store = self.document("info", path)
+        self.assertEqual((store["scenarios"], store["seed"], store["trials"]), (4, 1, 6))
+        self.succeed("train", path, "--out", self.folder / "new", "--model", "knn")
+
+    def test_selectors_of_today_are_read_and_choose_as_ever(self):
+        for path in self.files("selector", 3):
+            with self.subTest(path.name):
+                self.assertEqual(self.document("info", path)["library_hash"], "e101abd6b2137305")
+                chosen = self.document("select", path, "--azimuth", 40, "--target", "head")
+                self.assertEqual(chosen["clip"], CHOSEN[path.name])
+
+
+if __name__ == "__main__":
+    unittest.main()
