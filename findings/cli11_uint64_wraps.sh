@@ -1,10 +1,12 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# CLI11 2.1.2 (Debian libcli11-dev 2.1.2+ds-1): an option of type uint64_t takes a negative number.
+# CLI11 2.1.2 (Debian libcli11-dev 2.1.2+ds-1): an option of type uint64_t takes a negative number,
+# and one that is too large.
 #
-# Expected: `--first -3` is refused, as `--count -3` is, whose type is uint32_t.
+# Expected: `--first -3` is refused, as `--count -3` is, whose type is uint32_t, and so is a number
+# above 2^64 - 1.
 # Seen: the 64-bit option becomes 18446744073709551613, and parsing succeeds. The narrower one is
-# refused only because the wrapped value does not fit. So `--seed -1` runs with another seed than the
+# refused only because the wrapped value does not fit. A number of 23 digits becomes 2^64 - 1. So `--seed -1` runs with another seed than the
 # one that was meant, and says nothing.
 # Flinch: program/command_line.cpp checks digits first.
 set -eu
@@ -30,10 +32,12 @@ int main(int argc, char** argv) {
 CPP
 g++ -std=c++17 -I usr/include numbers.cpp -o numbers
 seen=$(./numbers --first -3) || seen=refused
+large=$(./numbers --first 99999999999999999999999) || large=refused
 narrow=$(./numbers --count -3 2>&1 >/dev/null) && narrow="taken"
 echo "--first -3 (uint64_t): $seen"
+echo "--first 99999999999999999999999: $large"
 echo "--count -3 (uint32_t): $narrow"
-case "$seen $narrow" in
-  "18446744073709551613 Could not convert: --count = -3"*) ;;
+case "$seen $large $narrow" in
+  "18446744073709551613 18446744073709551615 Could not convert: --count = -3"*) ;;
   *) echo "the behaviour has changed" >&2; exit 1 ;;
 esac
