@@ -18,7 +18,7 @@ import unittest
 from flinch_program import FLINCH, ProgramTest, make_library, run, shared_folder
 
 EVERY_POINT = os.environ.get("FLINCH_ALL_CRASH_POINTS") == "1"
-POINTS_PER_COMMAND = 6  # of each of the two states before
+POINTS_PER_COMMAND = 12  # of each of the two states before
 CALLS = ("write", "writev", "pwrite64", "fsync", "fdatasync", "ftruncate", "fchmod", "rename",
          "renameat", "renameat2", "unlink", "unlinkat", "close")
 FAULTS = ("error=ENOSPC", "error=EIO", "signal=SIGKILL")
