@@ -165,7 +165,7 @@ Command annotate_command() {
   auto options = std::make_shared<AnnotateOptions>();
   return {.name = "annotate",
           .summary = "Draft a manifest for a raw take of motion capture",
-          .required = {{"TAKE", "BVH file", &options->take}},
+          .required = {{"TAKE", "BVH, FBX or glTF file", &options->take}},
           .optional =
               join({{{"--out", "manifest to write (default: TAKE with .toml)", &options->out},
                      {"--sheet", "contact sheet to write, an SVG (default: the manifest with .svg)",

@@ -11,22 +11,21 @@
 namespace flinch::program {
 
 std::vector<Option> bvh_options(BvhOptions& options) {
-  return {{"--unit", "unit of length in BVH files (default: detected)", &options.unit,
-           OneOf{{"m", "cm", "mm", "inch", "cmu"}}},
-          {"--up", "axis that points up in BVH files (default: detected)", &options.up,
-           OneOf{{"x", "y", "z", "-x", "-y", "-z"}}},
-          {"--roles", "TOML file with a table [roles] that has lines like head = \"Bip01 Head\"",
-           &options.roles},
-          {"--rest",
-           "BVH file of the same skeleton in which it stands, for files in which it never does",
-           &options.rest},
-          {"--rate-of-file",
-           "frame rate that BVH files really have, Hz (default: as their Frame Time says)",
-           &options.rate_hz, Range{database::kMinSourceRate_hz, database::kMaxSourceRate_hz}},
-          {"--frames", "use only the frames FIRST:LAST of BVH files, from 1, such as 2:90 or 2:",
-           &options.frames},
-          {"--skip-first", "leave out the first frame of BVH files, where it is a T-pose",
-           &options.skip_first}};
+  return {
+      {"--unit", "unit of length in motion files (default: detected)", &options.unit,
+       OneOf{{"m", "cm", "mm", "inch", "cmu"}}},
+      {"--up", "axis that points up in motion files (default: detected)", &options.up,
+       OneOf{{"x", "y", "z", "-x", "-y", "-z"}}},
+      {"--roles", "TOML file with a table [roles] that has lines like head = \"Bip01 Head\"",
+       &options.roles},
+      {"--rest", "file of the same skeleton in which it stands, for files in which it never does",
+       &options.rest},
+      {"--rate-of-file", "frame rate that motion files really have, Hz (default: as they say)",
+       &options.rate_hz, Range{database::kMinSourceRate_hz, database::kMaxSourceRate_hz}},
+      {"--frames", "use only the frames FIRST:LAST of motion files, from 1, such as 2:90 or 2:",
+       &options.frames},
+      {"--skip-first", "leave out the first frame of motion files, where it is a T-pose",
+       &options.skip_first}};
 }
 
 database::SourceOptions source_options(const BvhOptions& options) {

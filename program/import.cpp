@@ -169,7 +169,7 @@ Command import_command() {
   auto options = std::make_shared<ImportOptions>();
   return {.name = "import",
           .summary = "Make a library from motion capture",
-          .required = {{"PATH", "BVH files, or folders of them", &options->paths},
+          .required = {{"PATH", "BVH, FBX or glTF files, or folders of them", &options->paths},
                        {"--out", "library file to write", &options->library}},
           .optional =
               join({{{"--manifest",

@@ -254,9 +254,10 @@ Json document_with_quality(const database::ClipLibrary& library) {
 void run_info(const InfoOptions& options) {
   using database::FileKind;
   const FileKind kind = train::file_kind_at(options.file);
-  if (options.bvh.given() && kind != FileKind::bvh)
-    throw Error(options.file, "is " + std::string(database::name_of(kind)) +
-                                  ", and the options for BVH files are not for it; leave them out");
+  if (options.bvh.given() && !database::holds_motion(kind))
+    throw Error(options.file,
+                "is " + std::string(database::name_of(kind)) +
+                    ", and the options for motion capture are not for it; leave them out");
   if (options.quality && kind != FileKind::library)
     throw Error(options.file, "is " + std::string(database::name_of(kind)) +
                                   ", and --quality is for libraries; leave it out");
@@ -272,11 +273,14 @@ void run_info(const InfoOptions& options) {
     case FileKind::selector:
       return show(options, load_selector_file(options.file), selector_document, print_selector);
     case FileKind::bvh:
-      return show(options, database::inspect_bvh(options.file, source_options(options.bvh)),
+    case FileKind::fbx:
+    case FileKind::gltf:
+      return show(options, database::inspect_source(options.file, source_options(options.bvh)),
                   source_document, print_source);
     default:
-      throw Error(options.file, "is " + std::string(database::name_of(kind)) +
-                                    "; info reads libraries, stores, selectors and BVH files");
+      throw Error(options.file,
+                  "is " + std::string(database::name_of(kind)) +
+                      "; info reads libraries, stores, selectors and BVH, FBX and glTF files");
   }
 }
 
@@ -287,8 +291,10 @@ Command info_command() {
   return {
       .name = "info",
       .summary =
-          "Show what a library, store or selector holds, or how a BVH file's joints are mapped",
-      .required = {{"FILE", "a library, store, selector or BVH file", &options->file}},
+          "Show what a library, store or selector holds, or how a motion capture file's joints are "
+          "mapped",
+      .required = {{"FILE", "a library, store, selector, or a BVH, FBX or glTF file",
+                    &options->file}},
       .optional = join(
           {bvh_options(options->bvh),
            {{"--quality", "measure how human-like each clip of a library is", &options->quality},

@@ -7,6 +7,7 @@
 #include "database/annotate/trajectory.h"
 #include "database/import/retarget.h"
 #include "database/import/source_character.h"
+#include "database/import/source_file.h"
 #include "motion/error.h"
 
 namespace flinch::database {
@@ -34,7 +35,7 @@ std::size_t first_recorded(const Trajectory& trajectory) {
 }  // namespace
 
 Take read_take(const std::string& path, const SourceOptions& options) {
-  const Source source = analyse_source(read_bvh(path), options);
+  const Source source = analyse_source(read_source_file(path), options);
   if (source.bvh.frame_count < 2) {
     throw Error(path, "has one frame; a take needs motion to be annotated");
   }

@@ -21,7 +21,8 @@ struct Take {
 /// Reads a take. Where the file begins with a pose that the body cannot leave so fast, as many
 /// exporters put a T-pose before the recording, the motion begins after it.
 ///
-/// Throws Error for a file that is no BVH file, holds no human figure or only one frame.
+/// Throws Error for a file that is no BVH, FBX or glTF file, holds no human figure or only one
+/// frame.
 Take read_take(const std::string& path, const SourceOptions& options = {});
 
 }  // namespace flinch::database

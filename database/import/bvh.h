@@ -41,6 +41,8 @@ struct Bvh {
   /// Frame after frame, frame_count * channel_count values: positions in the file's units,
   /// rotations in degrees.
   std::vector<double> values;
+  /// Whether positions are known to be in metres, with Y up, as in files of other formats.
+  bool is_metres_y_up = false;
   /// Unusual content that was accepted, each as "FILE:LINE: what".
   std::vector<std::string> warnings;
 

@@ -19,6 +19,8 @@ constexpr std::array kSignatures{
     FileSignature{kLibraryFormat.magic, FileKind::library},
     FileSignature{kSelectorFormat.magic, FileKind::selector},
     FileSignature{std::string_view("SQLite format 3\0", 16), FileKind::store},
+    FileSignature{"Kaydara FBX Binary", FileKind::fbx},
+    FileSignature{"; FBX", FileKind::fbx},
     FileSignature{"glTF", FileKind::gltf},
     FileSignature{"PK\x03\x04", FileKind::archive},
     FileSignature{"\x1F\x8B", FileKind::archive},
@@ -32,7 +34,18 @@ bool is_text_byte(char c) {
   return byte >= 0x20 || (byte >= '\t' && byte <= '\r');
 }
 
+// A document of JSON with the member that glTF demands.
+bool opens_as_gltf(std::string_view bytes) {
+  const std::size_t first = bytes.find_first_not_of(" \t\r\n");
+  return first != std::string_view::npos && bytes[first] == '{' &&
+         bytes.substr(0, kFileOpening).find("\"asset\"") != std::string_view::npos;
+}
+
 }  // namespace
+
+bool holds_motion(FileKind kind) {
+  return kind == FileKind::bvh || kind == FileKind::fbx || kind == FileKind::gltf;
+}
 
 FileKind file_kind_of(std::string_view bytes) {
   if (bytes.empty()) return FileKind::empty;
@@ -41,6 +54,7 @@ FileKind file_kind_of(std::string_view bytes) {
                    [&](const FileSignature& known) { return bytes.starts_with(known.bytes); });
   if (opening != kSignatures.end()) return opening->kind;
   if (opens_as_bvh(bytes)) return FileKind::bvh;
+  if (opens_as_gltf(bytes)) return FileKind::gltf;
   const std::string_view start = bytes.substr(0, 512);
   return std::all_of(start.begin(), start.end(), is_text_byte) ? FileKind::text : FileKind::unknown;
 }
@@ -53,16 +67,12 @@ std::string refusal_of(LoadStatus status, const FileFormat& format, std::string_
 }
 
 std::string_view name_of(FileKind kind) {
-  constexpr motion::EnumArray<FileKind, std::string_view, 9> kNames{
-      "an empty file",
-      "a library",
-      "a selector",
-      "a store or other SQLite database",
-      "a BVH file",
-      "a binary glTF file",
-      "an archive",
-      "a text file",
-      "no file that Flinch knows"};
+  constexpr motion::EnumArray<FileKind, std::string_view, 10> kNames{
+      "an empty file", "a library",
+      "a selector",    "a store or other SQLite database",
+      "a BVH file",    "an FBX file",
+      "a glTF file",   "an archive",
+      "a text file",   "no file that Flinch knows"};
   return kNames[kind];
 }
 

@@ -20,7 +20,8 @@ enum class FileKind : std::uint8_t {
   selector,
   store,  ///< or another SQLite database
   bvh,
-  gltf,
+  fbx,
+  gltf,     ///< binary or text
   archive,  ///< zip, gzip or xz
   text,
   unknown,
@@ -31,6 +32,9 @@ FileKind file_kind_of(std::string_view bytes);
 /// Returns why a file was refused that is of this format: the status' message, or the two versions
 /// if they differ.
 std::string refusal_of(LoadStatus status, const FileFormat& format, std::string_view file);
+
+/// Whether files of this kind may hold motion capture.
+bool holds_motion(FileKind kind);
 
 /// Returns the kind with its article, such as "a library" or "a BVH file".
 std::string_view name_of(FileKind kind);

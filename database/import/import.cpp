@@ -12,6 +12,7 @@
 
 #include "database/import/manifest.h"
 #include "database/import/plausibility.h"
+#include "database/import/source_file.h"
 #include "database/library/text_check.h"
 #include "motion/error.h"
 #include "motion/mirror.h"
@@ -41,7 +42,7 @@ class SourceSet {
   // Throws Error.
   void add(const std::string& path, const SourceOptions& options) {
     if (index_.contains(path)) return;
-    loaded_.push_back({analyse_source(read_bvh(path), options), {}});
+    loaded_.push_back({analyse_source(read_source_file(path), options), {}});
     index_[path] = loaded_.size() - 1;
   }
 
@@ -208,11 +209,11 @@ ImportResult import_with_manifest(const std::vector<std::string>& paths,
   return build(manifest, entry_paths, skeleton, sources, rate);
 }
 
-bool is_bvh(const fs::path& path) {
+bool is_source_file(const fs::path& path) {
   std::string extension = path.extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension == ".bvh";
+  return extension == ".bvh" || extension == ".fbx" || extension == ".glb" || extension == ".gltf";
 }
 
 struct FoundFile {
@@ -231,7 +232,7 @@ std::vector<FoundFile> find_files(const std::vector<std::string>& paths) {
     }
     std::vector<fs::path> found;
     for (const fs::directory_entry& entry : fs::recursive_directory_iterator(path)) {
-      if (entry.is_regular_file() && is_bvh(entry.path())) found.push_back(entry.path());
+      if (entry.is_regular_file() && is_source_file(entry.path())) found.push_back(entry.path());
     }
     std::sort(found.begin(), found.end());
     for (const fs::path& one : found) files.push_back({one.string(), one.stem().string(), false});
@@ -265,7 +266,8 @@ ImportResult import_without_manifest(const std::vector<std::string>& paths,
                                      const ImportOptions& options) {
   const std::vector<FoundFile> files = find_files(paths);
   if (files.empty()) {
-    throw Error(paths.empty() ? "" : paths.front(), "there are no BVH files to import");
+    throw Error(paths.empty() ? "" : paths.front(),
+                "there are no BVH, FBX or glTF files to import");
   }
   SourceSet sources;
   Manifest manifest;
@@ -318,7 +320,7 @@ std::vector<SkippedFile>::const_iterator first_suggestion(const std::vector<Skip
 
 std::string none_is_usable(const std::vector<SkippedFile>& files) {
   const auto suggested = first_suggestion(files);
-  return "none of its " + std::to_string(files.size()) + " BVH files can be used" +
+  return "none of its " + std::to_string(files.size()) + " motion files can be used" +
          (suggested == files.end() ? "" : "; these roles are suggested for " + suggested->path);
 }
 
@@ -354,8 +356,8 @@ std::vector<std::string> manifest_files(const std::vector<std::string>& paths,
   return files;
 }
 
-SourceReport inspect_bvh(const std::string& path, const SourceOptions& options) {
-  LoadedSource loaded{analyse_source(read_bvh(path), options), {}};
+SourceReport inspect_source(const std::string& path, const SourceOptions& options) {
+  LoadedSource loaded{analyse_source(read_source_file(path), options), {}};
   loaded.motion = source_motion(loaded.source);
   const motion::Figure figure = motion::make_figure(character_of(loaded.source));
   const Segment whole{0, loaded.motion.duration_s(), 0};

@@ -64,12 +64,12 @@ struct ImportResult {
 /// `paths`, then in the manifest's own folder. For each annotated clip, a mirrored one is added.
 /// The first [[idle]] is the library's idle clip.
 ///
-/// Without a manifest, every BVH file of `paths` (files, and folders searched recursively, in
-/// alphabetical order) becomes one unannotated clip, named after its file. The idle clip is the
-/// first whose name contains "idle", or the first clip if there is none; its skeleton is the
-/// library's unless the options name another. Unusable files found in folders are skipped and
-/// reported; an unusable file in `paths` itself is an error. UnusableFiles is thrown where none is
-/// left.
+/// Without a manifest, every BVH, FBX or glTF file of `paths` (files, and folders searched
+/// recursively, in alphabetical order) becomes one unannotated clip, named after its file. The idle
+/// clip is the first whose name contains "idle", or the first clip if there is none; its skeleton
+/// is the library's unless the options name another. Unusable files found in folders are skipped
+/// and reported; an unusable file in `paths` itself is an error. UnusableFiles is
+/// thrown where none is left.
 ///
 /// Files with the same skeleton share the reference pose of the file that stands best. Throws
 /// Error.
@@ -82,8 +82,8 @@ ImportResult import_library(const std::vector<std::string>& paths,
 std::vector<std::string> manifest_files(const std::vector<std::string>& paths,
                                         const std::string& manifest_path);
 
-/// Returns what an import would detect in a BVH file: units, up axis, roles, and in its warnings
+/// Returns what an import would detect in a file: units, up axis, roles, and in its warnings
 /// all that is odd in the motion of the whole file. Throws Error.
-SourceReport inspect_bvh(const std::string& path, const SourceOptions& options = {});
+SourceReport inspect_source(const std::string& path, const SourceOptions& options = {});
 
 }  // namespace flinch::database

@@ -13,6 +13,7 @@
 #include "database/import/human_ends.h"
 #include "database/import/plausibility.h"
 #include "database/import/position_channels.h"
+#include "database/import/source_file.h"
 #include "database/import/up_estimate.h"
 #include "motion/error.h"
 #include "motion/interpolation.h"
@@ -119,9 +120,19 @@ SourceFrame source_frame(const Source& source, int number) {
   return frame;
 }
 
+void take_y_up(Source& source, const UpEstimate& found) {
+  source.report.up = UpAxis::y;
+  source.to_world = to_world(UpAxis::y);
+  if (found.up == UpAxis::y || found.certainty < 0.6) return;
+  source.report.warnings.push_back("the file says which way is up, but its figure stands along " +
+                                   std::string(name_of(found.up)) +
+                                   " then; if the figure is right, say so with --up");
+}
+
 void find_space(Source& source, const SourceOptions& options) {
   const UpEstimate found = estimate_up(source.bvh, source.figure);
   SourceReport& report = source.report;
+  if (source.bvh.is_metres_y_up && !options.up) return take_y_up(source, found);
   report.up = options.up.value_or(found.up);
   report.up_given = options.up.has_value();
   const std::string taken = "up is taken to be " + std::string(name_of(found.up));
@@ -143,7 +154,7 @@ void find_reference(Source& source, const SourceOptions& options) {
     SourceOptions of_rest = options;
     of_rest.rest.reset();
     of_rest.frames = {};
-    const Source rest = analyse_source(read_bvh(*options.rest), of_rest);
+    const Source rest = analyse_source(read_source_file(*options.rest), of_rest);
     if (!has_same_skeleton(source, rest)) {
       throw Error(*options.rest, "its skeleton is not that of " + report.path +
                                      ": a rest file needs the same joints and OFFSETs");
@@ -176,7 +187,11 @@ void find_reference(Source& source, const SourceOptions& options) {
 void find_unit(Source& source, const SourceOptions& options) {
   SourceReport& report = source.report;
   const double head_height = standing_head_height(source.reference);
-  report.unit = options.unit.value_or(likeliest_unit(head_height));
+  // A format that says its unit is believed while the figure is not twice or half a human's size.
+  const bool is_in_metres =
+      source.bvh.is_metres_y_up && std::abs(std::log(head_height / 1.5)) < std::log(2.0);
+  const LengthUnit likeliest = is_in_metres ? LengthUnit::metre : likeliest_unit(head_height);
+  report.unit = options.unit.value_or(likeliest);
   report.unit_given = options.unit.has_value();
   source.metres_per_unit = metres_in(report.unit);
   report.head_height_m = head_height * source.metres_per_unit;

@@ -167,7 +167,7 @@ class BadInput(ProgramTest):
         self.assertEqual(done.returncode, 1, done.stderr)
         for name in ("half.bvh", "one.bvh", "two.bvh"):
             self.assertIn(f"skipped {files / name}:", done.stderr)
-        line = f"flinch: {files}: none of its 3 BVH files can be used; these roles are suggested"
+        line = f"flinch: {files}: none of its 3 motion files can be used; these roles are suggested"
         self.assertIn(f"{line} for {files / 'one.bvh'}\n{table}", done.stderr)
         type(self).cases += 2
 

@@ -183,7 +183,7 @@ TEST(BvhWriter, ImportKnowsEveryRoleAndTheUnitsAndGivesTheSameMotion) {
     const std::string path = folder / (name + ".bvh");
     write_bvh(path, library.character, clip->motion);
 
-    const SourceReport report = inspect_bvh(path);
+    const SourceReport report = inspect_source(path);
     EXPECT_EQ(report.unit, LengthUnit::centimetre);
     EXPECT_EQ(report.up, UpAxis::y);
     for (const Role role : kRoles) EXPECT_EQ(report.joint_name[role], motion::name_of(role));

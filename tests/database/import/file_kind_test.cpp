@@ -28,6 +28,14 @@ TEST(FileKind, BvhIsKnownWhateverComesBeforeItsFirstWord) {
   }
 }
 
+TEST(FileKind, FbxAndGltfAreKnownAsBinaryAndAsText) {
+  EXPECT_EQ(file_kind_of("; FBX 7.4.0 project file\n"), FileKind::fbx);
+  EXPECT_EQ(file_kind_of("Kaydara FBX Binary  "), FileKind::fbx);
+  EXPECT_EQ(file_kind_of("glTF\x02"), FileKind::gltf);
+  EXPECT_EQ(file_kind_of("\n{ \"nodes\": [], \"asset\": {}}"), FileKind::gltf);
+  EXPECT_EQ(file_kind_of("{ \"nodes\": []}"), FileKind::text);
+}
+
 TEST(FileKind, TextThatIsNotBvhIsText) {
   for (const std::string text :
        {"Dear Sir,\n", "\n\n", "# HIERARCHY\n", "HIERARCHYS", "MOTION\n"}) {

@@ -296,7 +296,7 @@ TEST(Import, WithoutAManifestTakesEveryFileAndSkipsWhatItCannotUse) {
               HasSubstr("bad.bvh:1: "));
   std::filesystem::create_directory(folder / "empty");
   EXPECT_THAT(error_of([&] { import_library({folder / "empty"}, std::nullopt); }),
-              EndsWith("empty: there are no BVH files to import"));
+              EndsWith("empty: there are no BVH, FBX or glTF files to import"));
 }
 
 }  // namespace

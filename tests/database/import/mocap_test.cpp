@@ -98,7 +98,7 @@ TEST_F(Mocap, AtMostTwoFilesGetANote) {
 // The folders' descriptions say which files begin with a T-pose.
 TEST_F(Mocap, TPosesInFrontAreToldAndNothingElse) {
   const auto told = [](const std::string& file) {
-    return testing::PrintToString(inspect_bvh(kMocap + "/" + file).warnings);
+    return testing::PrintToString(inspect_source(kMocap + "/" + file).warnings);
   };
   for (const char* file : {"cmu_motionbuilder/02_04.bvh", "cmu_daz/13_39.bvh",
                            "snu_boxing/ducking_dir_f0000-0909.bvh"}) {
@@ -259,7 +259,7 @@ TEST_F(Mocap, EveryFoldersSkeletonIsMappedAsItsDescriptionSays) {
         {Role::left_toes, "mixamorig:LeftToeBase"}}},
   };
   for (const FolderRoles& folder : folders) {
-    const SourceReport report = inspect_bvh(kMocap + "/" + folder.file);
+    const SourceReport report = inspect_source(kMocap + "/" + folder.file);
     EXPECT_EQ(name_of(report.unit), folder.unit) << folder.file;
     EXPECT_EQ(name_of(report.up), folder.up) << folder.file;
     for (const auto& [role, joint] : folder.joints) {
@@ -426,7 +426,7 @@ TEST_F(Mocap, DifferentConversionsOfOneTakeAgree) {
 
 TEST_F(Mocap, FilesThatAreNotHumanAreRefused) {
   for (const char* file : {"odd/single_joint.bvh", "odd/leaf_without_endsite_4_joints.bvh"}) {
-    EXPECT_THROW(inspect_bvh(kMocap + "/" + file), Error) << file;
+    EXPECT_THROW(inspect_source(kMocap + "/" + file), Error) << file;
   }
 }
 
