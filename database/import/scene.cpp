@@ -179,7 +179,7 @@ class SceneMaker {
 
   void warn_of_encoding() {
     if (std::exchange(has_guessed_encoding_, true)) return;
-    scene_.warnings.push_back("names that are not UTF-8 are read as Latin-1");
+    scene_.warnings.emplace_back("names that are not UTF-8 are read as Latin-1");
   }
 
   SceneNode* node_named(std::string_view name) {

@@ -28,7 +28,7 @@ using testing::IsEmpty;
 using tests::synthetic_bvh;
 using tests::SyntheticRig;
 
-constexpr double kFrameTime_s = 1.0 / 30;
+constexpr double kTakeFrameTime_s = 1.0 / 30;
 
 // Stands with bent knees and hanging arms, and sways by 2 cm.
 std::vector<Pose> swaying(int count = 60) {
@@ -47,7 +47,7 @@ std::vector<Pose> swaying(int count = 60) {
 }
 
 Bvh file_of(const std::vector<Pose>& poses, const SyntheticRig& rig = {}) {
-  return synthetic_bvh(motion::default_character().skeleton, rig, poses, kFrameTime_s);
+  return synthetic_bvh(motion::default_character().skeleton, rig, poses, kTakeFrameTime_s);
 }
 
 std::vector<std::string> notes_on(const Bvh& bvh, const SourceOptions& options = {}) {
