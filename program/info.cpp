@@ -15,6 +15,7 @@
 #include "program/table.h"
 #include "train/store/file_opening.h"
 #include "train/store/store.h"
+#include "train/store/store_schema.h"
 
 namespace flinch::program {
 
@@ -93,8 +94,10 @@ void print_library(const database::ClipLibrary& library) {
 
 /// Statistics of a store, for both JSON and text.
 struct StoreView {
-  explicit StoreView(const std::string& path)
-      : summary(train::summarise_store(path)), contents(train::count_contents(path)) {}
+  explicit StoreView(const std::string& store)
+      : path(store),
+        summary(train::summarise_store(store)),
+        contents(train::count_contents(store)) {}
 
   /// Size without the library.
   double bytes_per_scenario() const {
@@ -106,9 +109,24 @@ struct StoreView {
            static_cast<double>(motion::kBodyCount * std::max<std::uint64_t>(contents.trials, 1));
   }
 
+  std::string path;
   train::StoreSummary summary;
   train::StoreContents contents;
 };
+
+/// A description in a store's header. Throws Error unless it is JSON as `flinch simulate` writes
+/// it; printing one that is nested deeply would overflow the stack.
+Json description(const std::string& text, const std::string& path) {
+  constexpr int kMaxDepth = 4;
+  const Error error(path, train::kDamagedStore);
+  const auto require_flat = [&error](int depth, Json::parse_event_t, const Json&) {
+    if (depth > kMaxDepth) throw Error(error);
+    return true;
+  };
+  Json document = Json::parse(text, require_flat, false);
+  if (!document.is_object()) throw Error(error);
+  return document;
+}
 
 Json store_document(const StoreView& view) {
   const train::StoreSummary& store = view.summary;
@@ -129,8 +147,8 @@ Json store_document(const StoreView& view) {
           {"seed", header.seed},
           {"library", header.library_name},
           {"library_hash", database::hash_text(header.library_hash)},
-          {"distribution", Json::parse(header.distribution)},
-          {"simulation", Json::parse(header.simulation)},
+          {"distribution", description(header.distribution, view.path)},
+          {"simulation", description(header.simulation, view.path)},
           {"reference_impulse_ns", header.reference_impulse_ns},
           {"reference_work_j", header.reference_work_j},
           {"idle", header.clips[static_cast<std::size_t>(header.idle)].name},

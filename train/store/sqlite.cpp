@@ -3,13 +3,20 @@
 
 #include <sqlite3.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <limits>
+#include <system_error>
 
+#include "database/library/input_file.h"
 #include "motion/error.h"
 
 namespace flinch::train {
 
 namespace {
+
+/// Of a text or blob: a store holds the library's file in one.
+constexpr std::uint64_t kMaxLength = database::kMaxFileSize;
 
 [[noreturn]] void fail(sqlite3* database, int code, const std::string& path) {
   switch (code & 0xFF) {
@@ -23,6 +30,8 @@ namespace {
     case SQLITE_NOTADB:
       throw Error(path, "not a store (not a SQLite file); `flinch simulate` makes one");
     case SQLITE_CORRUPT:
+    case SQLITE_INTERRUPT:  // by count_steps
+    case SQLITE_TOOBIG:
     case SQLITE_ERROR:  // the statements are correct, so the tables are damaged
       throw Error(path, "the store is damaged; delete it and run `flinch simulate` again");
     case SQLITE_CANTOPEN:
@@ -43,14 +52,40 @@ namespace {
   throw Error(path, database != nullptr ? sqlite3_errmsg(database) : sqlite3_errstr(code));
 }
 
+/// Number of steps between two calls of count_steps.
+constexpr int kStepInterval = 1000;
+
+/// Returns whether SQLite has to stop.
+int count_steps(void* of) {
+  auto& usage = *static_cast<ReadUsage*>(of);
+  usage.steps += kStepInterval;
+  return usage.steps > usage.max_steps ? 1 : 0;
+}
+
+/// Nothing in the file is executed, and no value, statement or depth is larger than a store has.
+void harden(sqlite3* database, std::uint64_t file_size) {
+  for (const int off :
+       {SQLITE_DBCONFIG_TRUSTED_SCHEMA, SQLITE_DBCONFIG_ENABLE_TRIGGER, SQLITE_DBCONFIG_ENABLE_VIEW,
+        SQLITE_DBCONFIG_DQS_DDL, SQLITE_DBCONFIG_DQS_DML}) {
+    sqlite3_db_config(database, off, 0, nullptr);
+  }
+  sqlite3_db_config(database, SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
+  constexpr std::uint64_t kLeastLength = 1 << 20;
+  sqlite3_limit(database, SQLITE_LIMIT_LENGTH,
+                static_cast<int>(std::clamp(file_size, kLeastLength, kMaxLength)));
+  sqlite3_limit(database, SQLITE_LIMIT_SQL_LENGTH, 1 << 14);
+  sqlite3_limit(database, SQLITE_LIMIT_COLUMN, 64);
+  sqlite3_limit(database, SQLITE_LIMIT_EXPR_DEPTH, 32);
+}
+
 }  // namespace
 
 void Statement::Finalizer::operator()(sqlite3_stmt* statement) const {
   sqlite3_finalize(statement);
 }
 
-Statement::Statement(sqlite3_stmt* statement, std::string path)
-    : statement_(statement), path_(std::move(path)) {}
+Statement::Statement(sqlite3_stmt* statement, std::string path, std::shared_ptr<ReadUsage> usage)
+    : statement_(statement), path_(std::move(path)), usage_(std::move(usage)) {}
 
 void Statement::check(int code) const {
   if (code == SQLITE_OK || code == SQLITE_ROW || code == SQLITE_DONE) return;
@@ -83,10 +118,23 @@ Statement& Statement::bind(std::span<const std::byte> value) {
 bool Statement::step() {
   const int code = sqlite3_step(statement_.get());
   check(code);
-  if (code == SQLITE_ROW) return true;
+  if (code == SQLITE_ROW) {
+    count_row();
+    return true;
+  }
   check(sqlite3_reset(statement_.get()));
   bound_ = 0;
   return false;
+}
+
+/// Forged rows may share their content, so that a small file holds a large sum of texts.
+void Statement::count_row() const {
+  for (int column = 0; column < column_count(); ++column) {
+    const int type = sqlite3_column_type(statement_.get(), column);
+    if (type != SQLITE_TEXT && type != SQLITE_BLOB) continue;
+    usage_->bytes += static_cast<std::uint64_t>(sqlite3_column_bytes(statement_.get(), column));
+  }
+  if (usage_->bytes > usage_->max_bytes) fail(nullptr, SQLITE_CORRUPT, path_);
 }
 
 void Statement::run() {
@@ -150,13 +198,32 @@ Database::Database(const std::string& path, Mode mode) : path_(path) {
   const int code = sqlite3_open_v2(plain_file_name(path).c_str(), &database, flags, nullptr);
   database_.reset(database);
   if (code != SQLITE_OK) fail(database, code, path_);
+
+  std::error_code ignored;  // there may be no file yet
+  const std::uintmax_t found = std::filesystem::file_size(path, ignored);
+  const std::uint64_t size = ignored ? 0 : found;
+  harden(database, mode == Mode::read ? size : kMaxLength);
+  // A row takes some 25 steps and 150 bytes. Checksums read the small tables a second time.
+  constexpr std::uint64_t kSpare = 1 << 20;
+  usage_->max_steps = kSpare + size;
+  usage_->max_bytes = kSpare + 4 * size;
+  sqlite3_progress_handler(database, kStepInterval, count_steps, usage_.get());
+  execute("PRAGMA cell_size_check = ON");
+  execute("PRAGMA mmap_size = 0");
+}
+
+// Finishing a store sets its schema version, which defensive connections may not.
+void Database::trust() {
+  usage_->max_steps = usage_->max_bytes = std::numeric_limits<std::uint64_t>::max();
+  sqlite3_progress_handler(database_.get(), 0, nullptr, nullptr);
+  sqlite3_db_config(database_.get(), SQLITE_DBCONFIG_DEFENSIVE, 0, nullptr);
 }
 
 Statement Database::prepare(const std::string& sql) {
   sqlite3_stmt* statement = nullptr;
   const int code = sqlite3_prepare_v2(database_.get(), sql.c_str(), -1, &statement, nullptr);
   if (code != SQLITE_OK) fail(database_.get(), code, path_);
-  return Statement(statement, path_);
+  return Statement(statement, path_, usage_);
 }
 
 void Database::execute(const std::string& sql) {

@@ -11,6 +11,8 @@ struct sqlite3_stmt;
 
 namespace flinch::train {
 
+struct ReadUsage;
+
 /// A prepared SQL statement. Columns and parameters count from 0. Throws Error as Database does.
 class Statement {
  public:
@@ -37,15 +39,26 @@ class Statement {
 
  private:
   friend class Database;
-  Statement(sqlite3_stmt* statement, std::string path);
+  Statement(sqlite3_stmt* statement, std::string path, std::shared_ptr<ReadUsage> usage);
   void check(int code) const;
+  void count_row() const;
 
   struct Finalizer {
     void operator()(sqlite3_stmt* statement) const;
   };
   std::unique_ptr<sqlite3_stmt, Finalizer> statement_;
   std::string path_;
+  std::shared_ptr<ReadUsage> usage_;
   int bound_ = 0;
+};
+
+/// What reading a database has taken, and may take, of steps of SQLite's virtual machine and of
+/// bytes in texts and blobs.
+struct ReadUsage {
+  std::uint64_t steps = 0;
+  std::uint64_t bytes = 0;
+  std::uint64_t max_steps = 0;
+  std::uint64_t max_bytes = 0;
 };
 
 /// Returns a path by which SQLite opens the file that other programs open by `path`: SQLite would
@@ -55,6 +68,12 @@ std::string plain_file_name(const std::string& path);
 /// A SQLite database file. Every failure throws Error with the file's name and what to do; a full
 /// disk, a lock held by another process and a file that is not a database have messages of their
 /// own.
+///
+/// The file may be forged: pages that refer to each other in circles, rows that share their
+/// content, views, triggers. So nothing in it is executed, and all statements of a connection
+/// together may read a few times its size and take a number of steps in proportion to it; after
+/// that they fail as for a damaged file. A clock plays no part. One step is short, but not that of
+/// count(*), which visits every row: do not use it.
 class Database {
  public:
   enum class Mode : std::uint8_t {
@@ -63,6 +82,9 @@ class Database {
     create,  ///< also write, and refuse a path that is a link
   };
   Database(const std::string& path, Mode mode);
+
+  /// Lifts the bounds, once the content has been checked and what follows is our own.
+  void trust();
 
   const std::string& path() const { return path_; }
   Statement prepare(const std::string& sql);
@@ -73,6 +95,7 @@ class Database {
     void operator()(sqlite3* database) const;
   };
   std::string path_;
+  std::shared_ptr<ReadUsage> usage_ = std::make_shared<ReadUsage>();
   std::unique_ptr<sqlite3, Closer> database_;
 };
 

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "database/import/file_io.h"
 #include "database/library/library_file.h"
 #include "features/feature_vector.h"
 #include "motion/error.h"
@@ -24,11 +25,19 @@ std::int64_t integer(Database& database, const std::string& sql) {
   return statement.step() ? statement.integer(0) : 0;
 }
 
+/// SQLite would make files beside a database that says that it has a write-ahead log, which no
+/// store has (https://www.sqlite.org/fileformat2.html, section 1.3, bytes 18 and 19).
+void require_rollback_journal(const std::string& path) {
+  const std::string start = database::read_file_start(path, 20);
+  if (start.size() < 20 || start[18] != 1 || start[19] != 1) throw Error(path, kDamagedStore);
+}
+
 Database open_for_reading(const std::string& path) {
   const database::FileKind kind = file_kind_at(path);
   if (kind != database::FileKind::store)
     throw Error(path,
                 "is " + std::string(name_of(kind)) + ", not a store; `flinch simulate` makes one");
+  require_rollback_journal(path);
   Database database(path, Database::Mode::read);
   // SQLite reads an incomplete page as if zeros followed.
   const auto size = static_cast<std::int64_t>(fs::file_size(path));
@@ -38,11 +47,16 @@ Database open_for_reading(const std::string& path) {
   return database;
 }
 
+bool has_clips_of(const StoreHeader& header, const database::ClipLibrary& library) {
+  return std::ranges::equal(header.clips, library.clips, {}, &models::ClipSummary::name,
+                            &motion::Clip::name);
+}
+
 /// Returns the idle motion, which the features need.
 motion::Motion idle_of(const StoreHeader& header, const std::string& path) {
   database::ClipLibrary library;
   if (read_library(header.library_file, library) != database::LoadStatus::ok ||
-      library.idle != header.idle)
+      library.idle != header.idle || !has_clips_of(header, library))
     throw Error(path, kDamagedStore);
   return library.idle_clip().motion;
 }
@@ -137,8 +151,7 @@ StoreSummary summarise_store(const std::string& path) {
     summary.observation_count = seal->count;
   } else {
     summary.range = range_of_rows(database);
-    summary.observation_count =
-        static_cast<std::uint64_t>(integer(database, "SELECT count(*) FROM observation"));
+    summary.observation_count = count_rows(database);
   }
   return summary;
 }

@@ -74,12 +74,20 @@ std::int64_t checksum_of(std::uint64_t number, motion::Target target,
 }
 
 bool are_sound(std::span<const Trial> trials, const StoreHeader& header) {
+  constexpr float kMaxMeasure = 1e9F;                                          // J, N s
+  const auto is_bounded = [](float x) { return std::abs(x) <= kMaxMeasure; };  // false for NaN
   return std::ranges::find(trials, header.idle, &Trial::clip) != trials.end() &&
          trials.back().clip < static_cast<int>(header.clips.size()) &&
-         std::ranges::all_of(trials, [](const Trial& trial) {
-           return std::isfinite(trial.work_j) &&
-                  std::ranges::all_of(trial.impulse, [](float i) { return std::isfinite(i); });
+         std::ranges::all_of(trials, [&](const Trial& trial) {
+           return is_bounded(trial.work_j) && std::ranges::all_of(trial.impulse, is_bounded);
          });
+}
+
+/// Whether a float can hold the numbers, and they are those of a scenario.
+bool are_sound(const ScenarioNumbers& numbers, motion::Target target) {
+  const auto is_bounded = [](double x) { return std::abs(x) <= double{features::kMaxExtent}; };
+  return std::ranges::all_of(numbers, is_bounded) &&
+         features::is_usable(scenario_of(numbers, target).threat);
 }
 
 std::string columns() {
@@ -90,10 +98,10 @@ std::string columns() {
 
 }  // namespace
 
-void create_observation_table(Database& database) {
+std::string observation_table_sql() {
   std::string sql = "CREATE TABLE observation(number INTEGER PRIMARY KEY, target TEXT NOT NULL";
   for (const char* column : kScenarioColumns) sql += std::string(", ") + column + " REAL NOT NULL";
-  database.execute(sql + ", trials BLOB NOT NULL, checksum INTEGER NOT NULL)");
+  return sql + ", trials BLOB NOT NULL, checksum INTEGER NOT NULL)";
 }
 
 Statement prepare_insert(Database& database) {
@@ -130,14 +138,13 @@ Observation observation_of(const Statement& row, const StoreHeader& header,
   ScenarioNumbers numbers{};
   for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = row.real(2 + static_cast<int>(i));
   const std::span<const std::byte> trials = row.blob(kTrialsColumn);
-  if (!target ||
+  if (!target || trials.size() > header.clips.size() * kMaxTrialBytes ||
       row.integer(kTrialsColumn + 1) != checksum_of(observation.number, *target, numbers, trials))
     throw Error(path, kDamagedStore);
+  if (!are_sound(numbers, *target)) throw Error(path, kDamagedStore);
   observation.scenario = scenario_of(numbers, *target);
   observation.trials = decode_trials(trials);
-  if (!are_sound(observation.trials, header) ||
-      !std::ranges::all_of(numbers, [](double x) { return std::isfinite(x); }))
-    throw Error(path, kDamagedStore);
+  if (!are_sound(observation.trials, header)) throw Error(path, kDamagedStore);
   return observation;
 }
 
@@ -148,6 +155,13 @@ ScenarioRange range_of_rows(Database& database) {
   row.step();
   const auto first = static_cast<std::uint64_t>(row.integer(0));
   return {first, static_cast<std::uint64_t>(row.integer(1)) - first};
+}
+
+// Not count(*): see Database.
+std::uint64_t count_rows(Database& database) {
+  std::uint64_t count = 0;
+  for (Statement row = database.prepare("SELECT number FROM observation"); row.step();) ++count;
+  return count;
 }
 
 std::vector<ScenarioRange> missing_rows(Database& database, const ScenarioRange& wanted) {

@@ -12,7 +12,8 @@ namespace flinch::train {
 
 /// The table of a store with one row per scenario; docs/store.md describes it for users.
 
-void create_observation_table(Database& database);
+/// Returns the statement that creates the table.
+std::string observation_table_sql();
 
 /// Prepares a statement that inserts one observation per run.
 Statement prepare_insert(Database& database);
@@ -30,6 +31,9 @@ Observation observation_of(const Statement& row, const StoreHeader& header,
 
 /// Returns the range from the lowest number to the highest.
 ScenarioRange range_of_rows(Database& database);
+
+/// Returns how many rows there are.
+std::uint64_t count_rows(Database& database);
 
 /// Returns the numbers of `wanted` that have no row.
 std::vector<ScenarioRange> missing_rows(Database& database, const ScenarioRange& wanted);

@@ -7,6 +7,8 @@
 
 #include "database/library/content_hash.h"
 #include "database/library/file_header.h"
+#include "database/library/library_bounds.h"
+#include "database/library/text_check.h"
 #include "motion/error.h"
 #include "motion/rotation.h"
 #include "train/store/store_rows.h"
@@ -14,6 +16,36 @@
 namespace flinch::train {
 
 namespace {
+
+/// Of numbers that only have to be finite and leave room for sums.
+constexpr double kMaxMeasure = 1e12;
+/// Bytes of a text in `meta`. Ours have some hundred.
+constexpr std::size_t kMaxDescription = 1 << 14;
+
+/// A table of a store, as SQLite keeps its text.
+struct StoreTable {
+  std::string_view name;
+  std::string sql;  ///< the statement that creates it
+};
+
+/// All tables, in the order in which they are created.
+std::vector<StoreTable> store_tables() {
+  return {
+      {"library", "CREATE TABLE library(file BLOB NOT NULL)"},
+      {"meta", "CREATE TABLE meta(key TEXT PRIMARY KEY, value) WITHOUT ROWID"},
+      {"clip",
+       "CREATE TABLE clip(clip INTEGER PRIMARY KEY, name TEXT NOT NULL, work_j REAL NOT NULL, "
+       "target TEXT, direction_degrees REAL, degree TEXT, onset_s REAL, peak_s REAL, end_s REAL)"},
+      {"body", "CREATE TABLE body(body INTEGER PRIMARY KEY, name TEXT NOT NULL)"},
+      {"target",
+       "CREATE TABLE target(name TEXT PRIMARY KEY, x REAL NOT NULL, y REAL NOT NULL, "
+       "z REAL NOT NULL) WITHOUT ROWID"},
+      {"seal",
+       "CREATE TABLE seal(first INTEGER NOT NULL, scenarios INTEGER NOT NULL, "
+       "checksum INTEGER NOT NULL)"},
+      {"observation", observation_table_sql()},
+  };
+}
 
 void write_clips(Database& database, const StoreHeader& header) {
   Statement statement = database.prepare(
@@ -54,6 +86,18 @@ void read_library_file(Database& database, StoreHeader& header) {
     throw Error(database.path(), kDamagedStore);
 }
 
+/// A number that a float can hold. One that is out of its bounds stays so.
+double bounded(const Statement& row, int column) {
+  return std::clamp(row.real(column), -kMaxMeasure, kMaxMeasure);
+}
+
+/// Throws Error unless the clip's values are within their bounds.
+void require_sound(const models::ClipSummary& clip, double work_j, const std::string& path) {
+  if (database::fault_of_name(clip.name) != nullptr || !(std::abs(work_j) <= kMaxMeasure) ||
+      (clip.annotation && database::fault_of(*clip.annotation, database::kMaxTime_s) != nullptr))
+    throw Error(path, kDamagedStore);
+}
+
 void read_clips(Database& database, StoreHeader& header) {
   Statement row = database.prepare(
       "SELECT clip, name, work_j, target, direction_degrees, degree, onset_s, peak_s, end_s "
@@ -61,19 +105,22 @@ void read_clips(Database& database, StoreHeader& header) {
   while (row.step()) {
     models::ClipSummary clip;
     clip.name = row.text(1);
-    if (row.integer(0) != static_cast<std::int64_t>(header.clips.size()))
+    if (row.integer(0) != static_cast<std::int64_t>(header.clips.size()) ||
+        header.clips.size() == database::kMaxClips)
       throw Error(database.path(), kDamagedStore);
     if (!row.is_null(3)) {
       const auto target = motion::target_named(row.text(3));
       const auto degree = motion::degree_named(row.text(5));
       if (!target || !degree) throw Error(database.path(), kDamagedStore);
-      clip.annotation = motion::Annotation{*target,
-                                           static_cast<float>(motion::radians(row.real(4))),
-                                           *degree,
-                                           static_cast<float>(row.real(6)),
-                                           static_cast<float>(row.real(7)),
-                                           static_cast<float>(row.real(8))};
+      clip.annotation =
+          motion::Annotation{.target = *target,
+                             .direction = static_cast<float>(motion::radians(bounded(row, 4))),
+                             .degree = *degree,
+                             .onset_s = static_cast<float>(bounded(row, 6)),
+                             .peak_s = static_cast<float>(bounded(row, 7)),
+                             .end_s = static_cast<float>(bounded(row, 8))};
     }
+    require_sound(clip, row.real(2), database.path());
     header.clips.push_back(std::move(clip));
     header.clip_work_j.push_back(row.real(2));
   }
@@ -115,6 +162,27 @@ std::int64_t pragma(Database& database, const std::string& name) {
   return statement.step() ? statement.integer(0) : 0;
 }
 
+/// Throws Error unless the file holds the tables of a store as write_header() makes them, and
+/// nothing else: no view, trigger, index or virtual table, no column that is computed.
+void require_tables(Database& database) {
+  const std::vector<StoreTable> tables = store_tables();
+  std::size_t found = 0;
+  Statement row = database.prepare("SELECT type, name, tbl_name, sql FROM sqlite_master");
+  while (row.step()) {
+    const auto is_this = [&row](const StoreTable& table) {
+      return row.text(1) == table.name && row.text(2) == table.name && row.text(3) == table.sql;
+    };
+    if (row.text(0) != "table" || !std::ranges::any_of(tables, is_this))
+      throw Error(database.path(),
+                  "holds something else than the tables of a store; delete it and run `flinch "
+                  "simulate` again");
+    ++found;
+  }
+  Statement encoding = database.prepare("PRAGMA encoding");
+  if (found != tables.size() || !encoding.step() || encoding.text(0) != "UTF-8")
+    throw Error(database.path(), kDamagedStore);
+}
+
 void require_store(Database& database) {
   if (pragma(database, "application_id") != kStoreApplicationId)
     throw Error(database.path(), "not a store; `flinch simulate` makes one");
@@ -124,6 +192,7 @@ void require_store(Database& database) {
                                      ", and this program reads format " +
                                      std::to_string(kStoreFormatVersion) +
                                      "; delete it and run `flinch simulate` again");
+  require_tables(database);
 }
 
 void add_bytes(const void* from, std::size_t size, std::vector<std::byte>& to) {
@@ -153,24 +222,21 @@ std::int64_t checksum_of(Database& database, const ScenarioRange& range) {
   return static_cast<std::int64_t>(database::content_hash(bytes));
 }
 
+/// Throws Error unless a table has so many rows. To copy or to empty one that never ends would
+/// never end.
+void require_row_count(Database& database, const char* table, int min, int max) {
+  Statement row = database.prepare(std::string("SELECT 1 FROM ") + table);
+  int count = 0;
+  while (count <= max && row.step()) ++count;
+  if (count < min || count > max) throw Error(database.path(), kDamagedStore);
+}
+
 }  // namespace
 
 void write_header(Database& database, const StoreHeader& header) {
   database.execute("PRAGMA application_id = " + std::to_string(kStoreApplicationId));
   database.execute("PRAGMA user_version = " + std::to_string(kStoreFormatVersion));
-  database.execute("CREATE TABLE library(file BLOB NOT NULL)");
-  database.execute("CREATE TABLE meta(key TEXT PRIMARY KEY, value) WITHOUT ROWID");
-  database.execute(
-      "CREATE TABLE clip(clip INTEGER PRIMARY KEY, name TEXT NOT NULL, work_j REAL NOT NULL, "
-      "target TEXT, direction_degrees REAL, degree TEXT, onset_s REAL, peak_s REAL, end_s REAL)");
-  database.execute("CREATE TABLE body(body INTEGER PRIMARY KEY, name TEXT NOT NULL)");
-  database.execute(
-      "CREATE TABLE target(name TEXT PRIMARY KEY, x REAL NOT NULL, y REAL NOT NULL, "
-      "z REAL NOT NULL) WITHOUT ROWID");
-  database.execute(
-      "CREATE TABLE seal(first INTEGER NOT NULL, scenarios INTEGER NOT NULL, "
-      "checksum INTEGER NOT NULL)");
-  create_observation_table(database);
+  for (const StoreTable& table : store_tables()) database.execute(table.sql);
   write_meta(database, "library_hash", database::hash_text(header.library_hash));
   write_meta(database, "library_name", header.library_name);
   write_meta(database, "seed", std::to_string(header.seed));
@@ -186,6 +252,11 @@ void write_header(Database& database, const StoreHeader& header) {
 
 StoreHeader read_header(Database& database) {
   require_store(database);
+  require_row_count(database, "library", 1, 1);
+  require_row_count(database, "meta", 8, 8);
+  require_row_count(database, "body", motion::kBodyCount, motion::kBodyCount);
+  require_row_count(database, "target", motion::kTargetCount, motion::kTargetCount);
+  require_row_count(database, "seal", 0, 1);
   StoreHeader header;
   header.library_hash = std::strtoull(meta(database, "library_hash").text(0).c_str(), nullptr, 16);
   header.library_name = meta(database, "library_name").text(0);
@@ -202,10 +273,20 @@ StoreHeader read_header(Database& database) {
     const auto target = motion::target_named(row.text(0));
     if (!target) throw Error(database.path(), kDamagedStore);
     header.idle_target_centres[*target] =
-        Eigen::Vector3d(row.real(1), row.real(2), row.real(3)).cast<float>();
+        Eigen::Vector3d(bounded(row, 1), bounded(row, 2), bounded(row, 3)).cast<float>();
   }
+  const auto is_measure = [](double x) { return x > 0 && x <= kMaxMeasure; };
+  const auto is_description = [](const std::string& text) {
+    return text.size() <= kMaxDescription && database::is_printable(text);
+  };
+  const auto is_near = [](const Eigen::Vector3f& place) {
+    return (place.array().abs() <= database::kMaxDistance_m).all();  // false for NaN
+  };
   if (header.idle < 0 || header.idle >= static_cast<int>(header.clips.size()) ||
-      !(header.reference_work_j > 0) || !(header.reference_impulse_ns > 0))
+      !is_measure(header.reference_work_j) || !is_measure(header.reference_impulse_ns) ||
+      database::fault_of_name(header.library_name) != nullptr ||
+      !is_description(header.distribution) || !is_description(header.simulation) ||
+      !std::ranges::all_of(header.idle_target_centres, is_near))
     throw Error(database.path(), kDamagedStore);
   return header;
 }
@@ -227,7 +308,9 @@ std::optional<ScenarioRange> read_seal(Database& database) {
   if (!row.step()) return std::nullopt;
   const ScenarioRange range{static_cast<std::uint64_t>(row.integer(0)),
                             static_cast<std::uint64_t>(row.integer(1))};
-  if (row.integer(2) != checksum_of(database, range)) throw Error(database.path(), kDamagedStore);
+  if (range.first >= kScenarioNumberEnd || range.count > kScenarioNumberEnd - range.first ||
+      row.integer(2) != checksum_of(database, range))
+    throw Error(database.path(), kDamagedStore);
   return range;
 }
 

@@ -22,7 +22,8 @@ inline constexpr const char* kDamagedStore =
 /// Creates the tables and fills all but the observations.
 void write_header(Database& database, const StoreHeader& header);
 
-/// Throws Error if the file is not a store or is of another version.
+/// Throws Error if the file is not a store, is of another version, holds anything but the tables of
+/// a store, or has a value out of bounds.
 StoreHeader read_header(Database& database);
 
 /// Seals a finished store: writes its range, and a checksum of the range and of everything but the

@@ -22,6 +22,7 @@ constexpr int kMaxClipStep = (1 << (16 - kImpulseCountBits)) - 1;
 constexpr std::size_t kTrialBytes = sizeof(std::uint16_t) + sizeof(float);
 constexpr std::size_t kImpulseBytes = sizeof(std::uint8_t) + sizeof(float);
 static_assert(motion::kBodyCount <= kImpulseCountMask);
+static_assert(kMaxTrialBytes == kTrialBytes + motion::kBodyCount * kImpulseBytes);
 
 /// Only positive zero is left out.
 bool is_hit(float impulse) {

@@ -14,6 +14,9 @@ namespace flinch::train {
 /// bodies with an impulse (u16), the work in J (f32), and for each of these bodies its index (u8)
 /// and impulse in N s (f32).
 
+/// The most bytes that one trial takes: of a clip whose every body took an impulse.
+inline constexpr std::size_t kMaxTrialBytes = 6 + 5 * motion::kBodyCount;
+
 /// Encodes trials exactly. Throws Error unless their clips ascend by at most 2047.
 std::vector<std::byte> encode_trials(std::span<const Trial> trials);
 

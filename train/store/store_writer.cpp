@@ -105,12 +105,16 @@ void StoreWriter::File::open_partial() {
   open_database();
   Transaction transaction(*database);
   require_not_removed();
-  if (is_empty(*database)) start_partial();
+  if (is_empty(*database)) {
+    database->trust();
+    start_partial();
+  }
   require_same_run(read_header(*database), header, partial());
   require_wanted(range_of_rows(*database), wanted, partial());
   break_seal(*database);
   missing = missing_rows(*database, wanted);
   transaction.commit();
+  database->trust();
 }
 
 /// Creates the tables and copies what a finished store holds already.
