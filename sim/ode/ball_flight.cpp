@@ -33,7 +33,7 @@ void BallFlight::apply_gravity(double time_s) const {
                     velocity.z() - thrown_.gravity_mps2 * time_s);
 }
 
-void BallFlight::step(const OdeWorld& world, double step_s) const {
+void BallFlight::step(OdeWorld& world, double step_s) const {
   apply_gravity(step_s / 2);
   world.step(step_s);
   apply_gravity(step_s / 2);

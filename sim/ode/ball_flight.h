@@ -19,7 +19,7 @@ class BallFlight {
   void add_ground_contact(Contacts& contacts, const Eigen::Quaterniond& frame,
                           double restitution) const;
   /// Steps the ball's world.
-  void step(const OdeWorld& world, double step_s) const;
+  void step(OdeWorld& world, double step_s) const;
 
  private:
   void apply_gravity(double time_s) const;

@@ -18,8 +18,9 @@ void count_message(int, const char*, va_list) {
   ++message_count;
 }
 
-// Without this ODE would call exit() or abort(). Throwing through it is safe: ODE is compiled as
-// C++ and unwinds.
+// ODE calls exit() or abort() when this returns, so it throws. That is safe inside a step: ODE is
+// compiled as C++ and unwinds. But a world that was left in mid-step may fail again when it is
+// destroyed, and a second exception would end the process: see OdeWorld::step().
 [[noreturn]] void throw_error(int number, const char* format, va_list arguments) {
   char text[256];
   std::vsnprintf(text, sizeof text, format, arguments);
@@ -61,10 +62,16 @@ OdeWorld::OdeWorld() {
   dWorldSetAutoDisableFlag(id(), 0);
 }
 
-void OdeWorld::step(double step_s) const {
-  if (dWorldStep(id(), step_s) == 0) {
-    throw Error("simulation", "the physics engine has no memory for a step");
+void OdeWorld::step(double step_s) {
+  if (!world_) throw Error("simulation", "the physics engine has failed before");
+  try {
+    if (dWorldStep(id(), step_s) != 0) return;
+  } catch (const Error&) {
+    static_cast<void>(world_.release());  // never destroyed: that would throw in a destructor
+    static_cast<void>(threading_.release());
+    throw;
   }
+  throw Error("simulation", "the physics engine has no memory for a step");
 }
 
 void OdeWorld::Free::operator()(dxThreadingImplementation* threading) const {

@@ -26,8 +26,10 @@ class OdeWorld {
   OdeWorld();
 
   dWorldID id() const { return world_.get(); }
-  /// Runs one step of the direct solver, dWorldStep.
-  void step(double step_s) const;
+  /// Runs one step of the direct solver, dWorldStep. If ODE fails, throws Error; the world and its
+  /// bodies then stay in memory for good, since ODE cannot free a world in the middle of a step,
+  /// and each later step throws at once.
+  void step(double step_s);
 
  private:
   struct Free {

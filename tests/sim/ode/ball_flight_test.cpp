@@ -102,7 +102,7 @@ TEST(BallFlight, FollowsTheParabolaWhateverTheSteps) {
   std::mt19937 generator(1);
   std::uniform_real_distribution<double> step(1e-6, 0.02);
   const features::Ball thrown = ball_at({1, 2, 30}, {-4, 3, 8});
-  const OdeWorld world;
+  OdeWorld world;
   const BallFlight ball(world.id(), thrown);
   double time_s = 0;
   for (int i = 0; i < 200; ++i) {
