@@ -31,6 +31,10 @@ struct KnnLeaves {
   std::size_t leaf_count() const { return observation.size() / kLeafSize; }
 };
 
+/// Largest k. Votes of more neighbours than this would take a game too long to count, and sums of
+/// their costs have room.
+inline constexpr int kMaxNeighbours = 1000;
+
 /// The k nearest observations vote, or their costs are averaged. Exact search, in single precision.
 struct KnnModel {
   int k = 1;

@@ -115,11 +115,10 @@ bool is_part_sound(const models::SvmModel& model, std::size_t clip_count,
          are_machines_sound(model);
 }
 
-// The sums of costs have room for 65535 neighbours.
 bool is_part_sound(const models::KnnModel& model, std::size_t clip_count,
                    std::size_t feature_count) {
   const bool has_costs = model.vote == models::KnnVote::cost;
-  return model.k >= 1 && model.k <= 0xFFFF && model.vote <= models::KnnVote::cost &&
+  return model.k >= 1 && model.k <= models::kMaxNeighbours && model.vote <= models::KnnVote::cost &&
          static_cast<std::size_t>(model.feature_count) == feature_count && !model.label.empty() &&
          are_clips(model.label, clip_count) &&
          model.points.size() == model.label.size() * feature_count &&

@@ -68,8 +68,9 @@ void keep_costs(const TrainingSet& set, KnnModel& model) {
 
 KnnModel fit_knn(const TrainingSet& set, const KnnParameters& parameters) {
   check(set);
-  if (parameters.k < 1 || parameters.k > 65535) {
-    throw Error("", "a KNN needs k from 1 to 65535, not " + std::to_string(parameters.k));
+  if (parameters.k < 1 || parameters.k > kMaxNeighbours) {
+    throw Error("", "a KNN needs k from 1 to " + std::to_string(kMaxNeighbours) + ", not " +
+                        std::to_string(parameters.k));
   }
   KnnModel model;
   model.k = parameters.k;

@@ -27,7 +27,7 @@ std::vector<KnnParameters> knn_cost_grid();
 
 /// Stores the observations and, for a KNN that averages costs, the cost of every clip, quantised to
 /// 65534 steps from zero to the maximum. Throws Error for a set that check() rejects, for k below 1
-/// or above 65535, and where costs are averaged but the set has none.
+/// or above kMaxNeighbours, and where costs are averaged but the set has none.
 KnnModel fit_knn(const TrainingSet& set, const KnnParameters& parameters);
 
 /// Exact neighbour search by FLANN's single kd-tree: returns the same as nearest() over all

@@ -124,7 +124,7 @@ TEST(SelectorFault, OfKnnByCostIsNotWritten) {
       tests::knn_cost_selector(),
       {[](Selector& s) { knn(s).cost.pop_back(); }, [](Selector& s) { knn(s).cost.clear(); },
        [](Selector& s) { knn(s).vote = models::KnnVote::majority; },
-       [](Selector& s) { knn(s).k = 65536; }, [](Selector& s) { knn(s).cost_step_ns = 0; },
+       [](Selector& s) { knn(s).k = 1001; }, [](Selector& s) { knn(s).cost_step_ns = 0; },
        [](Selector& s) { knn(s).cost_step_ns = kNan; }});
 }
 

@@ -258,7 +258,7 @@ TEST(KnnCosts, AreQuantisedToHalfAStep) {
 TEST(KnnFit, RefusesInvalidInput) {
   const TrainingSet set = random_clouds(12, 10, 2, 3);
   EXPECT_THROW(fit_knn(set, {1, KnnVote::cost}), Error);  // the set has no costs
-  EXPECT_THROW(fit_knn(set, {65536, KnnVote::majority}), Error);
+  EXPECT_THROW(fit_knn(set, {1001, KnnVote::majority}), Error);
   for (const float cost : {-1.0F, std::numeric_limits<float>::quiet_NaN()}) {
     TrainingSet wrong = three_with_costs();
     wrong.cost[5] = cost;
