@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include "database/import/library_writer.h"
+#include "database/library/library_file.h"
+#include "tests/database/library/random_library.h"
+#include "tests/scenes/file_damage.h"
+#include "tests/scenes/flatbuffer_mutation.h"
+#include "tests/scenes/read_cost.h"
+
+namespace flinch::database {
+namespace {
+
+TEST(LibraryMutant, IsRefusedOrSoundAtTheCostOfAWholeFile) {
+  const std::string file = library_bytes(tests::random_library(4, 4));
+  const std::size_t allowed = tests::ReadCost::allowance(file.size());
+  const auto reads = [&](const std::string& mutant) {
+    ClipLibrary library;
+    const tests::ReadCost cost;
+    const LoadStatus status = read_library(bytes_of(mutant), library);
+    cost.expect_below(allowed);
+    if (status != LoadStatus::ok) return false;
+    EXPECT_FALSE(fault_of(library));
+    return true;
+  };
+  const int count = tests::soak_samples(600, 100'000);
+  const tests::ReadCounts counts = tests::try_damaged_content(
+      kLibraryFormat, file, count, 15, tests::FlatbufferMutation(tests::content_of(file)), reads);
+  EXPECT_GT(counts.refused, count / 4);
+  EXPECT_GT(counts.read, 0);
+}
+
+}  // namespace
+}  // namespace flinch::database
