@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
 # How every target of the project is made, so that flags stand in one place.
+include(CheckCXXSourceCompiles)
 
 # Flags that all of our code is compiled with. No fused multiply-add and no
 # -ffast-math: results must be the same bits everywhere. Warnings are errors
@@ -10,6 +11,16 @@ target_compile_features(flinch_flags INTERFACE cxx_std_20)
 target_compile_options(flinch_flags INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -ffp-contract=off
   -fno-semantic-interposition)  # no one replaces a library's functions: they may be inlined
+# Eigen fuses products and sums where it sees that the processor can, whatever the flags above say.
+# With AVX-512 it insists, and results differ.
+check_cxx_source_compiles("
+  #if !defined(__FMA__) || defined(__AVX512F__)
+  #error Eigen does not fuse, or insists
+  #endif
+  int main() {}" FLINCH_EIGEN_FUSES)
+if(FLINCH_EIGEN_FUSES)
+  target_compile_options(flinch_flags INTERFACE -U__FMA__)
+endif()
 if(FLINCH_SANITIZE)
   target_compile_options(flinch_flags INTERFACE
     -fsanitize=${FLINCH_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
