@@ -88,15 +88,18 @@ struct LookAheadPlan {
   std::string_view of;
   int candidates;
 };
-constexpr std::array<LookAheadPlan, 9> kLookAheadPlans{{{"random", 8},
-                                                        {"nearest_annotation", 8},
-                                                        {"knn", 8},
-                                                        {"svm", 8},
-                                                        {"pairwise_cost", 8},
-                                                        {"network", 2},
-                                                        {"network", 4},
-                                                        {"network", 8},
-                                                        {"network", 16}}};
+constexpr std::array<LookAheadPlan, 12> kLookAheadPlans{{{"random", 2},
+                                                         {"random", 4},
+                                                         {"random", 8},
+                                                         {"random", 16},
+                                                         {"nearest_annotation", 8},
+                                                         {"knn", 8},
+                                                         {"svm", 8},
+                                                         {"pairwise_cost", 8},
+                                                         {"network", 2},
+                                                         {"network", 4},
+                                                         {"network", 8},
+                                                         {"network", 16}}};
 
 std::vector<models::Candidate> proposals(const std::vector<int>& clips) {
   std::vector<models::Candidate> proposed;

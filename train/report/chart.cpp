@@ -71,6 +71,14 @@ std::vector<double> round_ticks(const Range& range) {
   return ticks;
 }
 
+/// Returns the powers of ten in a range of positive numbers.
+std::vector<double> decades(const Range& range) {
+  std::vector<double> ticks;
+  for (double power = std::ceil(std::log10(range.least)); power <= std::log10(range.most); ++power)
+    ticks.push_back(std::pow(10, power));
+  return ticks;
+}
+
 Range widened(Range range) {
   if (!(range.least < range.most)) return {range.least - 0.5, range.least + 0.5};
   return range;
@@ -200,7 +208,10 @@ std::string svg_of(const LineChart& chart) {
   if (chart.logarithmic_x && found_x.least < found_x.most) {
     x.range = found_x;
     x.logarithmic = true;
-    ticks_x = chart.series.front().x;
+    const auto& first = chart.series.front().x;
+    const bool is_shared = std::ranges::all_of(
+        chart.series, [&first](const Series& series) { return series.x == first; });
+    ticks_x = is_shared ? first : decades(found_x);
   }
   std::string drawing = axis_y(y, ticks_y, kLeftMargin, kChartWidth - kRightMargin, chart.y_title) +
                         axis_x(x, ticks_x, kTopMargin, kChartHeight - kBottomMargin, chart.x_title);
