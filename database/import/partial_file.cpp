@@ -82,6 +82,13 @@ std::string reason_and_remedy(int error_number) {
   }
 }
 
+int create_partial(const std::string& partial, const std::string& path) {
+  struct stat replaced {};
+  const bool is_new = ::lstat(path.c_str(), &replaced) != 0;
+  const mode_t mode = is_new ? kNewFile : (replaced.st_mode & kNewFile) | kOwnerMayWrite;
+  return ::open(partial.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, mode);
+}
+
 PartialFile::PartialFile(const std::string& partial, const std::string& path)
     : partial_(partial), path_(path) {
   struct stat replaced {};
@@ -96,9 +103,7 @@ PartialFile::PartialFile(const std::string& partial, const std::string& path)
   } else if (error != 0) {
     fail(error);
   }
-  const mode_t mode = mode_ == 0 ? kNewFile : (mode_ & kNewFile) | kOwnerMayWrite;
-  descriptor_ =
-      ::open(partial_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, mode);
+  descriptor_ = create_partial(partial_, path_);
   if (descriptor_ < 0) fail(errno);
   // Shows other processes that this one is alive. File systems without locks do without.
   static_cast<void>(::flock(descriptor_, LOCK_EX | LOCK_NB));

@@ -16,6 +16,11 @@ std::string link_target(const std::string& path);
 /// Returns what the system says about an error, and what the user can do about it.
 std::string reason_and_remedy(int error_number);
 
+/// Creates an empty file `partial` anew, never through a link, which can be read by those who can
+/// read the file at `path`, if there is one. Returns its descriptor, or -1 with errno set, EEXIST
+/// if there is something already.
+int create_partial(const std::string& partial, const std::string& path);
+
 /// A file that is written under a temporary name and takes its final name when it is complete.
 /// Whatever happens until then, the file that has that name is unchanged. All functions throw
 /// Error, which names `path`.

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <unistd.h>
+
 #include <filesystem>
 #include <optional>
 
@@ -87,6 +89,8 @@ void StoreWriter::File::check_finished() const {
 }
 
 void StoreWriter::File::open_database() {
+  // SQLite would let everyone read what continues a private store. Of a failure, it tells.
+  if (const int created = database::create_partial(partial(), path); created >= 0) ::close(created);
   database.emplace(partial(), Database::Mode::create);
   // All stores of one run must have the same page size. The lock keeps other writers out until the
   // end.

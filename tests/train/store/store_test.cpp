@@ -384,6 +384,10 @@ TEST(Store, IsWrittenWhereALinkLeadsWithThePermissionsOfWhatItReplaces) {
   write_store(folder / "link", header, 10);
   const auto owner_only = std::filesystem::perms::owner_read | std::filesystem::perms::owner_write;
   std::filesystem::permissions(folder / "elsewhere/a", owner_only);
+  {
+    const StoreWriter writer(folder / "link", header, {0, 20});
+    EXPECT_EQ(std::filesystem::status(writer.partial_path()).permissions(), owner_only);
+  }
   write_store(folder / "link", header, 20);
   EXPECT_TRUE(std::filesystem::is_symlink(folder / "link"));
   const auto written = std::filesystem::symlink_status(folder / "elsewhere/a");
