@@ -88,6 +88,27 @@ class Reading(ProgramTest):
         self.assertIn("more than 1000000 frames", self.fail_with(
             1, "import", slow, "--out", self.folder / "out", **limits))
 
+    def test_what_is_odd_is_told_with_the_option_that_mends_it(self):
+        out = self.folder / "out"
+        slow = self.file("slow.bvh", STANDING.replace("Frame Time: 0.0333333", "Frame Time: 1"))
+        note = "a frame lasts 1 s, which is 1 Hz; say the right rate with --rate-of-file"
+        self.assertEqual(self.document("info", slow)["warnings"], [note])
+        self.assertIn(f"note: {note}\n", self.succeed("info", slow).stdout)
+        self.assertIn(f"note: {slow}: {note}\n", self.succeed("import", slow, "--out", out).stdout)
+        self.assertEqual(self.document("info", slow, "--rate-of-file", 30)["warnings"], [])
+
+        first_row = "0 90 0 0 0 0 "
+        far = self.file("far.bvh", STANDING.replace(first_row, "500 90 0 0 0 0 ", 1))
+        note = ("frame 1 is 5.00 m from frame 2; leave out what is not recorded with --skip-first")
+        self.assertEqual(self.document("info", far)["warnings"], [note])
+        made = self.document("import", far, "--out", out)
+        self.assertEqual([clip["warnings"] for clip in made["clips"]], [[note]])
+        for options in ([], ["--verbose"]):
+            done = self.succeed("import", far, "--out", out, *options)
+            self.assertEqual(done.stdout.count(note), 1)
+            self.assertIn(f"note: {far}: clip far: {note}\n", done.stdout)
+        self.assertEqual(self.document("info", far, "--skip-first")["warnings"], [])
+
     def test_any_bytes_in_names_give_valid_json_and_printable_text(self):
         text = STANDING.encode().replace(b"RightHand", b"Rechte\xe4Hand\x1b")
         strange = self.folder / "stran\udce4ge"
