@@ -52,6 +52,9 @@ TEST(ResponseTrial, LeavesNothingBehind) {
   for (std::size_t i = 0; i < 20; ++i) {
     const train::Observation& observation = trained().observations[i];
     const int clip = observation.trials[i % observation.trials.size()].clip;
+    // Another response at the same times.
+    trial_of(used, observation.scenario,
+             observation.trials[(i + 1) % observation.trials.size()].clip);
     ResponseTrial fresh = make_trial();
     const TrialResult expected = trial_of(fresh, observation.scenario, clip);
     const TrialResult found = trial_of(used, observation.scenario, clip);
