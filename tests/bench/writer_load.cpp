@@ -47,7 +47,7 @@ struct Load {
 /// scenarios in cost, by up to a tenth either way.
 Load load_of(const Cluster& cluster, const Costs& costs, std::uint64_t scenarios) {
   constexpr std::uint64_t kMost = 128;
-  ScenarioScheduler ranges({{0, scenarios}}, cluster.processes, kMost);
+  ScenarioScheduler ranges({{0, scenarios}}, cluster.processes, {kMost});
   features::Random random(1, features::RandomStream::baseline, 0);
   std::priority_queue<Request> requests;
   for (int i = 0; i < cluster.processes; ++i) requests.push({0.001 * random.uniform(), 0});

@@ -22,10 +22,10 @@ namespace flinch::train {
 namespace {
 
 /// Scenarios per thread that are simulated before a commit: about a second of work.
-constexpr std::uint64_t kBatchPerThread = 128;
-/// The same if responses must be rehearsed again for every batch; larger, so that the rehearsal
-/// pays.
-constexpr std::uint64_t kUncachedBatchPerThread = 1024;
+constexpr RangeSizes kBatches{128};
+/// The same if responses must be rehearsed again for every batch: few and large ones, so that the
+/// rehearsals pay, after a first that soon tells the rate.
+constexpr RangeSizes kUncachedBatches{1024, 64};
 
 std::string describe(const ScenarioDistribution& distribution) {
   return nlohmann::ordered_json{
@@ -195,7 +195,7 @@ bool simulate_store(const SimulationSetup& setup, const std::string& path,
     missing = writer->missing();
   }
   ScenarioScheduler ranges(missing, messenger.size(),
-                           run.memory.keeps_all() ? kBatchPerThread : kUncachedBatchPerThread);
+                           run.memory.keeps_all() ? kBatches : kUncachedBatches);
   ResultWriter result_writer(setup, writer ? &*writer : nullptr, run);
   WorkerPool pool(messenger,
                   {[&](int threads) { return ranges.next(threads); },

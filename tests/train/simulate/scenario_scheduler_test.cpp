@@ -17,7 +17,7 @@ std::vector<ScenarioRange> all_of(ScenarioScheduler& ranges, int threads = 1) {
 TEST(ScenarioScheduler, AssignsEachMissingScenarioOnce) {
   const std::vector<ScenarioRange> missing{{3, 40}, {100, 1}, {1000, 5000}};
   for (const int workers : {1, 2, 7}) {
-    ScenarioScheduler ranges(missing, workers, 128);
+    ScenarioScheduler ranges(missing, workers, {128});
     std::set<std::uint64_t> numbers;
     std::uint64_t count = 0;
     for (const ScenarioRange& range : all_of(ranges)) {
@@ -36,7 +36,7 @@ TEST(ScenarioScheduler, AssignsEachMissingScenarioOnce) {
 }
 
 TEST(ScenarioScheduler, RangesStartSmallAndGrowToTheMaximum) {
-  ScenarioScheduler ranges({{0, 100'000}}, 1, 128);
+  ScenarioScheduler ranges({{0, 100'000}}, 1, {128});
   const auto handed_out = all_of(ranges);
   EXPECT_EQ(handed_out.front().count, 16U);
   for (std::size_t i = 1; i + 1 < handed_out.size(); ++i)
@@ -44,15 +44,22 @@ TEST(ScenarioScheduler, RangesStartSmallAndGrowToTheMaximum) {
   EXPECT_EQ(handed_out[20].count, 128U);
 }
 
+TEST(ScenarioScheduler, RangesGrowAsFastAsTheyAreToldTo) {
+  ScenarioScheduler ranges({{0, 3000}}, 1, {1024, 64});
+  std::vector<std::uint64_t> sizes;
+  for (const ScenarioRange& range : all_of(ranges)) sizes.push_back(range.count);
+  EXPECT_EQ(sizes, (std::vector<std::uint64_t>{16, 1024, 1024, 936}));
+}
+
 TEST(ScenarioScheduler, RangesShrinkNearTheEnd) {
-  ScenarioScheduler ranges({{0, 10'000}}, 10, 128);
+  ScenarioScheduler ranges({{0, 10'000}}, 10, {128});
   const auto handed_out = all_of(ranges);
   EXPECT_LE(handed_out.back().count, 16U);
   EXPECT_EQ(handed_out[handed_out.size() / 2].count, 128U);
 }
 
 TEST(ScenarioScheduler, RangesAreLargerForProcessesWithMoreThreads) {
-  ScenarioScheduler ranges({{0, 100'000}}, 1, 128);
+  ScenarioScheduler ranges({{0, 100'000}}, 1, {128});
   EXPECT_EQ(ranges.next(8)->count, 8 * 16U);
   for (int i = 0; i < 20; ++i) ranges.next(8);
   EXPECT_EQ(ranges.next(8)->count, 8 * 128U);
@@ -60,7 +67,7 @@ TEST(ScenarioScheduler, RangesAreLargerForProcessesWithMoreThreads) {
 }
 
 TEST(ScenarioScheduler, AReturnedRangeIsAssignedNext) {
-  ScenarioScheduler ranges({{0, 32}}, 2, 128);
+  ScenarioScheduler ranges({{0, 32}}, 2, {128});
   const ScenarioRange first = *ranges.next(1);
   ranges.put_back(first);
   EXPECT_EQ(ranges.next(1)->first, first.first);
