@@ -185,12 +185,13 @@ TrialResult ResponseTrial::meet(const features::Ball& ball, double until_s,
     const double time_s = encounter_.time_s();
     const double step_s = encounter_.begin_step(now, until_s - time_s);
     if (step_s >= options_.free_step_s && !encounter_.may_collide_again() &&
+        !encounter_.may_touch(step_s) &&
         stays_clear(*encounter_.scene().flight(), time_s, time_s + step_s, until_s)) {
       break;
     }
     const sim::ReferenceState target = reference_.at(time_s + step_s);
-    encounter_.end_step(now, target, step_s);
-    now = target;
+    const bool is_whole = encounter_.end_step(now, target, step_s) >= step_s;
+    now = is_whole ? target : reference_.at(encounter_.time_s());
     ++result.steps;
     if (std::isinf(encounter_.first_contact_s())) continue;
     result.damage_ns = damage_ns(costs, encounter_.impulse());

@@ -28,6 +28,7 @@ sim::SimulationOptions simulation_options() {
   sim::SimulationOptions options;
   options.free_step_s = kFreeStep_s;
   options.contact_step_s = kContactStep_s;
+  options.contact_search = sim::ContactSearch::by_short_steps;
   return options;
 }
 

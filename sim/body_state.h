@@ -20,6 +20,17 @@ struct Twist {
   Eigen::Vector3d angular = Eigen::Vector3d::Zero();
 };
 
+/// Returns the body `time_s` later if it keeps its velocities, as a step moves it: x' = x + h v,
+/// and q' is q + h/2 w q normalised.
+inline BodyState moved_on(BodyState body, double time_s) {
+  const Eigen::Quaterniond spin(0, body.angular_velocity.x(), body.angular_velocity.y(),
+                                body.angular_velocity.z());
+  body.position += time_s * body.velocity;
+  body.orientation.coeffs() += time_s / 2 * (spin * body.orientation).coeffs();
+  body.orientation.normalize();
+  return body;
+}
+
 /// Returns the velocity of the body's material point that is at `point` (world, m), m/s.
 inline Eigen::Vector3d velocity_at(const BodyState& body, const Eigen::Vector3d& point) {
   return body.velocity + body.angular_velocity.cross(point - body.position);

@@ -6,16 +6,27 @@
 namespace flinch::sim {
 
 /// Version of the simulation's laws. Raised when the same options give other impulses, so that
-/// stores of different laws are not continued or merged. 2: friction is bounded along the velocity
-/// of sliding; 1 bounded it along the world's axes.
-inline constexpr int kLawVersion = 2;
+/// stores of different laws are not continued or merged. 3: a step ends at a contact on its path; 2
+/// approached it in contact steps. 2: friction is bounded along the velocity of sliding; 1 bounded
+/// it along the world's axes.
+inline constexpr int kLawVersion = 3;
+
+/// How a step ends at a contact of ball and figure.
+enum class ContactSearch : unsigned char {
+  /// A whole step is taken, the contact found on its path, and the step ends there: the fewest
+  /// steps.
+  on_path,
+  /// Contact steps while the ball may touch something: motion near a contact that a game can show.
+  by_short_steps,
+};
 
 /// How to simulate. The defaults are those of the shipped selectors; docs/simulation.md has the
 /// study behind them.
 struct SimulationOptions {
-  double free_step_s = 1.0 / 60;       ///< step while the ball can touch nothing, s
-  double contact_step_s = 1.0 / 2000;  ///< step while it can, s
-  double restitution = 0.7;            ///< of ball against body and ground
+  double free_step_s = 1.0 / 60;       ///< step while the ball touches nothing, s
+  double contact_step_s = 1.0 / 2000;  ///< step of a contact, s
+  ContactSearch contact_search = ContactSearch::on_path;
+  double restitution = 0.7;  ///< of ball against body and ground
   double gravity_mps2 =
       features::kGravity_mps2;  ///< of the figure, downwards; balls have their own
 };

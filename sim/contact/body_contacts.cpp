@@ -137,18 +137,19 @@ std::span<const BodyContact> BodyContacts::find(const motion::PerBody<MovingShap
   return found_;
 }
 
-bool BodyContacts::is_impact_ahead(const motion::PerBody<MovingShape>& shapes,
-                                   const ReferenceState& reference, double horizon_s) const {
-  bool found = false;
+double BodyContacts::time_to_impact(const motion::PerBody<MovingShape>& shapes,
+                                    const ReferenceState& reference, double horizon_s) const {
+  double first_s = horizon_s;
   for_each_pair(shapes, 0, horizon_s, [&](Body first, Body second) {
     const motion::Clearance near = clearance(shapes[first], shapes[second]);
+    if (near.gap <= kPushTolerance_m) return;
     const double closing = closing_speed(shapes[first], shapes[second], near);
     const double free_closing =
         reference_closing_speed(reference.body[first], reference.body[second], near);
-    found |= closing > free_closing + kImpactSpeed_mps && near.gap > kPushTolerance_m &&
-             near.gap < closing * horizon_s;
+    if (closing <= free_closing + kImpactSpeed_mps) return;
+    first_s = std::min(first_s, near.gap / closing);
   });
-  return found;
+  return first_s;
 }
 
 bool BodyContacts::may_collide_again(const motion::PerBody<MovingShape>& shapes) const {
@@ -162,17 +163,18 @@ bool BodyContacts::may_collide_again(const motion::PerBody<MovingShape>& shapes)
 }
 
 void BodyContacts::add_impulses(std::span<const ContactImpulse> contacts,
-                                motion::PerBody<double>& impulse) {
+                                motion::PerBody<double>& impulse, double share) {
   for (const ContactImpulse& contact : contacts) {
+    const double impulse_ns = share * contact.impulse_ns;
     if (!contact.second) {
-      impulse[contact.first] += contact.impulse_ns;
-      received_ns_[contact.first] += contact.impulse_ns;
+      impulse[contact.first] += impulse_ns;
+      received_ns_[contact.first] += impulse_ns;
       continue;
     }
     const bool first_gives = received_ns_[contact.first] >= received_ns_[*contact.second];
     const Body giver = first_gives ? contact.first : *contact.second;
     const Body taker = first_gives ? *contact.second : contact.first;
-    const double passed = std::min(contact.impulse_ns, received_ns_[giver]);
+    const double passed = std::min(impulse_ns, received_ns_[giver]);
     impulse[giver] += passed;
     impulse[taker] += passed;
     received_ns_[giver] -= passed;

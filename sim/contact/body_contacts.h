@@ -50,13 +50,16 @@ class BodyContacts {
   /// reference motion now.
   std::span<const BodyContact> find(const motion::PerBody<MovingShape>& shapes,
                                     const ReferenceState& reference);
-  /// Whether a blow may happen within `horizon_s` if the bodies keep their velocities.
-  bool is_impact_ahead(const motion::PerBody<MovingShape>& shapes, const ReferenceState& reference,
-                       double horizon_s) const;
+  /// Returns the time until the first blow if the bodies keep their velocities, at most
+  /// `horizon_s`.
+  double time_to_impact(const motion::PerBody<MovingShape>& shapes, const ReferenceState& reference,
+                        double horizon_s) const;
   /// Whether a driven body may still strike another body or come near enough to do so.
   bool may_collide_again(const motion::PerBody<MovingShape>& shapes) const;
-  /// Adds the impulse that each body is charged for the contacts of a step, N·s.
-  void add_impulses(std::span<const ContactImpulse> contacts, motion::PerBody<double>& impulse);
+  /// Adds the impulse that each body is charged for the contacts of a step of which only a `share`
+  /// was taken, N·s.
+  void add_impulses(std::span<const ContactImpulse> contacts, motion::PerBody<double>& impulse,
+                    double share = 1);
 
  private:
   bool driven(motion::Body body) const { return driven_until_s_[body] > time_s_; }

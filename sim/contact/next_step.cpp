@@ -8,8 +8,6 @@
 namespace flinch::sim {
 namespace {
 
-constexpr double kMinStep_s = 1e-5;
-
 /// Returns the first time within `horizon_s` at which the ball may touch one of the shapes.
 std::optional<double> first_contact(const features::Ball& ball, std::span<const MovingShape> shapes,
                                     double horizon_s, double contact_distance_m,

@@ -16,6 +16,9 @@ inline constexpr double kNearContactDistance_m = 2e-3;
 /// of a fast block has half of it.
 inline constexpr double kMaxAcceleration_mps2 = 400;
 
+/// The shortest step that a contact may require, s.
+inline constexpr double kMinStep_s = 1e-5;
+
 /// What a ball's path implies for the next step.
 struct NextStep {
   double step_s = 0;       ///< the longest safe step

@@ -4,10 +4,13 @@
 #include <algorithm>
 #include <concepts>
 #include <limits>
+#include <optional>
+#include <span>
 #include <utility>
 
 #include "sim/contact/body_contacts.h"
 #include "sim/contact/next_step.h"
+#include "sim/contact/step_path.h"
 #include "sim/tree/tree_scene.h"
 
 namespace flinch::sim {
@@ -21,7 +24,8 @@ class Encounter {
   template <class... Arguments>
   Encounter(const FigureModel& figure_model, const SimulationOptions& options, double time_s,
             Arguments&&... arguments)
-      : options_(options),
+      : figure_model_(figure_model),
+        options_(options),
         body_contacts_(figure_model),
         scene_(std::forward<Arguments>(arguments)...),
         time_s_(time_s) {}
@@ -42,9 +46,11 @@ class Encounter {
   /// `max_step_s`, and at least `min_step_s` even where less is safe. `now` is the state of the
   /// reference motion.
   double begin_step(const ReferenceState& now, double max_step_s, double min_step_s = 0);
-  /// Steps the scene. `target` is the state of the reference motion at the step's end.
-  void end_step(const ReferenceState& now, const ReferenceState& target, double step_s,
-                const Drive& drive = {});
+  /// Steps the scene or, with ContactSearch::on_path, the part of the step up to the first contact.
+  /// `target` is the state of the reference motion after `step_s`. Returns the length of the step:
+  /// `step_s` or, if there is a contact, the time of that.
+  double end_step(const ReferenceState& now, const ReferenceState& target, double step_s,
+                  const Drive& drive = {});
   /// A step in which only the ball moves; the figure stays as it is. For a figure that no longer
   /// matters, once the game shows another pose.
   void step_ball_alone();
@@ -52,6 +58,10 @@ class Encounter {
   /// Whether a body may still strike another body without further help of the ball. Call between
   /// begin_step and end_step.
   bool may_collide_again() const { return body_contacts_.may_collide_again(shapes_); }
+
+  /// Whether the ball may touch the figure within `horizon_s`, however the motors accelerate it.
+  /// Call between begin_step and end_step.
+  bool may_touch(double horizon_s) const;
 
   double time_s() const { return time_s_; }
   /// Whether the ball hits the figure in the step that has begun.
@@ -63,8 +73,11 @@ class Encounter {
   const Scene& scene() const { return scene_; }
 
  private:
+  bool searches_on_path() const { return options_.contact_search == ContactSearch::on_path; }
   double find_hits(const features::Ball& flight);
+  double step_to_contact(const ReferenceState& target, double step_s, const Drive& drive);
 
+  const FigureModel& figure_model_;
   SimulationOptions options_;
   BodyContacts body_contacts_;
   Scene scene_;
@@ -72,7 +85,9 @@ class Encounter {
   motion::PerBody<double> impulse_;
   double first_contact_s_ = std::numeric_limits<double>::infinity();
   double time_s_ = 0;
+  double min_step_s_ = 0;
   bool is_blow_ = false;
+  bool is_ball_on_ground_ = false;
 };
 
 template <class Scene>
@@ -82,9 +97,14 @@ double Encounter<Scene>::begin_step(const ReferenceState& now, double max_step_s
   double step_s = options_.free_step_s;
   scene_.clear_contacts();
   is_blow_ = false;
+  min_step_s_ = std::max(min_step_s, kMinStep_s);
   body_contacts_.begin_step(time_s_);
   if (flight || body_contacts_.is_any_driven()) shapes_ = scene_.shapes();
-  if (body_contacts_.is_impact_ahead(shapes_, now, step_s)) step_s = options_.contact_step_s;
+  const double impact_s = body_contacts_.time_to_impact(shapes_, now, step_s);
+  if (impact_s < step_s) {
+    step_s = options_.contact_step_s;
+    if (searches_on_path()) step_s = std::max(step_s, impact_s);
+  }
   if (flight) step_s = std::min(step_s, find_hits(*flight));
   step_s = std::max(step_s, min_step_s);
   // A tiny remainder of a step would cost time and change nothing.
@@ -94,7 +114,9 @@ double Encounter<Scene>::begin_step(const ReferenceState& now, double max_step_s
 /// Adds the ball's contacts of now and returns how long a step they allow.
 template <class Scene>
 double Encounter<Scene>::find_hits(const features::Ball& flight) {
-  const NextStep ahead = next_step(flight, {&*shapes_.begin(), motion::kBodyCount}, options_);
+  std::span<const MovingShape> shortening{&*shapes_.begin(), motion::kBodyCount};
+  if (searches_on_path()) shortening = {};
+  const NextStep ahead = next_step(flight, shortening, options_);
   for (motion::Body body : motion::kBodies) {
     if (!may_be_near(flight, shapes_[body], kContactDistance_m)) continue;
     const motion::Clearance near = clearance(flight.position, flight.radius, shapes_[body]);
@@ -104,21 +126,65 @@ double Encounter<Scene>::find_hits(const features::Ball& flight) {
     is_blow_ = true;
     first_contact_s_ = std::min(first_contact_s_, time_s_);
   }
-  if (ahead.on_ground) scene_.add_bounce(options_.restitution);
-  return ahead.step_s;
+  is_ball_on_ground_ = ahead.on_ground;
+  if (is_ball_on_ground_) scene_.add_bounce(options_.restitution);
+  if (!searches_on_path()) return ahead.step_s;
+  if (is_blow_) return options_.contact_step_s;
+  return is_ball_on_ground_ ? ahead.step_s : options_.free_step_s;  // a bounce is on the path too
 }
 
 template <class Scene>
-void Encounter<Scene>::end_step(const ReferenceState& now, const ReferenceState& target,
-                                double step_s, const Drive& drive) {
+bool Encounter<Scene>::may_touch(double horizon_s) const {
+  const auto flight = scene_.flight();
+  return flight && std::ranges::any_of(shapes_, [&](const MovingShape& shape) {
+           return time_of_contact(*flight, shape, horizon_s, kNearContactDistance_m,
+                                  kMaxAcceleration_mps2)
+               .has_value();
+         });
+}
+
+template <class Scene>
+double Encounter<Scene>::end_step(const ReferenceState& now, const ReferenceState& target,
+                                  double step_s, const Drive& drive) {
   scene_.add_supports(target, step_s, drive);
   for (const BodyContact& contact : body_contacts_.find(shapes_, now)) {
     scene_.add_body_contact(contact.first, contact.second, contact.near, contact.free_closing_mps,
                             contact.is_impact);
   }
+  const double stepped_s = step_to_contact(target, step_s, drive);
+  body_contacts_.add_impulses(scene_.impulses(step_s), impulse_, stepped_s / step_s);
+  time_s_ += stepped_s;
+  return stepped_s;
+}
+
+/// A ball that touches no body does not change how they move, so its first contact is found on the
+/// path that a step has moved them along, and all are placed there.
+template <class Scene>
+double Encounter<Scene>::step_to_contact(const ReferenceState& target, double step_s,
+                                         const Drive& drive) {
+  const auto flight = scene_.flight();
+  if (!flight || is_blow_ || !searches_on_path()) {
+    scene_.step(target, step_s, drive);
+    return step_s;
+  }
+  const motion::PerBody<BodyState> before = scene_.bodies();
   scene_.step(target, step_s, drive);
-  body_contacts_.add_impulses(scene_.impulses(step_s), impulse_);
-  time_s_ += step_s;
+  const StepPath path{before, scene_.bodies(), step_s};
+  features::Ball ball = *flight;
+  std::optional<double> bounce_s;
+  if (is_ball_on_ground_) {  // which changed its velocity at the step's start
+    const features::Ball after = *scene_.flight();
+    ball.velocity = (after.position - ball.position) / step_s;
+    ball.gravity_mps2 = 0;
+  } else {
+    bounce_s = time_of_bounce(ball, step_s, kContactDistance_m);
+  }
+  const auto contact_s = first_contact(figure_model_, path, ball, bounce_s);
+  if (!contact_s) return step_s;
+  const double until_s = std::max(*contact_s, min_step_s_);
+  if (until_s >= step_s) return step_s;
+  scene_.place(path.at(until_s), ball.at(until_s));
+  return until_s;
 }
 
 template <class Scene>

@@ -63,9 +63,10 @@ Reference::Reference(const motion::Skeleton& skeleton, const motion::BodyModel& 
     for (Body body : motion::kBodies) {
       const BodyState& from = states[before % 3][body];
       const BodyState& to = states[after % 3][body];
-      velocities_[k].linear[body] = rate_hz * (to.position - from.position);
-      velocities_[k].angular[body] =
-          rate_hz * motion::rotation_vector(to.orientation * from.orientation.conjugate());
+      const Eigen::Vector3d turn =
+          motion::rotation_vector(to.orientation * from.orientation.conjugate());
+      velocities_[k].linear[body] = (rate_hz * (to.position - from.position)).cast<float>();
+      velocities_[k].angular[body] = (rate_hz * turn).cast<float>();
     }
   }
 }
@@ -80,9 +81,10 @@ ReferenceState Reference::at(double time_s) const {
   const Velocities& from = velocities_[index];
   const Velocities& to = velocities_[index + 1];
   for (Body body : motion::kBodies) {
-    state.body[body].velocity = (1 - weight) * from.linear[body] + weight * to.linear[body];
+    state.body[body].velocity =
+        (1 - weight) * from.linear[body].cast<double>() + weight * to.linear[body].cast<double>();
     state.body[body].angular_velocity =
-        (1 - weight) * from.angular[body] + weight * to.angular[body];
+        (1 - weight) * from.angular[body].cast<double>() + weight * to.angular[body].cast<double>();
   }
   return state;
 }

@@ -35,9 +35,9 @@ class Reference {
   std::size_t byte_count() const { return velocities_.capacity() * sizeof(Velocities); }
 
  private:
-  struct Velocities {
-    motion::PerBody<Eigen::Vector3d> linear;
-    motion::PerBody<Eigen::Vector3d> angular;
+  struct Velocities {  // as precise as the poses that they are differences of
+    motion::PerBody<Eigen::Vector3f> linear;
+    motion::PerBody<Eigen::Vector3f> angular;
   };
   const motion::Skeleton& skeleton_;
   const motion::BodyModel& model_;

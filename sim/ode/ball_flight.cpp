@@ -22,6 +22,13 @@ features::Ball BallFlight::flight() const {
   return ball;
 }
 
+void BallFlight::place(const features::Ball& ball) {
+  BodyState state = state_of(body_);
+  state.position = ball.position;
+  state.velocity = ball.velocity;
+  set_state(body_, state);
+}
+
 void BallFlight::add_ground_contact(Contacts& contacts, const Eigen::Quaterniond& frame,
                                     double restitution) const {
   contacts.add_bounce(body_, frame, restitution);

@@ -15,6 +15,8 @@ class BallFlight {
 
   dBodyID body() const { return body_; }
   features::Ball flight() const;
+  /// Moves the ball, which keeps its spin.
+  void place(const features::Ball& ball);
   /// See bounce_constraint.
   void add_ground_contact(Contacts& contacts, const Eigen::Quaterniond& frame,
                           double restitution) const;

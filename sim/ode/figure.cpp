@@ -49,6 +49,10 @@ Figure::Figure(const FigureModel& figure_model, dWorldID world, const ReferenceS
   for (motion::Side side : motion::kSides) feet_[side] = make_anchor(world, bodies_[foot_of(side)]);
 }
 
+void Figure::place(const motion::PerBody<BodyState>& figure) {
+  for (Body body : motion::kBodies) set_state(bodies_[body], figure[body]);
+}
+
 Figure::Anchor Figure::make_anchor(dWorldID world, dBodyID body) {
   return {make_linear_motor(world, body),
           make_motor(world, body, nullptr, Eigen::Matrix3d::Identity())};

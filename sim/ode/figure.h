@@ -17,6 +17,7 @@ class Figure {
   /// figure.
   Figure(const FigureModel& figure_model, dWorldID world, const ReferenceState& start);
 
+  void place(const motion::PerBody<BodyState>& figure);
   /// Sets the motors and forces of the next step, of `step_s`, so that it ends at `target`.
   void drive(const ReferenceState& target, double step_s, const Drive& drive);
   /// Adds the ground's support in the next step.

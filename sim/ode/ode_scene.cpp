@@ -14,6 +14,11 @@ std::optional<features::Ball> OdeScene::flight() const {
   return ball_ ? std::optional(ball_->flight()) : std::nullopt;
 }
 
+void OdeScene::place(const motion::PerBody<BodyState>& figure, const features::Ball& ball) {
+  figure_.place(figure);
+  if (ball_) ball_->place(ball);
+}
+
 void OdeScene::add_hit(motion::Body body, const motion::Clearance& at, double restitution) {
   contacts_.add_hit(ball_->body(), figure_.body(body), body, at, restitution);
 }

@@ -19,6 +19,9 @@ class OdeScene {
   motion::PerBody<MovingShape> shapes() const { return figure_.shapes(); }
   std::optional<features::Ball> flight() const;
 
+  /// Moves figure and ball. The ball keeps its spin.
+  void place(const motion::PerBody<BodyState>& figure, const features::Ball& ball);
+
   // Contacts of the next step; see Contacts.
   void clear_contacts() { contacts_.clear(); }
   void add_hit(motion::Body body, const motion::Clearance& at, double restitution);

@@ -10,19 +10,17 @@
 namespace flinch::sim {
 namespace {
 
-Rehearsal::Track::Sphere reach_sphere(const FigureModel& figure_model,
-                                      const motion::PerBody<BodyState>& figure, double step_s) {
+Rehearsal::Track::Sphere reach_sphere(const FigureModel& figure_model, const StepPath& path) {
   Rehearsal::Track::Sphere sphere;
   sphere.centre.setZero();
-  for (const BodyState& body : figure) sphere.centre += body.position / motion::kBodyCount;
+  for (const BodyState& body : path.from) sphere.centre += body.position / motion::kBodyCount;
   for (motion::Body body : motion::kBodies) {
-    const BodyState& state = figure[body];
+    const BodyState state = path.moving(body);
     const double radius = figure_model.radius[body];
     const double speed = state.velocity.norm() + state.angular_velocity.norm() * radius;
-    sphere.radius =
-        std::max(sphere.radius, (state.position - sphere.centre).norm() + radius + speed * step_s);
+    sphere.radius = std::max(
+        sphere.radius, (state.position - sphere.centre).norm() + radius + speed * path.step_s);
   }
-  sphere.radius += kNearContactDistance_m + kMaxAcceleration_mps2 * step_s * step_s / 2;
   return sphere;
 }
 
@@ -37,7 +35,7 @@ Rehearsal::Track::Track(const FigureModel& figure_model, const SimulationOptions
   const auto steps = static_cast<std::size_t>(std::ceil(duration_s / options.free_step_s)) + 1;
   step_begins_s.reserve(steps);
   reach.reserve(steps);
-  figures.reserve(steps);
+  figures.reserve(steps + 1);
   ReferenceState now = reference.at(0);
   Encounter<TreeScene> encounter(figure_model, options, 0, figure_model, now.body, nullptr,
                                  options.gravity_mps2);
@@ -48,13 +46,22 @@ Rehearsal::Track::Track(const FigureModel& figure_model, const SimulationOptions
     }
     step_begins_s.push_back(encounter.time_s());
     figures.push_back(encounter.scene().bodies());
-    reach.push_back(reach_sphere(figure_model, figures.back(), options.free_step_s));
     const double step_s = encounter.begin_step(now, duration_s - encounter.time_s());
     const ReferenceState target = reference.at(encounter.time_s() + step_s);
     encounter.end_step(now, target, step_s);
+    reach.push_back(
+        reach_sphere(figure_model, {figures.back(), encounter.scene().bodies(), step_s}));
     now = target;
   }
+  figures.push_back(encounter.scene().bodies());
   if (first_kept > 0) figures.shrink_to_fit();
+}
+
+bool Rehearsal::Track::Sphere::may_reach(const features::Ball& ball, double time_s,
+                                         double distance_m) const {
+  const double travel = ball.velocity.norm() * time_s + ball.gravity_mps2 * time_s * time_s / 2;
+  const double max_distance = radius + ball.radius + travel + distance_m;
+  return (ball.position - centre).squaredNorm() <= max_distance * max_distance;
 }
 
 std::size_t Rehearsal::Track::byte_count() const {

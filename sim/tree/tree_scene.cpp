@@ -56,6 +56,12 @@ std::optional<features::Ball> TreeScene::flight() const {
   return ball;
 }
 
+void TreeScene::place(const motion::PerBody<BodyState>& figure, const features::Ball& ball) {
+  bodies_ = figure;
+  ball_state_.position = ball.position;
+  ball_state_.velocity = ball.velocity;
+}
+
 void TreeScene::clear_contacts() {
   contacts_.clear();
   dragged_ = 0;
@@ -154,14 +160,11 @@ void TreeScene::move_ball(const Twist& impulse, double step_s) {
        step_s);
 }
 
-// x' = x + h v', and q' is q + h/2 w' q normalised, as in ODE.
-void TreeScene::move(BodyState& state, const Twist& after, double step_s) const {
+// As in ODE, bodies move with their new velocities.
+void TreeScene::move(BodyState& state, const Twist& after, double step_s) {
   state.velocity = after.linear;
   state.angular_velocity = after.angular;
-  state.position += step_s * after.linear;
-  const Eigen::Quaterniond spin(0, after.angular.x(), after.angular.y(), after.angular.z());
-  state.orientation.coeffs() += step_s / 2 * (spin * state.orientation).coeffs();
-  state.orientation.normalize();
+  state = moved_on(state, step_s);
 }
 
 const BodyState& TreeScene::state_of(const ContactBody& contact_body) const {

@@ -32,6 +32,9 @@ class TreeScene {
   motion::PerBody<MovingShape> shapes() const;
   std::optional<features::Ball> flight() const;
 
+  /// Moves figure and ball. The ball keeps its spin.
+  void place(const motion::PerBody<BodyState>& figure, const features::Ball& ball);
+
   // Contacts of the next step; see Contacts.
   void clear_contacts();
   void add_hit(motion::Body body, const motion::Clearance& at, double restitution);
@@ -96,7 +99,7 @@ class TreeScene {
   double target_relative_velocity(const Row& row, double step_s) const;
   bool solve_rows(const Equations& equations, Scratch::Vector& solution);
   void apply(const Scratch::Vector& solution, Twist& on_ball);
-  void move(BodyState& state, const Twist& after, double step_s) const;
+  static void move(BodyState& state, const Twist& after, double step_s);
 
   const FigureModel& figure_model_;
   double gravity_mps2_;

@@ -3,13 +3,15 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 
 #include "motion/error.h"
 #include "sim/figure/figure_rows.h"
 #include "sim/ode/ode_simulator.h"
-#include "sim/rehearsal/rehearsal_run.h"
+#include "sim/rehearsal/first_contact.h"
+#include "sim/rehearsal/simulator.h"
 #include "tests/sim/random_hits.h"
 #include "tests/sim/rehearsal/total_impulse.h"
 #include "tests/sim/same_bits.h"
@@ -95,7 +97,7 @@ TEST_F(RehearsalTest, FindsHitsAfterABounceOffTheGround) {
 }
 
 // Compares with the paths of figure and ball sampled so finely that a gap changes by at most 2 mm.
-TEST_F(RehearsalTest, NothingTouchesBeforeTheFirstPossibleContact) {
+TEST_F(RehearsalTest, NothingTouchesBeforeTheFirstContact) {
   const FigureModel figure_model(character_);
   const SimulationOptions options;
   std::vector<std::unique_ptr<Rehearsal::Track>> tracks;
@@ -103,22 +105,23 @@ TEST_F(RehearsalTest, NothingTouchesBeforeTheFirstPossibleContact) {
     tracks.push_back(std::make_unique<Rehearsal::Track>(figure_model, options, motion, 0, 1));
   }
   int met = 0;
-  std::size_t steps = 0;
+  std::size_t samples = 0;
   for (const scenes::Hit& hit : balls(120, 12)) {
     if (hit.ball.position.z() < hit.ball.radius) continue;  // thrown from below the ground
     const Rehearsal::Track& track = *tracks[hit.motion];
-    const auto contact_step = first_possible_contact(figure_model, options, track, hit.ball);
-    if (contact_step) ++met;
-    const std::size_t until = contact_step.value_or(track.step_begins_s.size());
-    steps += until;
-    features::Ball ball = hit.ball;
-    constexpr int kSamples = 250;
-    for (std::size_t step = 0; step < until; ++step) {
-      const auto& next = track.figure_at(std::min(step + 1, track.step_begins_s.size() - 1));
+    const auto contact = first_contact(figure_model, track, hit.ball);
+    if (contact) ++met;
+    const double until_s = contact ? contact->time_s : track.duration_s;
+    for (std::size_t step = 0; step < track.step_begins_s.size(); ++step) {
+      const auto& next = track.figure_at(step + 1);
+      constexpr int kSamples = 250;
       for (int k = 0; k < kSamples; ++k) {
         const double later_s = options.free_step_s * k / kSamples;
-        const Eigen::Vector3d centre = ball.position_at(track.step_begins_s[step] + later_s);
-        ASSERT_GT(centre.z(), ball.radius);
+        const double time_s = track.step_begins_s[step] + later_s;
+        if (time_s >= until_s) break;
+        ++samples;
+        const Eigen::Vector3d centre = hit.ball.position_at(time_s);
+        ASSERT_GT(centre.z(), hit.ball.radius);
         for (Body body : motion::kBodies) {
           // A step moves bodies with the velocity at its end.
           BodyState state = track.figure_at(step)[body];
@@ -126,13 +129,47 @@ TEST_F(RehearsalTest, NothingTouchesBeforeTheFirstPossibleContact) {
           state.angular_velocity = next[body].angular_velocity;
           const MovingShape there = placed_shape(figure_model.outline[body], state);
           if ((there.centre - centre).norm() > 1) continue;
-          ASSERT_GT(clearance(centre, ball.radius, there.at(later_s)).gap, 0);
+          ASSERT_GT(clearance(centre, hit.ball.radius, there.at(later_s)).gap, 0);
         }
       }
     }
   }
   EXPECT_GT(met, 80);
-  EXPECT_GT(steps, 1000U);
+  EXPECT_GT(samples, 250'000U);
+}
+
+// The first contact is one: there the ball touches a part, or the ground.
+TEST_F(RehearsalTest, TheFirstContactTouches) {
+  const FigureModel figure_model(character_);
+  const Rehearsal::Track track(figure_model, {}, motions_[1].motion, 0, 1);
+  int parts = 0;
+  int bounces = 0;
+  for (const scenes::Hit& hit : balls(120, 15)) {
+    const auto contact = first_contact(figure_model, track, hit.ball);
+    if (!contact || contact->time_s < 1e-3) continue;  // thrown from where it touches
+    const features::Ball ball = hit.ball.at(contact->time_s);
+    double gap = ball.position.z() - ball.radius;
+    for (Body body : motion::kBodies) {
+      const MovingShape shape = placed_shape(figure_model.outline[body], contact->figure[body]);
+      gap = std::min(gap, motion::gap(ball.position, ball.radius, shape));
+    }
+    EXPECT_LE(gap, 1e-4 + 1e-12);
+    EXPECT_GT(gap, 0);
+    EXPECT_EQ(contact->is_bounce, ball.position.z() - ball.radius <= 1e-4 + 1e-12);
+    ++(contact->is_bounce ? bounces : parts);
+  }
+  EXPECT_GT(parts, 20);
+  EXPECT_GT(bounces, 5);
+}
+
+// The ground carries a rolling ball in every step, which is no contact that ends a step.
+TEST_F(RehearsalTest, ARollingBallDoesNotShortenTheSteps) {
+  const Rehearsal standing = simulator_.rehearse(motions_[0].motion, 0, 1);
+  features::Ball rolling;
+  rolling.position = {2, 2, rolling.radius};
+  rolling.velocity = {0.5, 0, 0};
+  EXPECT_LE(reference_.simulate(motions_[0].motion, &rolling, 1).steps, 62);
+  EXPECT_EQ(simulator_.simulate(standing, rolling).steps, 0);
 }
 
 TEST_F(RehearsalTest, SkipsBallsThatCannotTouch) {
