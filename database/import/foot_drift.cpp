@@ -51,18 +51,6 @@ void measure_track(const PointTrajectory& track, float interval_s, FootDrift& dr
   measure_plant(track, begin, track.source.size(), interval_s, drift);
 }
 
-float lowest_sole(const motion::Skeleton& skeleton, const motion::Motion& clip) {
-  float lowest = std::numeric_limits<float>::infinity();
-  for (motion::Side side : motion::kSides) {
-    const motion::SoleOutline sole = motion::sole_outline(skeleton, side);
-    for (const motion::Pose& pose : clip.poses) {
-      const motion::JointFrames frames = forward_kinematics(skeleton, pose);
-      lowest = std::min(lowest, motion::lowest_z(motion::sole_points(sole, frames, side)));
-    }
-  }
-  return lowest;
-}
-
 }  // namespace
 
 FootDrift measure_foot_drift(const SourceMotion& source, const motion::Skeleton& skeleton,
@@ -70,12 +58,18 @@ FootDrift measure_foot_drift(const SourceMotion& source, const motion::Skeleton&
   const float scale = leg_ratio(source, skeleton);
   const Placement placement = placement_of(source, skeleton, segment);
   const Eigen::Rotation2Df turn(placement.yaw);
+  const motion::PerSide<motion::SoleOutline> soles = motion::sole_outlines(skeleton);
+  float lowest_sole = std::numeric_limits<float>::infinity();
   std::array<std::array<PointTrajectory, 2>, 2> tracks;  // side, then ankle and ball
   for (std::size_t k = 0; k < clip.poses.size(); ++k) {
     const double time_s =
         segment.start_s + static_cast<double>(k) / static_cast<double>(clip.rate_hz);
     const SourceFrame frame = sample(source, std::min(time_s, segment.end_s));
     const motion::JointFrames frames = forward_kinematics(skeleton, clip.poses[k]);
+    for (motion::Side side : motion::kSides) {
+      lowest_sole =
+          std::min(lowest_sole, motion::lowest_z(motion::sole_points(soles[side], frames, side)));
+    }
     for (std::size_t side = 0; side < 2; ++side) {
       const motion::FootRoles roles =
           motion::roles_of(side == 0 ? motion::Side::left : motion::Side::right);
@@ -94,7 +88,7 @@ FootDrift measure_foot_drift(const SourceMotion& source, const motion::Skeleton&
   for (const auto& side : tracks) {
     for (const PointTrajectory& track : side) measure_track(track, 1 / clip.rate_hz, drift);
   }
-  drift.lowest_sole_m = lowest_sole(skeleton, clip);
+  drift.lowest_sole_m = lowest_sole;
   return drift;
 }
 
