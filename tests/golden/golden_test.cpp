@@ -23,9 +23,9 @@ namespace flinch::tests {
 namespace {
 
 constexpr std::uint64_t kScenarios = 40;
-constexpr std::uint64_t kObservationsHash = 0x3eb23a731b0b986d;
-constexpr std::uint64_t kSelectorHash = 0xcb6941bb666c5709;
-constexpr std::uint64_t kPairwiseHash = 0x9d5ff2eccff82b88;
+constexpr std::uint64_t kObservationsHash = 0x0180b0c3434aab6d;
+constexpr std::uint64_t kSelectorHash = 0xdb225406bba9b5f1;
+constexpr std::uint64_t kPairwiseHash = 0x30ea627543520024;
 constexpr std::uint64_t kPosesHash = 0xf351ae43a1882b31;
 
 constexpr const char* kAdvice =

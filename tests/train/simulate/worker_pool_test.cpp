@@ -40,7 +40,7 @@ Outcome run(std::uint64_t scenarios, int workers,
     });
   }
   LocalMessenger messenger(exchange, 0);
-  ScenarioScheduler ranges({{0, scenarios}}, workers, 64);
+  ScenarioScheduler ranges({{0, scenarios}}, workers, {64});
   Outcome outcome{std::vector<int>(scenarios), 0};
   const auto take = [&](const RangeResult& done) {
     EXPECT_EQ(done.trials.size(), done.range.count);
