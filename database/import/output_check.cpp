@@ -32,9 +32,8 @@ bool is_same_file(const struct stat& a, const struct stat& b) {
 
 /// Returns the first bytes of a file; none if it cannot be read.
 std::string opening_of(const std::string& path) {
-  constexpr std::size_t kOpeningSize = std::size_t{1} << 16;
   std::string bytes;
-  static_cast<void>(read_first_bytes(path, kOpeningSize, bytes));
+  static_cast<void>(read_first_bytes(path, kFileOpening, bytes));
   return bytes;
 }
 
@@ -43,7 +42,7 @@ bool holds(const std::string& input, const std::string& output, const struct sta
   const std::optional<struct stat> there = status_of(input);
   if (!there) return false;
   if (!S_ISDIR(there->st_mode)) return is_same_file(*there, about);
-  if (file_kind_of(opening_of(output)) != FileKind::bvh) return false;
+  if (!holds_motion(file_kind_of(opening_of(output)))) return false;
   std::error_code ignored;
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(
            input, fs::directory_options::skip_permission_denied, ignored)) {

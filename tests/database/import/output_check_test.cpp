@@ -81,8 +81,10 @@ TEST_F(OutputCheck, AnInputIsRefusedByWhateverNameEvenIfForced) {
 TEST_F(OutputCheck, AnInputFolderStandsForItsMotionCaptureAlone) {
   fs::create_directories(folder_ / "mocap/walks");
   const std::string take = folder_.write("mocap/walks/a.bvh", "HIERARCHY\n");
+  const std::string scene = folder_.write("mocap/a.glb", "glTF...");
   const std::string library = folder_.write("mocap/a.flinchlib", "FLINCHL...");
   EXPECT_THAT(forced(take, {folder_ / "mocap"}), HasSubstr("an input"));
+  EXPECT_THAT(forced(scene, {folder_ / "mocap"}), HasSubstr("an input"));
   EXPECT_EQ(refusal(library, {folder_ / "mocap"}), "");
 }
 
