@@ -13,7 +13,7 @@
 #include "database/import/manifest.h"
 #include "database/import/plausibility.h"
 #include "database/import/source_file.h"
-#include "database/library/text_check.h"
+#include "database/import/text_encoding.h"
 #include "motion/error.h"
 #include "motion/mirror.h"
 
@@ -142,7 +142,7 @@ void add_clip(const ManifestEntry& entry, const LoadedSource& loaded, const moti
   clip.name = entry.name;
   clip.purpose = entry.purpose;
   clip.kind = entry.kind;
-  clip.source = printable(entry.file);
+  clip.source = printable_text(entry.file);
   clip.motion = retarget(loaded.motion, skeleton, segment, library.rate_hz);
   if (entry.annotation) {
     clip.annotation =
@@ -248,7 +248,7 @@ std::vector<FoundFile> find_files(const std::vector<std::string>& paths) {
 
 ManifestEntry whole_file(const FoundFile& file) {
   ManifestEntry entry;
-  entry.name = printable(file.name);
+  entry.name = printable_text(file.name);
   entry.file = file.path;
   entry.where = file.path;
   return entry;
@@ -271,7 +271,7 @@ ImportResult import_without_manifest(const std::vector<std::string>& paths,
   }
   SourceSet sources;
   Manifest manifest;
-  manifest.name = printable(fs::path(paths.front()).filename().replace_extension().string());
+  manifest.name = printable_text(fs::path(paths.front()).filename().replace_extension().string());
   if (manifest.name.empty()) manifest.name = "library";
   std::vector<std::string> entry_paths;
   std::vector<SkippedFile> skipped;

@@ -7,9 +7,9 @@
 
 #include "database/import/file_io.h"
 #include "database/import/file_kind.h"
+#include "database/import/text_encoding.h"
 #include "database/library/library_file.h"
 #include "database/library/library_layout.h"
-#include "database/library/text_check.h"
 #include "library_generated.h"
 #include "motion/error.h"
 
@@ -93,14 +93,14 @@ std::size_t poses_in(const ClipLibrary& library) {
 
 std::string text_of(const ClipLibrary& library, const LibraryFault& fault) {
   if (!fault.clip) return fault.what;
-  return "clip " + std::to_string(*fault.clip) + " (" + printable(library.clips[*fault.clip].name) +
-         ") " + fault.what;
+  return "clip " + std::to_string(*fault.clip) + " (" +
+         printable_text(library.clips[*fault.clip].name) + ") " + fault.what;
 }
 
 }  // namespace
 
 std::string library_bytes(const ClipLibrary& library) {
-  const std::string where = "library " + printable(library.name);
+  const std::string where = "library " + printable_text(library.name);
   if (const auto fault = fault_of(library)) {
     throw Error(where, "cannot be written: " + text_of(library, *fault));
   }
