@@ -330,7 +330,13 @@ void JointTree::propagate(std::span<const BodyImpulse> body_impulses,
     own[link.parent] = sum(own[link.parent], moved_to(to_parent, -link.joint_to_joint));
   }
   propagated.root_impulse = to_vector(own[Body::pelvis]);
-  propagated.root_velocity_change = root_inverse_inertia_ * propagated.root_impulse;
+  // The rows of a ball on the ground pass on nothing, also before the first step has set the
+  // inertia.
+  if (propagated.chain == 0) {
+    propagated.root_velocity_change.setZero();
+  } else {
+    propagated.root_velocity_change = root_inverse_inertia_ * propagated.root_impulse;
+  }
 }
 
 double JointTree::inverse_inertia_product(const PropagatedImpulse& first,

@@ -3,6 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <new>
 #include <random>
 
 #include "motion/rotation.h"
@@ -263,6 +267,23 @@ TEST_F(TreeSceneTest, FiguresInContactMatchOde) {
     EXPECT_EQ(tree.solver_messages(), 0);
   }
   EXPECT_GT(rubbed, 300);
+}
+
+// The joints have no inertia before the first step, so nothing may be multiplied by it.
+TEST_F(TreeSceneTest, ABallAloneBouncesBeforeTheFirstStepWhateverWasInMemory) {
+  alignas(TreeScene) std::array<std::byte, sizeof(TreeScene)> memory;
+  memory.fill(std::byte{0xff});  // not-a-numbers
+  features::Ball ball;
+  ball.position = {2, 0, ball.radius};
+  ball.velocity = {0, 0, -4};
+  const ReferenceState start = state_at_rest(figure_model_.skeleton, figure_model_.model,
+                                             scenes::standing(figure_model_.skeleton));
+  auto* scene = new (memory.data()) TreeScene(figure_model_, start, &ball, 9.81);
+  scene->clear_contacts();
+  scene->add_bounce(0.7);
+  scene->step_ball(0.001);
+  EXPECT_NEAR(scene->flight()->velocity.z(), 0.7 * 4, 0.02);
+  std::destroy_at(scene);
 }
 
 }  // namespace
