@@ -81,6 +81,7 @@ inline TrainingSet with_costs(TrainingSet set, std::uint64_t seed) {
   for (int i = 0; i < set.size(); ++i) {
     const ClipMask& allowed = set.allowed_clips(i);
     int best = -1;
+    float best_cost = 0;
     for (std::size_t clip = 0; clip < set.clip_count(); ++clip) {
       double height = 3;
       for (std::size_t f = 0; f < planes[clip].size(); ++f) {
@@ -88,9 +89,9 @@ inline TrainingSet with_costs(TrainingSet set, std::uint64_t seed) {
       }
       set.cost.push_back(allowed[clip] ? static_cast<float>(height * height / 10)
                                        : std::numeric_limits<float>::infinity());
-      if (allowed[clip] &&
-          (best < 0 || set.cost.back() < set.costs(i)[static_cast<std::size_t>(best)])) {
+      if (allowed[clip] && (best < 0 || set.cost.back() < best_cost)) {
         best = static_cast<int>(clip);
+        best_cost = set.cost.back();
       }
     }
     set.label[static_cast<std::size_t>(i)] = best;
