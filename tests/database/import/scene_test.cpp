@@ -12,6 +12,7 @@
 #include "motion/rotation.h"
 #include "tests/database/import/fbx_text.h"
 #include "tests/database/import/synthetic_figure.h"
+#include "tests/scenes/allow_leaks.h"
 #include "tests/scenes/error_of.h"
 #include "tests/scenes/temporary_folder.h"
 
@@ -24,6 +25,7 @@ using Eigen::Vector3d;
 using motion::Role;
 using testing::HasSubstr;
 using testing::StartsWith;
+using tests::AllowLeaks;
 using tests::error_of;
 using tests::fbx_text;
 using tests::FbxSettings;
@@ -155,6 +157,7 @@ TEST(Scene, FilesThatAreCutOrWrongAreRefusedInOneLine) {
   const TemporaryFolder folder;
   const auto refusal_of = [&](const std::string& name, const std::string& bytes) {
     const std::string path = folder.write(name, bytes);
+    const AllowLeaks allow_leaks;  // Assimp 5.2.5 keeps what it has parsed of a cut FBX file
     const std::string error = error_of([&] { read_source_file(path); });
     EXPECT_THAT(error, StartsWith(path + ": ")) << name;
     EXPECT_EQ(error.find('\n'), std::string::npos) << error;
