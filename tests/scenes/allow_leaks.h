@@ -20,8 +20,12 @@ namespace flinch::tests {
 class AllowLeaks {
  public:
 #ifdef FLINCH_LEAKS_ARE_FOUND
-  AllowLeaks() { __lsan_disable(); }
-  ~AllowLeaks() { __lsan_enable(); }
+  AllowLeaks() {
+    __lsan_disable();
+  }
+  ~AllowLeaks() {
+    __lsan_enable();
+  }
 #else
   AllowLeaks() {}
   ~AllowLeaks() {}
