@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#if defined(__has_feature)
+// GCC has the first, Clang the second, which other headers define for GCC as false.
+#if defined(__SANITIZE_ADDRESS__)
+#define FLINCH_LEAKS_ARE_FOUND
+#elif defined(__has_feature)
 #if __has_feature(address_sanitizer)
 #define FLINCH_LEAKS_ARE_FOUND
 #endif
-#elif defined(__SANITIZE_ADDRESS__)
-#define FLINCH_LEAKS_ARE_FOUND
 #endif
 
 #ifdef FLINCH_LEAKS_ARE_FOUND
