@@ -32,8 +32,11 @@ class Encounter {
 
   /// Starts anew at `time_s` as a new object would, without allocating: from the figure's state
   /// `start`, with this ball or, if it is null, none.
-  void restart(double time_s, const motion::PerBody<BodyState>& start,
-               const features::Ball* ball) requires std::same_as<Scene, TreeScene> {
+  ///
+  /// A template, since Clang 14 instantiates a constrained member of a class all the same.
+  template <class OfScene = Scene>
+  requires std::same_as<OfScene, TreeScene>
+  void restart(double time_s, const motion::PerBody<BodyState>& start, const features::Ball* ball) {
     body_contacts_.restart();
     scene_.restart(start, ball);
     impulse_ = {};
