@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "motion/rotation.h"
+#include "sim/contact/bouncing_ball.h"
 #include "sim/figure/figure_rows.h"
 
 namespace flinch::lookahead {
@@ -22,38 +23,6 @@ constexpr double kNearAcceleration_mps2 = 100;
 constexpr double kClearDistance_m = 0.05;
 // No clip moves the pelvis faster; the fastest dodges reach 3 m/s.
 constexpr double kMaxPelvisSpeed_mps = 6;
-
-/// A ball's path on from a given time, bouncing off the ground without spin.
-class BouncingBall {
- public:
-  BouncingBall(const features::Ball& ball, double time_s, double restitution)
-      : ball_(ball), time_s_(time_s), restitution_(restitution) {}
-
-  const features::Ball& at(double time_s) {
-    while (const auto bounce =
-               features::time_of_bounce(ball_, time_s - time_s_, sim::kContactDistance_m)) {
-      advance(*bounce);
-      if (-ball_.velocity.z() <= sim::kMinBounceSpeed_mps) {
-        ball_.velocity.z() = 0;
-        ball_.gravity_mps2 = 0;
-      } else {
-        ball_.velocity.z() *= -restitution_;
-      }
-    }
-    advance(time_s - time_s_);
-    return ball_;
-  }
-
- private:
-  void advance(double by_s) {
-    ball_ = ball_.at(by_s);
-    time_s_ += by_s;
-  }
-
-  features::Ball ball_;
-  double time_s_;
-  double restitution_;
-};
 
 /// Whether the ball comes within `distance_m` of a part within `horizon_s`, if the part keeps its
 /// velocity to within `slack_mps2`.
@@ -135,7 +104,7 @@ std::optional<std::size_t> ResponseTrial::first_near_step(const features::Ball& 
 bool ResponseTrial::stays_clear(const features::Ball& ball, double now_s, double time_s,
                                 double until_s) {
   const double step_s = options_.free_step_s;
-  BouncingBall bouncing(ball, now_s, options_.restitution);
+  sim::BouncingBall bouncing(ball, now_s, options_.restitution);
   while (time_s < until_s) {
     const features::Ball& there = bouncing.at(time_s);
     const double distance_m = distance_to_reach_m(there, time_s) - kClearDistance_m;

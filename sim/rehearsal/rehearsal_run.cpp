@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "sim/contact/bouncing_ball.h"
 #include "sim/encounter/encounter.h"
 #include "sim/figure/figure_rows.h"
 #include "sim/rehearsal/first_contact.h"
@@ -16,43 +17,11 @@ using motion::Body;
 // bounced ball from its predicted path.
 constexpr double kClearDistance_m = 0.05;
 
-/// Path of a ball from a given time on, bouncing off the ground without spin.
-class BouncingFlight {
- public:
-  BouncingFlight(const features::Ball& ball, double time_s, double restitution)
-      : ball_(ball), time_s_(time_s), restitution_(restitution) {}
-
-  features::Ball at(double time_s) {
-    while (const auto bounce =
-               features::time_of_bounce(ball_, time_s - time_s_, kContactDistance_m)) {
-      advance(*bounce);
-      if (-ball_.velocity.z() <= kMinBounceSpeed_mps) {
-        ball_.velocity.z() = 0;
-        ball_.gravity_mps2 = 0;
-      } else {
-        ball_.velocity.z() *= -restitution_;
-      }
-    }
-    advance(time_s - time_s_);
-    return ball_;
-  }
-
- private:
-  void advance(double by_s) {
-    ball_ = ball_.at(by_s);
-    time_s_ += by_s;
-  }
-
-  features::Ball ball_;
-  double time_s_;
-  double restitution_;
-};
-
 /// Whether a ball stays clear of the undisturbed figure from `time_s` on.
 bool stays_clear(const FigureModel& figure_model, const SimulationOptions& options,
                  const Rehearsal::Track& track, const features::Ball& ball, double now_s,
                  double time_s) {
-  BouncingFlight bouncing(ball, now_s, options.restitution);
+  BouncingBall bouncing(ball, now_s, options.restitution);
   const auto first =
       std::upper_bound(track.step_begins_s.begin(), track.step_begins_s.end(), time_s);
   auto step = static_cast<std::size_t>(first - track.step_begins_s.begin()) - 1;
