@@ -43,10 +43,9 @@ class Tournament {
   Standing next() {
     std::size_t best = player_of(first());
     for (int rival = first_not_met_by(best); rival < kOut; rival = first_not_met_by(best)) {
-      // Losses only grow, so a leader that does not lose stays first.
-      if (!wins_against(best, player_of(rival))) best = player_of(first());
+      best = play_from(best, rival);
     }
-    const int losses = standing_[best] / kLoss;
+    const int losses = losses_of(standing_[best]);
     standing_[best] += kOut;
     return {best, count() - 1 - static_cast<std::size_t>(losses)};
   }
@@ -57,6 +56,7 @@ class Tournament {
 
   std::size_t count() const { return standing_.size(); }
   static std::size_t player_of(int standing) { return static_cast<std::size_t>(standing % kLoss); }
+  static int losses_of(int standing) { return standing / kLoss; }
 
   int first() const {
     int lowest = standing_.front();
@@ -73,6 +73,20 @@ class Tournament {
       lowest = std::min(lowest, standing_[other] + met[other] * kOut);
     }
     return lowest;
+  }
+
+  /// Plays the leader against `rival` and, by ascending number, against every other unmet player
+  /// with as many losses, until the leader is overtaken. Returns the leader after that.
+  std::size_t play_from(std::size_t leader, int rival) {
+    for (std::size_t other = player_of(rival); other < count(); ++other) {
+      if (losses_of(standing_[other]) != losses_of(rival) || played_[leader * count() + other]) {
+        continue;
+      }
+      // Losses only grow, so a leader that does not lose stays first.
+      if (wins_against(leader, other)) continue;
+      if (const std::size_t best = player_of(first()); best != leader) return best;
+    }
+    return leader;
   }
 
   /// Plays a game that has not been played yet.
