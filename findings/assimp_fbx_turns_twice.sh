@@ -100,19 +100,21 @@ int main() {
   for (const char* file : {"plain.fbx", "pre.fbx", "post.fbx"}) {
     const Limb helpers = read(file, true);
     const Limb single = read(file, false);
-    std::printf("%s: keys of the rest pose turn it by %.0f degrees, without helper nodes by %.0f; "
-                "rest poses are %.0f apart\n", file, degrees_between(helpers.at_rest, helpers.animated),
+    std::printf("%s: keys of the rest pose turn it by %.0f, without helpers by %.0f; "
+                "rest poses are %.0f degrees apart\n",
+                file, degrees_between(helpers.at_rest, helpers.animated),
                 degrees_between(single.at_rest, single.animated),
                 degrees_between(helpers.at_rest, single.at_rest));
   }
 }
 CPP
-g++ -I usr/include turn.cpp -o turn -L "$library" -lassimp -Wl,--unresolved-symbols=ignore-in-shared-libs
+g++ -I usr/include turn.cpp -o turn -L "$library" -lassimp \
+  -Wl,--unresolved-symbols=ignore-in-shared-libs
 write 0 0 >plain.fbx
 write 90 0 >pre.fbx
 write 0 90 >post.fbx
 LD_LIBRARY_PATH=$library ./turn | tee seen
-printf '%s: keys of the rest pose turn it by %s degrees, without helper nodes by %s; rest poses are %s apart\n' \
+printf '%s: keys of the rest pose turn it by %s, without helpers by %s; rest poses are %s degrees apart\n' \
   plain.fbx 0 0 0 pre.fbx 90 0 0 post.fbx 90 0 180 | cmp -s - seen || {
   echo "the behaviour has changed" >&2
   exit 1

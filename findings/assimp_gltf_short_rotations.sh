@@ -67,11 +67,13 @@ int main(int, char** files) {
       const aiQuaternion& q = channel.mRotationKeys[i].mValue;
       unit += std::abs(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z - 1) < 1e-3F;
     }
-    std::printf("%s: %u keys, %d of them unit quaternions\n", *files, channel.mNumRotationKeys, unit);
+    std::printf("%s: %u keys, %d of them unit quaternions\n", *files, channel.mNumRotationKeys,
+                unit);
   }
 }
 CPP
-g++ -I usr/include read.cpp -o read -L "$library" -lassimp -Wl,--unresolved-symbols=ignore-in-shared-libs
+g++ -I usr/include read.cpp -o read -L "$library" -lassimp \
+  -Wl,--unresolved-symbols=ignore-in-shared-libs
 node write.js
 node node_modules/gltfpack/cli.js -i turn.gltf -o packed.glb
 {

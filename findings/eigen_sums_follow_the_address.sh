@@ -7,8 +7,8 @@
 # their address is. mean() likewise.
 # Seen: what lies before the first aligned address is added last and by itself, so a shift by a few
 # bytes deals the numbers to the four lanes in another way. The sums of 1001 floats at the eight
-# places of a 32-byte line, in one program, have more than one value. A Map over data that another library
-# allocated, or a segment, can so change its last bits from run to run. dot() does not.
+# places of a 32-byte line, in one program, have more than one value. A Map over data that another
+# library allocated, or a segment, can so change its last bits from run to run. dot() does not.
 # Flinch: sums that decide what a file holds are in Flinch's own fixed order.
 set -eu
 folder=$(mktemp -d)

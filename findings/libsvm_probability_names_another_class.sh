@@ -6,7 +6,7 @@
 # Expected: -b 1 prints probabilities beside the answers, and the answers stay those of the machine
 # that was fitted.
 # Seen: the answer becomes the class of the greatest probability. The probabilities are fitted by
-# sigmoids to decision values of another cross-validation, and coupled over pairs, so they need not
+# sigmoids to decision values of a cross-validation, and coupled over pairs, so they need not
 # agree with the votes. For 3 of 60 training points the class changes, and so does the accuracy that
 # is printed.
 # Flinch: trains without probabilities and answers by votes.

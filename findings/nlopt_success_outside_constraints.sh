@@ -6,7 +6,7 @@
 # Expected: minimising x^2 + y^2 where x is to be at least 1 and at most -1 ends with a negative code,
 # which is what NLopt calls an error, or the result can be told from a solution by its code.
 # Seen: MMA, CCSA and COBYLA return NLOPT_XTOL_REACHED (4), a success, with a point that misses a
-# constraint by 1 where 1e-8 was allowed. The codes speak of the stopping criterion only. The value
+# constraint by 1 or more where 1e-8 was allowed. The codes speak of the stopping criterion only. The value
 # returned is that of the point, so nothing of it shows. SLSQP alone answers with an error here.
 # Flinch: does not use it. Who does evaluates the constraints at the result.
 set -eu
