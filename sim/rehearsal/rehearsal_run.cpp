@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "sim/contact/bouncing_ball.h"
-#include "sim/encounter/encounter.h"
 #include "sim/figure/figure_rows.h"
 #include "sim/rehearsal/first_contact.h"
 
@@ -47,49 +46,62 @@ bool stays_clear(const FigureModel& figure_model, const SimulationOptions& optio
 
 }  // namespace
 
-SimulationResult run_rehearsed(const FigureModel& figure_model, const SimulationOptions& options,
-                               const Rehearsal::Track& track, const features::Ball& ball) {
-  SimulationResult result;
-  const auto contact = first_contact(figure_model, track, ball);
+RehearsalRun::RehearsalRun(const FigureModel& figure_model, const SimulationOptions& options)
+    : figure_model_(figure_model),
+      options_(options),
+      encounter_(figure_model, options, 0, figure_model, motion::PerBody<BodyState>{}, nullptr,
+                 options.gravity_mps2) {}
+
+bool RehearsalRun::start(const Rehearsal::Track& track, const features::Ball& ball) {
+  track_ = &track;
+  result_ = {};
+  const auto contact = first_contact(figure_model_, track, ball);
   if (!contact) {
-    result.skipped = true;
-    return result;
+    result_.skipped = true;
+    return false;
   }
   const features::Ball then = ball.at(contact->time_s);
-  const auto start = [&] {
-    return Encounter<TreeScene>(figure_model, options, contact->time_s, figure_model,
-                                contact->figure, &then, options.gravity_mps2);
-  };
-  const auto leaves = [&](const Encounter<TreeScene>& encounter, double time_s) {
-    return stays_clear(figure_model, options, track, *encounter.scene().flight(),
-                       encounter.time_s(), time_s);
-  };
   if (contact->is_bounce) {
-    Encounter<TreeScene> bounce = start();
-    bounce.step_ball_alone();
-    if (leaves(bounce, bounce.time_s())) {
-      result.skipped = true;
-      return result;
+    encounter_.restart(contact->time_s, contact->figure, &then);
+    encounter_.step_ball_alone();
+    if (leaves(encounter_.time_s())) {
+      result_.skipped = true;
+      return false;
     }
   }
-  Encounter<TreeScene> encounter = start();
-  ReferenceState now = track.reference.at(contact->time_s);
-  while (encounter.time_s() < track.duration_s) {
-    const double time_s = encounter.time_s();
-    const double step_s = encounter.begin_step(now, track.duration_s - time_s);
-    if (step_s >= options.free_step_s && !encounter.may_collide_again() &&
-        !encounter.may_touch(step_s) && leaves(encounter, time_s + step_s)) {
-      break;
-    }
-    const ReferenceState target = track.reference.at(time_s + step_s);
-    const bool is_whole = encounter.end_step(now, target, step_s) >= step_s;
-    now = is_whole ? target : track.reference.at(encounter.time_s());
-    ++result.steps;
+  encounter_.restart(contact->time_s, contact->figure, &then);
+  now_ = track.reference.at(contact->time_s);
+  return begin_step();
+}
+
+/// Begins a step, or completes the result if there is none to take.
+bool RehearsalRun::begin_step() {
+  const double time_s = encounter_.time_s();
+  const double left_s = track_->duration_s - time_s;
+  if (left_s > 0) {
+    step_s_ = encounter_.begin_step(now_, left_s);
+    const bool is_over = step_s_ >= options_.free_step_s && !encounter_.may_collide_again() &&
+                         !encounter_.may_touch(step_s_) && leaves(time_s + step_s_);
+    if (!is_over) return true;
   }
-  result.impulse = encounter.impulse();
-  result.first_contact_s = encounter.first_contact_s();
-  result.solver_messages = encounter.scene().solver_messages();
-  return result;
+  result_.impulse = encounter_.impulse();
+  result_.first_contact_s = encounter_.first_contact_s();
+  result_.solver_messages = encounter_.scene().solver_messages();
+  return false;
+}
+
+bool RehearsalRun::step() {
+  const ReferenceState target = track_->reference.at(encounter_.time_s() + step_s_);
+  const bool is_whole = encounter_.end_step(now_, target, step_s_) >= step_s_;
+  now_ = is_whole ? target : track_->reference.at(encounter_.time_s());
+  ++result_.steps;
+  return begin_step();
+}
+
+/// Whether the ball stays clear of the undisturbed figure from `time_s` on.
+bool RehearsalRun::leaves(double time_s) const {
+  return stays_clear(figure_model_, options_, *track_, *encounter_.scene().flight(),
+                     encounter_.time_s(), time_s);
 }
 
 }  // namespace flinch::sim

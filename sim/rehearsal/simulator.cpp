@@ -24,8 +24,20 @@ Rehearsal Simulator::rehearse(const motion::Motion& reference, double from_s,
                                                       from_s, duration_s));
 }
 
+std::vector<SimulationResult> Simulator::simulate(std::span<const Throw> throws) const {
+  std::vector<SimulationResult> results;
+  results.reserve(throws.size());
+  RehearsalRun run(setup_->figure, setup_->options);
+  for (const auto& [rehearsal, ball] : throws) {
+    for (bool goes_on = run.start(rehearsal.track(), ball); goes_on;) goes_on = run.step();
+    results.push_back(run.result());
+  }
+  return results;
+}
+
 SimulationResult Simulator::simulate(const Rehearsal& rehearsal, const features::Ball& ball) const {
-  return run_rehearsed(setup_->figure, setup_->options, rehearsal.track(), ball);
+  const Throw one{rehearsal, ball};
+  return simulate({&one, 1}).front();
 }
 
 }  // namespace flinch::sim

@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <cmath>
 #include <exception>
+#include <memory>
 #include <mutex>
+#include <span>
 
 namespace flinch::train {
 
@@ -38,7 +40,7 @@ struct TrialTask {
   std::size_t trial = 0;
 };
 
-/// Tasks that one thread does one after the other.
+/// Tasks that one thread does together.
 using TaskGroup = std::span<const TrialTask>;
 
 std::vector<TrialTask> tasks_of(const SimulationSetup& setup,
@@ -54,15 +56,20 @@ std::vector<TrialTask> tasks_of(const SimulationSetup& setup,
   return tasks;
 }
 
-/// Groups the tasks by response, with a limit on a group's size so that no thread has a long group
-/// left at the end.
-std::vector<TaskGroup> groups_of(const std::vector<TrialTask>& tasks) {
-  constexpr std::size_t kMaxGroupSize = 64;
+/// Groups the tasks, which are sorted by response, so that simulations can share what they need
+/// once: whole responses, as many as make up kMinGroupSize tasks. A response is divided only where
+/// it has more than kMaxResponseSize, so that no thread has much left to do at the end.
+std::vector<TaskGroup> groups_of(std::span<const TrialTask> tasks) {
+  constexpr std::ptrdiff_t kMinGroupSize = 16;
+  constexpr std::ptrdiff_t kMaxResponseSize = 64;
   std::vector<TaskGroup> groups;
   for (auto first = tasks.begin(); first != tasks.end();) {
-    const auto limit = first + std::min<std::ptrdiff_t>(kMaxGroupSize, tasks.end() - first);
-    const auto end =
-        std::find_if(first, limit, [&](const TrialTask& task) { return task.key != first->key; });
+    auto end = first;
+    while (end != tasks.end() && end - first < kMinGroupSize) {
+      const ResponseKey& key = end->key;
+      const auto limit = end + std::min(kMaxResponseSize, tasks.end() - end);
+      end = std::find_if(end, limit, [&](const TrialTask& task) { return task.key != key; });
+    }
     groups.emplace_back(first, end);
     first = end;
   }
@@ -85,24 +92,50 @@ class TrialRunner {
   bool stopped() const { return context_.stop != nullptr && *context_.stop; }
 
   void run_group(TaskGroup group, ThreadTotals& totals) const {
+    if (setup_.plan.unabridged) {
+      run_unabridged(group, totals);
+    } else {
+      run_rehearsed(group, totals);
+    }
+  }
+
+ private:
+  void run_unabridged(TaskGroup group, ThreadTotals& totals) const {
     const double begin_s = context_.cpu_s();
-    const auto response = setup_.plan.unabridged ? nullptr : response_of(group.front().key);
-    const double rehearsed_s = context_.cpu_s();
     for (const TrialTask& task : group) {
       if (stopped()) return;
-      Observation& observation = observations_[task.observation];
-      Trial& trial = observation.trials[task.trial];
-      const TrialResult result = response
-                                     ? try_rehearsed(setup_, observation.scenario, *response)
-                                     : try_unabridged(setup_, observation.scenario, trial.clip);
-      trial = result.trial;
-      totals.counts.add(result.simulated);
+      const int clip = trial_of(task).clip;
+      take(task, try_unabridged(setup_, observations_[task.observation].scenario, clip), totals);
     }
+    totals.cpu.contact_s += context_.cpu_s() - begin_s;
+  }
+
+  void run_rehearsed(TaskGroup group, ThreadTotals& totals) const {
+    const double begin_s = context_.cpu_s();
+    std::vector<std::shared_ptr<const RehearsedResponse>> responses;
+    std::vector<RehearsedTrial> trials;
+    for (const TrialTask& task : group) {
+      if (stopped()) return;
+      if (responses.empty() || responses.back()->key != task.key)
+        responses.push_back(response_of(task.key));
+      trials.push_back({observations_[task.observation].scenario, *responses.back()});
+    }
+    const double rehearsed_s = context_.cpu_s();
+    const std::vector<TrialResult> results = try_rehearsed(setup_, trials);
+    for (std::size_t i = 0; i < group.size(); ++i) take(group[i], results[i], totals);
     totals.cpu.rehearsing_s += rehearsed_s - begin_s;
     totals.cpu.contact_s += context_.cpu_s() - rehearsed_s;
   }
 
- private:
+  Trial& trial_of(const TrialTask& task) const {
+    return observations_[task.observation].trials[task.trial];
+  }
+
+  void take(const TrialTask& task, const TrialResult& result, ThreadTotals& totals) const {
+    trial_of(task) = result.trial;
+    totals.counts.add(result.simulated);
+  }
+
   std::shared_ptr<const RehearsedResponse> response_of(const ResponseKey& key) const {
     if (auto kept = rehearsals_.find(key)) return kept;
     auto response = std::make_shared<const RehearsedResponse>(rehearse(setup_, key));

@@ -142,13 +142,24 @@ RehearsedResponse rehearse(const SimulationSetup& setup, const ResponseKey& key)
           static_cast<float>(simulated_motion.work_j)};
 }
 
-TrialResult try_rehearsed(const SimulationSetup& setup, const features::Scenario& scenario,
-                          const RehearsedResponse& response) {
-  const float rehearsed_s = time_to_impact_s(setup.plan.distribution, response.key.cell.time);
-  const double later_s = double{scenario.time_to_impact_s} - double{rehearsed_s};
-  const features::Ball ball = ball_of(scenario.threat, setup.plan.options.gravity_mps2).at(later_s);
-  return trial_result(response.key.clip, double{response.work_j},
-                      setup.simulator.simulate(response.rehearsal, ball));
+std::vector<TrialResult> try_rehearsed(const SimulationSetup& setup,
+                                       std::span<const RehearsedTrial> trials) {
+  std::vector<sim::Throw> throws;
+  throws.reserve(trials.size());
+  for (const auto& [scenario, response] : trials) {
+    const float rehearsed_s = time_to_impact_s(setup.plan.distribution, response.key.cell.time);
+    const double later_s = double{scenario.time_to_impact_s} - double{rehearsed_s};
+    throws.push_back({response.rehearsal,
+                      ball_of(scenario.threat, setup.plan.options.gravity_mps2).at(later_s)});
+  }
+  const std::vector<sim::SimulationResult> simulated = setup.simulator.simulate(throws);
+  std::vector<TrialResult> results;
+  results.reserve(trials.size());
+  for (std::size_t i = 0; i < trials.size(); ++i) {
+    const RehearsedResponse& response = trials[i].response;
+    results.push_back(trial_result(response.key.clip, double{response.work_j}, simulated[i]));
+  }
+  return results;
 }
 
 double reference_work_j(const SimulationSetup& setup, int clip) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "database/library/library.h"
@@ -74,10 +75,17 @@ struct RehearsedResponse {
 
 RehearsedResponse rehearse(const SimulationSetup& setup, const ResponseKey& key);
 
-/// Returns the trial of a scenario whose response with `response.key.clip` is the same as this one
-/// relative to the impact. The threat starts from where it is when the rehearsed response starts.
-TrialResult try_rehearsed(const SimulationSetup& setup, const features::Scenario& scenario,
-                          const RehearsedResponse& response);
+/// A scenario, and its response with one clip or, the same relative to the impact, one to a shorter
+/// time.
+struct RehearsedTrial {
+  const features::Scenario& scenario;
+  const RehearsedResponse& response;
+};
+
+/// Returns the trial of each scenario with its response. The threat starts from where it is when
+/// the rehearsed response starts.
+std::vector<TrialResult> try_rehearsed(const SimulationSetup& setup,
+                                       std::span<const RehearsedTrial> trials);
 
 /// Returns the work of a clip's response with unlimited time, J: started at once from the idle
 /// clip's start and played at its own rate. 0 for the idle clip.

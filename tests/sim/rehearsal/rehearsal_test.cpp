@@ -196,6 +196,27 @@ TEST_F(RehearsalTest, IsDeterministicOnConcurrentThreads) {
   scenes::expect_same_bits_on_threads(run);
 }
 
+// Of several rehearsals, and among balls that bounce first or miss.
+TEST_F(RehearsalTest, ManyThrowsHaveTheBitsOfEachAlone) {
+  const auto rehearsed = rehearsals();
+  std::vector<Throw> throws;
+  for (const scenes::Hit& hit : balls(120, 16)) {
+    throws.push_back({rehearsed[hit.motion], hit.ball});
+  }
+  const std::vector<SimulationResult> together = simulator_.simulate(throws);
+  ASSERT_EQ(together.size(), throws.size());
+  int hits = 0;
+  int misses = 0;
+  for (std::size_t i = 0; i < throws.size(); ++i) {
+    const SimulationResult alone = simulator_.simulate(throws[i].rehearsal, throws[i].ball);
+    scenes::expect_same_bits(alone, together[i]);
+    EXPECT_EQ(alone.skipped, together[i].skipped);
+    ++(alone.steps > 0 ? hits : misses);
+  }
+  EXPECT_GT(hits, 60);
+  EXPECT_GT(misses, 5);
+}
+
 TEST_F(RehearsalTest, LaterStartGivesTheSameBitsInLessMemory) {
   const auto whole = rehearsals();
   const auto late = rehearsals(0.25);

@@ -177,7 +177,8 @@ TEST(SharedTrials, MatchFullSimulations) {
     for (const int clip : {posed.trials.front().clip, posed.trials.back().clip}) {
       const RehearsedResponse shared = rehearse(setup, setup.responses.key_of(clip, cell));
       const Trial slow = try_clip(setup, posed.scenario, clip);
-      const Trial fast = try_rehearsed(setup, posed.scenario, shared).trial;
+      const RehearsedTrial rehearsed{posed.scenario, shared};
+      const Trial fast = try_rehearsed(setup, {&rehearsed, 1}).front().trial;
       EXPECT_NEAR(slow.work_j, fast.work_j, 1e-3F * slow.work_j);
       close += difference(slow, fast) < 0.005 ? 1 : 0;
       ++compared;
