@@ -47,10 +47,6 @@ struct SimulationSetup {
 /// Returns scenario `number` with its features, without trials.
 Observation make_observation(const SimulationSetup& setup, std::uint64_t number);
 
-/// Returns the clips to try on a threat at this target: the allowed clips and the idle clip, in
-/// ascending order.
-std::vector<int> clips_to_try(const database::ClipLibrary& library, motion::Target threatened);
-
 /// A trial and the result of its simulation.
 struct TrialResult {
   Trial trial;

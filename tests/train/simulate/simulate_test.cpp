@@ -6,6 +6,7 @@
 
 #include <thread>
 
+#include "lookahead/oracle/oracle.h"
 #include "motion/error.h"
 #include "runtime/response/response.h"
 #include "tests/scenes/error_of.h"
@@ -20,7 +21,7 @@ TEST(ClipsToTry, AreTheAllowedClipsAndTheIdleClip) {
   database::ClipLibrary library = scenes::synthetic_library();
   library.clips[2].annotation.reset();
   std::vector<std::string> names;
-  for (const int clip : clips_to_try(library, motion::Target::head))
+  for (const int clip : lookahead::clips_to_try(library, motion::Target::head))
     names.push_back(library.clip(clip).name);
   EXPECT_EQ(names, (std::vector<std::string>{"idle", "raise_hands", "turn_shoulder",
                                              "duck_mirrored", "turn_shoulder_mirrored"}));
