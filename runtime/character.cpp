@@ -8,6 +8,7 @@
 #include "features/feature_layout.h"
 #include "features/impact_prediction.h"
 #include "motion/interpolation.h"
+#include "runtime/pose_blend.h"
 #include "runtime/pose_check.h"
 #include "runtime/response/prepared_library.h"
 #include "runtime/selection.h"
@@ -395,19 +396,7 @@ Pose Character::pose_after(float time_s) const noexcept {
 }
 
 Pose Character::pose_over(const Pose& game, const Mask& mask) const noexcept {
-  const auto weight_of = [&mask](Role role) {
-    const float weight = mask.weight * mask.joint[role];
-    return std::isfinite(weight) ? std::clamp(weight, 0.0F, 1.0F) : 0.0F;
-  };
-  const Pose ours = pose();
-  Pose result;
-  result.root_position =
-      game.root_position + weight_of(Role::pelvis) * (ours.root_position - game.root_position);
-  for (Role role : motion::kRoles) {
-    result.rotation[role] =
-        motion::slerp(game.rotation[role], ours.rotation[role], weight_of(role));
-  }
-  return result;
+  return blended(game, pose(), mask);
 }
 
 bool Character::is_responding() const noexcept {

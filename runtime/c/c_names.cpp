@@ -3,10 +3,12 @@
 #include <string_view>
 
 #include "lookahead/look_ahead.h"
+#include "reaction/reaction.h"
 #include "runtime/c/flinch.h"
 #include "runtime/character.h"
 
 namespace motion = flinch::motion;
+namespace reaction = flinch::reaction;
 namespace runtime = flinch::runtime;
 
 namespace {
@@ -52,6 +54,10 @@ const char* flinch_status_message(flinch_status status) {
       return "a weight of the mask is not between 0 and 1";
     case FLINCH_OUT_OF_MEMORY:
       return "there is not enough memory";
+    case FLINCH_NOT_REACTING:
+      return "the character was created without reactions";
+    case FLINCH_SIMULATION_FAILED:
+      return message_of(reaction::ReactionStatus::failed);
     case FLINCH_CANNOT_OPEN:
       return "the file cannot be read";
     case FLINCH_NOT_A_SELECTOR:
@@ -85,6 +91,11 @@ int32_t flinch_joint_parent(int32_t joint) {
   if (!is_below(joint, motion::kRoleCount)) return -1;
   const auto parent = parent_of(static_cast<motion::Role>(joint));
   return parent ? static_cast<std::int32_t>(*parent) : -1;
+}
+
+const char* flinch_body_name(int32_t body) {
+  if (!is_below(body, motion::kBodyCount)) return nullptr;
+  return name_of(static_cast<motion::Body>(body)).data();
 }
 
 const char* flinch_target_name(int32_t target) {

@@ -58,6 +58,25 @@ flinch_status status_of(Status status) noexcept {
   return FLINCH_BAD_HANDLE;
 }
 
+flinch_status status_of(reaction::ReactionStatus status) noexcept {
+  using reaction::ReactionStatus;
+  switch (status) {
+    case ReactionStatus::ok:
+      return FLINCH_OK;
+    case ReactionStatus::bad_time:
+      return FLINCH_BAD_TIME;
+    case ReactionStatus::bad_pose:
+      return FLINCH_BAD_POSE;
+    case ReactionStatus::bad_ball:
+      return FLINCH_BAD_THREAT;
+    case ReactionStatus::not_begun:  // these two cannot happen through the C interface
+    case ReactionStatus::bad_options:
+    case ReactionStatus::failed:
+      break;
+  }
+  return FLINCH_SIMULATION_FAILED;
+}
+
 flinch_status status_of(LoadStatus status) noexcept {
   switch (status) {
     case LoadStatus::ok:
@@ -187,6 +206,37 @@ flinch_skeleton to_c(const motion::Skeleton& skeleton) {
     write(result.offset[index_of(role)], skeleton.offset[role]);
     write(result.tip[index_of(role)], skeleton.tip[role]);
   }
+  return result;
+}
+
+flinch_outline to_c(motion::Body body, const motion::BodyProperties& properties) {
+  flinch_outline result{};
+  const motion::Shape& shape = properties.shape;
+  result.joint = static_cast<std::int32_t>(index_of(role_of(body)));
+  result.is_box = shape.kind == motion::Shape::Kind::box ? 1 : 0;
+  write(result.centre, shape.centre);
+  write(result.orientation, shape.orientation);
+  result.radius = shape.radius;
+  result.half_length = shape.half_length;
+  write(result.half_extents, shape.half_extents);
+  result.mass_kg = properties.mass_kg;
+  write(result.centre_of_mass, properties.centre_of_mass);
+  return result;
+}
+
+flinch_reaction to_c(const reaction::ReactingCharacter& character) {
+  const reaction::Reaction& reaction = character.reaction();
+  flinch_reaction result{};
+  result.phase = static_cast<std::int32_t>(reaction.phase());
+  result.moved_by = static_cast<std::int32_t>(character.pose_source());
+  result.clip = character.reaction_clip().value_or(-1);
+  result.contact_s = static_cast<float>(reaction.contact_s());
+  const features::Ball ball = reaction.ball();
+  write(result.ball_position, ball.position.cast<float>());
+  write(result.ball_velocity, ball.velocity.cast<float>());
+  const motion::PerBody<double> impulse = reaction.impulse();
+  std::ranges::transform(impulse, result.impulse_ns,
+                         [](double part_ns) { return static_cast<float>(part_ns); });
   return result;
 }
 

@@ -5,6 +5,7 @@
 #include "features/threat.h"
 #include "lookahead/look_ahead.h"
 #include "motion/skeleton.h"
+#include "reaction/reacting_character.h"
 #include "runtime/c/flinch.h"
 #include "runtime/character.h"
 
@@ -15,6 +16,7 @@ namespace flinch::runtime {
 
 flinch_status status_of(Status status) noexcept;
 flinch_status status_of(database::LoadStatus status) noexcept;
+flinch_status status_of(reaction::ReactionStatus status) noexcept;
 
 features::Threat threat_of(const flinch_threat& threat);
 PerceptionLimits limits_of(const flinch_perception_limits& limits);
@@ -25,6 +27,8 @@ flinch_perception_limits to_c(const PerceptionLimits& limits);
 flinch_pose to_c(const motion::Pose& pose);
 flinch_joint_frames to_c(const motion::JointFrames& frames);
 flinch_skeleton to_c(const motion::Skeleton& skeleton);
+flinch_outline to_c(motion::Body body, const motion::BodyProperties& properties);
+flinch_reaction to_c(const reaction::ReactingCharacter& character);
 /// The result refers to the clip's strings.
 flinch_clip to_c(const motion::Clip& clip);
 

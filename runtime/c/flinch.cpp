@@ -8,105 +8,33 @@
 #include <new>
 #include <span>
 #include <string>
-#include <type_traits>
 #include <utility>
 
 #include "models/selector.h"
-#include "runtime/c/c_handle.h"
+#include "runtime/c/c_check.h"
+#include "runtime/c/c_objects.h"
 #include "runtime/c/c_struct.h"
 #include "runtime/c/c_values.h"
 #include "runtime/character.h"
 #include "runtime/library.h"
+#include "runtime/pose_blend.h"
 #include "runtime/pose_check.h"
+#include "runtime/response/prepared_library.h"
 #include "runtime/workspace.h"
 
 namespace lookahead = flinch::lookahead;
 namespace motion = flinch::motion;
 namespace runtime = flinch::runtime;
+using runtime::check;
 using runtime::free_handle;
+using runtime::is_index;
+using runtime::make_handle;
 using runtime::read_struct;
 using runtime::status_of;
 using runtime::to_c;
 using runtime::write_struct;
 
-// The library's handle and everything made from it share the library.
-using SharedLibrary = std::shared_ptr<const runtime::Library>;
-
-struct flinch_library : runtime::HandleHeader {
-  static constexpr std::uint32_t kMark = 0xF11C0001;
-  explicit flinch_library(SharedLibrary loaded) : HandleHeader(kMark), content(std::move(loaded)) {}
-
-  SharedLibrary content;
-};
-
-struct flinch_workspace : runtime::HandleHeader {
-  static constexpr std::uint32_t kMark = 0xF11C0002;
-  struct Content {
-    SharedLibrary library;
-    runtime::Workspace workspace;
-  };
-  explicit flinch_workspace(Content made)
-      : HandleHeader(kMark), content(std::make_unique<Content>(std::move(made))) {}
-
-  std::unique_ptr<Content> content;
-};
-
-struct flinch_character : runtime::HandleHeader {
-  static constexpr std::uint32_t kMark = 0xF11C0003;
-  struct Content {
-    SharedLibrary library;
-    runtime::Character character;
-  };
-  static_assert(sizeof(Content) <= std::size_t{16} * 1024);
-  explicit flinch_character(Content made)
-      : HandleHeader(kMark), content(std::make_unique<Content>(std::move(made))) {}
-
-  std::unique_ptr<Content> content;
-};
-
-struct flinch_look_ahead : runtime::HandleHeader {
-  static constexpr std::uint32_t kMark = 0xF11C0004;
-  struct Content {
-    SharedLibrary library;
-    lookahead::LookAheadWorkspace workspace;
-  };
-  explicit flinch_look_ahead(Content made)
-      : HandleHeader(kMark), content(std::make_unique<Content>(std::move(made))) {}
-
-  std::unique_ptr<Content> content;
-};
-
 namespace {
-
-template <class T>
-flinch_status check_one(const T* argument) {
-  if constexpr (std::is_base_of_v<runtime::HandleHeader, T>) {
-    return runtime::check_handle(argument);
-  } else {
-    return runtime::check_struct(argument);
-  }
-}
-
-/// Returns the first error in handles and structs, in the order of the arguments.
-template <class... Arguments>
-flinch_status check(const Arguments*... arguments) {
-  flinch_status status = FLINCH_OK;
-  static_cast<void>((((status = check_one(arguments)) == FLINCH_OK) && ...));
-  return status;
-}
-
-bool is_index(int index, std::size_t count) {
-  return index >= 0 && static_cast<std::size_t>(index) < count;
-}
-
-/// Makes a handle for the result of `make`.
-template <class Handle, class Make>
-flinch_status make_handle(Handle** out, const Make& make) try {
-  *out = new Handle(make());
-  return FLINCH_OK;
-} catch (const std::bad_alloc&) {
-  return FLINCH_OUT_OF_MEMORY;
-}
 
 template <class Source>
 flinch_status load(const Source& source, flinch_library** out) try {
@@ -181,6 +109,15 @@ flinch_status flinch_library_skeleton(const flinch_library* library, flinch_skel
   return FLINCH_OK;
 }
 
+flinch_status flinch_library_outline(const flinch_library* library, int32_t body,
+                                     flinch_outline* out) {
+  if (const flinch_status status = check(library, out)) return status;
+  if (!is_index(body, motion::kBodyCount)) return FLINCH_BAD_INDEX;
+  const auto part = static_cast<motion::Body>(body);
+  write_struct(*out, to_c(part, library->content->prepared().body_model[part]));
+  return FLINCH_OK;
+}
+
 flinch_status flinch_library_clip(const flinch_library* library, int32_t index, flinch_clip* out) {
   if (const flinch_status status = check(library, out)) return status;
   if (!is_index(index, library->content->clip_library().clips.size())) return FLINCH_BAD_INDEX;
@@ -229,19 +166,22 @@ flinch_status flinch_character_free(flinch_character* character) {
 flinch_status flinch_character_place(flinch_character* character, float x, float y, float facing,
                                      float idle_time_s) {
   if (const flinch_status status = check(character)) return status;
-  return status_of(character->content->character.place({x, y}, facing, idle_time_s));
+  return status_of(character->content->moved([&](runtime::Character& body) {
+    return body.place({x, y}, facing, idle_time_s);
+  }));
 }
 
 flinch_status flinch_character_set_pose(flinch_character* character, const flinch_pose* before,
                                         const flinch_pose* now, float dt_s) {
   if (const flinch_status status = check(character, before, now)) return status;
-  return status_of(character->content->character.set_pose(runtime::pose_of(*before),
-                                                          runtime::pose_of(*now), dt_s));
+  return status_of(character->content->moved([&](runtime::Character& body) {
+    return body.set_pose(runtime::pose_of(*before), runtime::pose_of(*now), dt_s);
+  }));
 }
 
 flinch_status flinch_character_settle(flinch_character* character) {
   if (const flinch_status status = check(character)) return status;
-  return status_of(character->content->character.settle());
+  return status_of(character->content->character().settle());
 }
 
 flinch_status flinch_character_limit_perception(flinch_character* character,
@@ -250,7 +190,7 @@ flinch_status flinch_character_limit_perception(flinch_character* character,
   if (const flinch_status status = check(character, limits)) return status;
   const runtime::PerceptionLimits wanted = runtime::limits_of(*limits);
   if (!runtime::is_valid(wanted)) return FLINCH_BAD_LIMITS;
-  character->content->character.limit_perception(wanted, seed);
+  character->content->character().limit_perception(wanted, seed);
   return FLINCH_OK;
 }
 
@@ -264,8 +204,8 @@ flinch_status flinch_character_perceive(flinch_character* character, const flinc
                                         flinch_workspace* workspace) {
   if (const flinch_status status = check(character, threat, workspace)) return status;
   if (character->content->library != workspace->content->library) return FLINCH_OTHER_LIBRARY;
-  return status_of(character->content->character.perceive(runtime::threat_of(*threat),
-                                                          workspace->content->workspace));
+  return status_of(character->content->character().perceive(runtime::threat_of(*threat),
+                                                            workspace->content->workspace));
 }
 
 flinch_status flinch_character_perceive_all(flinch_character* character,
@@ -274,7 +214,7 @@ flinch_status flinch_character_perceive_all(flinch_character* character,
   if (const flinch_status status = check(character, workspace)) return status;
   if (character->content->library != workspace->content->library) return FLINCH_OTHER_LIBRARY;
   return with_threats(threats, count, [&](std::span<const flinch::features::Threat> all) {
-    return status_of(character->content->character.perceive(all, workspace->content->workspace));
+    return status_of(character->content->character().perceive(all, workspace->content->workspace));
   });
 }
 
@@ -284,7 +224,7 @@ flinch_status flinch_character_perceive_known(flinch_character* character,
   if (const flinch_status status = check(character, threat, workspace)) return status;
   if (character->content->library != workspace->content->library) return FLINCH_OTHER_LIBRARY;
   if (!is_index(target, motion::kTargetCount)) return FLINCH_BAD_INDEX;
-  return status_of(character->content->character.perceive(
+  return status_of(character->content->character().perceive(
       runtime::threat_of(*threat), static_cast<motion::Target>(target), time_to_impact_s,
       workspace->content->workspace));
 }
@@ -292,17 +232,17 @@ flinch_status flinch_character_perceive_known(flinch_character* character,
 flinch_status flinch_character_respond(flinch_character* character, int32_t clip,
                                        float time_to_impact_s) {
   if (const flinch_status status = check(character)) return status;
-  return status_of(character->content->character.respond(clip, time_to_impact_s));
+  return status_of(character->content->character().respond(clip, time_to_impact_s));
 }
 
 flinch_status flinch_character_update(flinch_character* character, float dt_s) {
   if (const flinch_status status = check(character)) return status;
-  return status_of(character->content->character.update(dt_s));
+  return character->content->update(dt_s);
 }
 
 flinch_status flinch_character_pose(const flinch_character* character, flinch_pose* out) {
   if (const flinch_status status = check(character, out)) return status;
-  write_struct(*out, to_c(character->content->character.pose()));
+  write_struct(*out, to_c(character->content->pose()));
   return FLINCH_OK;
 }
 
@@ -313,14 +253,14 @@ flinch_status flinch_character_pose_over(const flinch_character* character, cons
   const runtime::Mask weights = runtime::mask_of(*mask);
   if (!runtime::is_usable(under)) return FLINCH_BAD_POSE;
   if (!runtime::is_valid(weights)) return FLINCH_BAD_MASK;
-  write_struct(*out, to_c(character->content->character.pose_over(under, weights)));
+  write_struct(*out, to_c(runtime::blended(under, character->content->pose(), weights)));
   return FLINCH_OK;
 }
 
 flinch_status flinch_character_describe(const flinch_character* character,
                                         flinch_character_state* out) {
   if (const flinch_status status = check(character, out)) return status;
-  const runtime::Character& what = character->content->character;
+  const runtime::Character& what = character->content->character();
   const flinch::features::CharacterState& state = what.state();
   write_struct(*out, flinch_character_state{.size = 0,
                                             .phase = static_cast<std::int32_t>(what.phase()),
@@ -337,7 +277,7 @@ flinch_status flinch_character_candidates(const flinch_character* character, fli
   if (const flinch_status status = check(character)) return status;
   if (count == nullptr || (out == nullptr && capacity > 0)) return FLINCH_NULL_POINTER;
   if (capacity < 0) return FLINCH_BAD_INDEX;
-  const auto all = character->content->character.candidates();
+  const auto all = character->content->character().candidates();
   const auto first = all.first(std::min(all.size(), static_cast<std::size_t>(capacity)));
   std::ranges::transform(first, out, [](const flinch::models::Candidate& candidate) {
     return flinch_candidate{candidate.clip, candidate.vote, candidate.expected_cost_ns};
@@ -377,7 +317,7 @@ flinch_status flinch_character_look_ahead(flinch_character* character, const fli
   if (character->content->library != look_ahead->content->library) return FLINCH_OTHER_LIBRARY;
   return with_threats(threats, count, [&](std::span<const flinch::features::Threat> all) {
     const lookahead::LookAheadStatus status =
-        lookahead::perceive(character->content->character, all, runtime::look_ahead_of(*options),
+        lookahead::perceive(character->content->character(), all, runtime::look_ahead_of(*options),
                             look_ahead->content->workspace);
     if (out != nullptr && status.status == runtime::Status::ok) write_struct(*out, to_c(status));
     return status_of(status.status);

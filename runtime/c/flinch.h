@@ -58,6 +58,7 @@ extern "C" {
 #endif
 
 #define FLINCH_JOINT_COUNT 21    /* joints of every skeleton */
+#define FLINCH_BODY_COUNT 17     /* bodies of every figure */
 #define FLINCH_MOST_CANDIDATES 8 /* candidates kept for each threat */
 #define FLINCH_MOST_THREATS 256  /* threats of one call */
 
@@ -89,6 +90,8 @@ enum {
   FLINCH_BAD_LIMITS = -11,    /* of perception: not finite, or out of range */
   FLINCH_BAD_MASK = -12,      /* a weight that is not in [0, 1] */
   FLINCH_OUT_OF_MEMORY = -13,
+  FLINCH_NOT_REACTING = -14,      /* the character was created without reactions */
+  FLINCH_SIMULATION_FAILED = -15, /* of a hit; the character goes on without physics */
   /* What was wrong with a file. */
   FLINCH_CANNOT_OPEN = -20,
   FLINCH_NOT_A_SELECTOR = -21, /* another kind of file */
@@ -147,6 +150,26 @@ typedef struct flinch_skeleton {
 /* Writes the library's skeleton to `out`. */
 FLINCH_API flinch_status flinch_library_skeleton(const flinch_library* library,
                                                  flinch_skeleton* out);
+
+/* The bodies of the figure that balls hit: parents come before their children; 0 is the pelvis. */
+FLINCH_API const char* flinch_body_name(int32_t body); /* NULL: no such body */
+
+/* The outline and mass of a body, in the frame of the joint that moves it. */
+typedef struct flinch_outline {
+  uint32_t size;
+  int32_t joint;         /* that moves it */
+  int32_t is_box;        /* 1: `half_extents` holds; 0: a capsule along Z */
+  float centre[3];       /* m */
+  float orientation[4];  /* w, x, y, z */
+  float radius;          /* of a capsule, m */
+  float half_length;     /* of a capsule's axis, without the caps, m */
+  float half_extents[3]; /* of a box, m */
+  float mass_kg;
+  float centre_of_mass[3]; /* m */
+} flinch_outline;
+/* Writes the outline of body number `body`, from 0 to FLINCH_BODY_COUNT - 1, to `out`. */
+FLINCH_API flinch_status flinch_library_outline(const flinch_library* library, int32_t body,
+                                                flinch_outline* out);
 
 /* The parts of the body that threats aim at and clips protect. */
 enum { FLINCH_HEAD = 0, FLINCH_TRUNK = 1, FLINCH_PELVIS = 2, FLINCH_LEGS = 3 };
@@ -390,6 +413,49 @@ FLINCH_API flinch_status flinch_character_look_ahead(flinch_character* character
                                                      const flinch_look_ahead_options* options,
                                                      flinch_look_ahead* look_ahead,
                                                      flinch_look_ahead_status* out);
+
+/* ---- Reacting to hits ------------------------------------------------------------------------ */
+
+/* Makes a character as flinch_character_create does that balls can also hit (docs/reaction.md). All
+ * functions for characters take it, with one difference: while physics moves it, the time step of
+ * flinch_character_update is at most 0.1 s. */
+FLINCH_API flinch_status flinch_character_create_reacting(const flinch_library* library,
+                                                          flinch_character** out);
+
+/* Hands the body to physics, because `ball`, as it is now, is about to hit: at the contact or up to
+ * 0.3 s before it. flinch_character_update then moves the body and the ball, blends back to the
+ * character's own motion after the hit, and allocates nothing. The first call may allocate. */
+FLINCH_API flinch_status flinch_character_react_to(flinch_character* character,
+                                                   const flinch_threat* ball);
+
+/* The stage of a reaction. */
+enum {
+  FLINCH_REACTION_NONE = 0,
+  FLINCH_REACTION_AWAITS = 1,   /* physics moves the figure; the ball has not hit yet */
+  FLINCH_REACTION_STRUCK = 2,   /* the ball has hit; physics alone moves the figure */
+  FLINCH_REACTION_RECOVERS = 3, /* blends from physics to the protective motion */
+  FLINCH_REACTION_RETURNS = 4,  /* blends to the motion to return to; no physics */
+  FLINCH_REACTION_OVER = 5,
+  FLINCH_REACTION_KNOCKED_OVER = 6 /* falls until the game places or moves it */
+};
+
+/* What moves the body of a character. */
+enum { FLINCH_MOVED_BY_CHARACTER = 0, FLINCH_MOVED_BY_PHYSICS = 1, FLINCH_MOVED_BY_CLIP = 2 };
+
+/* The last reaction of a character. */
+typedef struct flinch_reaction {
+  uint32_t size;
+  int32_t phase;          /* FLINCH_REACTION_NONE, ... */
+  int32_t moved_by;       /* FLINCH_MOVED_BY_CHARACTER, ... */
+  int32_t clip;           /* that continues the motion after the hit; -1: none */
+  float contact_s;        /* of the first touch, s after react_to; infinite: none yet */
+  float ball_position[3]; /* world, m */
+  float ball_velocity[3]; /* world, m/s */
+  float impulse_ns[FLINCH_BODY_COUNT]; /* on each body so far, N s */
+} flinch_reaction;
+/* Writes the above to `out`. */
+FLINCH_API flinch_status flinch_character_reaction(const flinch_character* character,
+                                                   flinch_reaction* out);
 
 #ifdef __cplusplus
 }
