@@ -9,8 +9,11 @@ include(CheckCXXSourceCompiles)
 add_library(flinch_flags INTERFACE)
 target_compile_features(flinch_flags INTERFACE cxx_std_20)
 target_compile_options(flinch_flags INTERFACE
-  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -ffp-contract=off
-  -fno-semantic-interposition)  # no one replaces a library's functions: they may be inlined
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -ffp-contract=off)
+if(NOT FLINCH_WASM)  # which has no shared libraries
+  # No one replaces a library's functions: they may be inlined.
+  target_compile_options(flinch_flags INTERFACE -fno-semantic-interposition)
+endif()
 # Eigen fuses products and sums where it sees that the processor can, whatever the flags above say.
 # With AVX-512 it insists, and results differ.
 check_cxx_source_compiles("
@@ -28,7 +31,7 @@ if(FLINCH_SANITIZE)
     target_compile_options(flinch_flags INTERFACE -fno-sanitize=null,object-size)
   endif()
   target_link_options(flinch_flags INTERFACE -fsanitize=${FLINCH_SANITIZE})
-else()  # sanitizers find more than these, and the two do not mix
+elseif(NOT FLINCH_WASM)  # sanitizers find more than these, and the two do not mix; WebAssembly has its own
   target_compile_options(flinch_flags INTERFACE -fstack-protector-strong
     $<$<NOT:$<CONFIG:Debug>>:-U_FORTIFY_SOURCE;-D_FORTIFY_SOURCE=2>)  # needs an optimizing compiler
 endif()
@@ -97,7 +100,10 @@ function(flinch_library name)
   target_include_directories(${name} PUBLIC
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:include/flinch>)
   target_compile_features(${name} PUBLIC cxx_std_20)
-  set_target_properties(${name} PROPERTIES POSITION_INDEPENDENT_CODE ON EXPORT_NAME ${exported})
+  set_target_properties(${name} PROPERTIES EXPORT_NAME ${exported})
+  if(NOT FLINCH_WASM)  # which has no shared libraries
+    set_target_properties(${name} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+  endif()
   target_link_libraries(${name} PUBLIC ${arg_DEPENDS}
     PRIVATE ${arg_PRIVATE_DEPENDS} $<BUILD_INTERFACE:flinch_flags>)
   set_property(GLOBAL APPEND PROPERTY FLINCH_LIBRARIES ${name})

@@ -1,0 +1,75 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef FLINCH_JS_EXPORTS_H
+#define FLINCH_JS_EXPORTS_H
+
+/*
+ * What flinch.wasm exports beside the C interface, by the same rules. No game should call these:
+ * the oracle allocates and takes tenths of a second, and the layout is for languages that cannot
+ * include a header of C.
+ */
+
+#include "runtime/c/flinch.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* The structs of both headers as this build lays them out, in JSON:
+ * {"flinch_pose": {"size": 352, "fields": {"root_position": {"offset": 4, "type": "f32", "count":
+ * 3}, ...}}, ...}. A type is "i32", "u32" or "f32", "pointer", or the name of another struct;
+ * arrays of arrays are flat. Never NULL. */
+FLINCH_API const char* flinch_layout(void);
+
+/* Simulates what every clip would do: the best choice that is possible. Immutable. */
+typedef struct flinch_oracle flinch_oracle;
+/* Makes an oracle. FLINCH_WITHOUT_COSTS for a selector of an earlier version. */
+FLINCH_API flinch_status flinch_oracle_create(const flinch_library* library, flinch_oracle** out);
+/* Frees it. */
+FLINCH_API flinch_status flinch_oracle_free(flinch_oracle* oracle);
+
+/* How the selector weighs work against damage, in N s (docs/cost.md):
+ * cost = (1 - brawn) damage + brawn work_weight_ns_per_j work. This struct will not grow. */
+typedef struct flinch_costs {
+  float brawn;
+  float work_weight_ns_per_j;
+} flinch_costs;
+/* Writes the above to `out`. */
+FLINCH_API flinch_status flinch_oracle_costs(const flinch_oracle* oracle, flinch_costs* out);
+
+/* What a threat does to a character that answers it with a clip. This struct will not grow. */
+typedef struct flinch_trial {
+  int32_t clip;
+  float work_j;                        /* of the whole response */
+  float damage_ns;                     /* impulses by the vulnerability of each body */
+  float cost_ns;                       /* of both: what training minimises */
+  float contact_s;                     /* of the first touch, s after perception; infinite: none */
+  float impulse_ns[FLINCH_BODY_COUNT]; /* on each body */
+} flinch_trial;
+
+/* Simulates the response with one clip to a threat that the character notices now; the character
+ * itself stays as it is. FLINCH_MISSES or FLINCH_UNNOTICED where there is nothing to answer,
+ * FLINCH_BAD_CLIP for a clip that cannot answer. */
+FLINCH_API flinch_status flinch_oracle_try(const flinch_oracle* oracle,
+                                           const flinch_character* character,
+                                           const flinch_threat* threat, int32_t clip,
+                                           flinch_trial* out);
+/* The same for the idle clip and all clips that are allowed, in ascending order. Writes at most
+ * `capacity` trials (FLINCH_BAD_INDEX if there are more), their number, and which of them is
+ * best. */
+FLINCH_API flinch_status flinch_oracle_try_all(const flinch_oracle* oracle,
+                                               const flinch_character* character,
+                                               const flinch_threat* threat, flinch_trial* out,
+                                               int32_t capacity, int32_t* count, int32_t* best);
+
+/* The clip that games commonly script by hand: of the allowed clips that whose annotation is
+ * nearest to the threat that the character notices now. The status as above. */
+FLINCH_API flinch_status flinch_oracle_nearest_annotation(const flinch_oracle* oracle,
+                                                          const flinch_character* character,
+                                                          const flinch_threat* threat,
+                                                          int32_t* clip);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

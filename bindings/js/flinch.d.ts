@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: MIT
+// Names, units and frames are those of flinch.h, the C interface: SI units, radians, Z up,
+// quaternions w, x, y, z, flat arrays.
+
+/** An error that Flinch reports; `status` is its number in flinch.h. */
+export class FlinchError extends Error {
+  readonly status: number;
+}
+
+/** Whether a threat is answered, hits nothing, or was not noticed. */
+export type Answer = "ok" | "misses" | "unnoticed";
+type Vector = ArrayLike<number>;
+
+/** Something that approaches in free fall, as it is now. */
+export interface Threat {
+  position: Vector;
+  velocity: Vector;
+  radius: number;
+  mass_kg: number;
+}
+
+export interface PerceptionLimits {
+  reaction_delay_s: number;
+  bearing_noise: number;
+  distance_noise: number;
+  heading_noise: number;
+  speed_noise: number;
+  chance_to_fail: number;
+}
+
+export interface Clip {
+  is_annotated: number;
+  name: string;
+  kind: string;
+  duration_s: number;
+  target: number;
+  direction: number;
+  degree: number;
+  onset_s: number;
+  peak_s: number;
+  end_s: number;
+}
+
+/** Outline of a body in the frame of the joint that moves it: a box, or a capsule along Z. */
+export interface Outline {
+  joint: number;
+  is_box: number;
+  centre: Float32Array;
+  orientation: Float32Array;
+  radius: number;
+  half_length: number;
+  half_extents: Float32Array;
+  mass_kg: number;
+  centre_of_mass: Float32Array;
+}
+
+export interface Pose {
+  root_position: Float32Array;
+  rotation: Float32Array;
+}
+
+export interface JointFrames {
+  position: Float32Array;
+  orientation: Float32Array;
+}
+
+export interface CharacterState {
+  phase: number;
+  clip: number;
+  target: number;
+  time_to_impact_s: number;
+  position: Float32Array;
+  facing: number;
+}
+
+export interface Candidate {
+  clip: number;
+  vote: number;
+  expected_cost_ns: number;
+}
+
+export interface Foreseen {
+  clip: number;
+  foreseen: number;
+  work_j: number;
+  damage_ns: number;
+  cost_ns: number;
+  contact_s: number;
+}
+
+export interface LookAheadResult {
+  answer: Answer;
+  candidates: Foreseen[];
+  tried: number;
+  encounters: number;
+  chosen: number;
+  threats: number;
+  ignored: number;
+  is_complete: number;
+}
+
+export interface Reaction {
+  phase: number;
+  moved_by: number;
+  clip: number;
+  contact_s: number;
+  ball_position: Float32Array;
+  ball_velocity: Float32Array;
+  impulse_ns: Float32Array;
+}
+
+/** What a threat does to a character that answers it with a clip. */
+export interface Trial {
+  clip: number;
+  work_j: number;
+  damage_ns: number;
+  cost_ns: number;
+  contact_s: number;
+  impulse_ns: Float32Array;
+}
+
+/** A character: it perceives, answers, can be hit, and returns to idle. */
+export class Character {
+  readonly library: Library;
+  place(x: number, y: number, facing?: number, idle_time_s?: number): void;
+  limitPerception(limits: PerceptionLimits, seed?: number | bigint): void;
+  perceive(...threats: Threat[]): Answer;
+  lookAhead(threats: Threat[], options?: { candidates?: number }): LookAheadResult;
+  respond(clip: number, time_to_impact_s: number): void;
+  update(dt_s: number): void;
+  reactTo(ball: Threat): void;
+  reaction(): Reaction;
+  pose(): Pose;
+  jointFrames(): JointFrames;
+  state(): CharacterState;
+  candidates(): Candidate[];
+  settle(): void;
+  free(): void;
+}
+
+/** Simulates what clips would do, as training does. */
+export class Oracle {
+  costs(): { brawn: number; work_weight_ns_per_j: number };
+  nearestAnnotation(character: Character, threat: Threat): number | null;
+  tryClip(character: Character, threat: Threat, clip: number): Trial | null;
+  tryAll(
+    character: Character,
+    threat: Threat,
+  ): { answer: Answer; trials: Trial[]; best: number };
+  free(): void;
+}
+
+/** A selector with its clips. */
+export class Library {
+  readonly info: {
+    clip_count: number;
+    idle_clip: number;
+    rate_hz: number;
+    mass_kg: number;
+  };
+  readonly skeleton: { offset: Float32Array; tip: Float32Array };
+  readonly clips: Clip[];
+  readonly outlines: Outline[];
+  createCharacter(): Character;
+  createOracle(): Oracle;
+  jointFrames(pose: Pose): JointFrames;
+  free(): void;
+}
+
+/** Flinch, loaded. */
+export interface Flinch {
+  readonly version: string;
+  readonly joints: string[];
+  readonly parents: number[];
+  readonly bodies: string[];
+  readonly targets: string[];
+  readonly phases: string[];
+  readonly foreseen: string[];
+  /** Loads a selector file. Throws FlinchError where it cannot be used. */
+  load(bytes: ArrayBuffer | ArrayBufferView): Library;
+  humanLimits(choices: number): PerceptionLimits;
+}
+
+/** Loads Flinch from flinch.wasm: its bytes, a compiled module, a response or its address. */
+export function loadFlinch(
+  source?:
+    | ArrayBuffer
+    | ArrayBufferView
+    | WebAssembly.Module
+    | Response
+    | URL
+    | string
+    | Promise<Response>,
+): Promise<Flinch>;

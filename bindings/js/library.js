@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+import { Character } from "./character.js";
+import { Oracle } from "./oracle.js";
+
+/** A selector with its clips, which `flinch train` wrote. Free it when it is no longer needed. */
+export class Library {
+  constructor(flinch, bytes) {
+    this.flinch = flinch;
+    this.memory = flinch.memory;
+    const { memory } = this;
+    const { call } = memory;
+    const data = new Uint8Array(bytes.buffer ?? bytes, bytes.byteOffset ?? 0, bytes.byteLength);
+    const address = call.malloc(Math.max(data.length, 1));
+    if (address === 0) throw new RangeError("there is not enough memory");
+    try {
+      new Uint8Array(call.memory.buffer).set(data, address);
+      this.handle = memory.handle((out) =>
+        call.flinch_library_load_memory(address, data.length, out),
+      );
+    } finally {
+      call.free(address);
+    }
+    this.info = this.described("flinch_library_info", "flinch_library_describe");
+    this.skeleton = this.described("flinch_skeleton", "flinch_library_skeleton");
+    this.clips = Array.from({ length: this.info.clip_count }, (_, clip) => this.clipAt(clip));
+    this.outlines = flinch.bodies.map((_, body) =>
+      memory.result("flinch_outline", (out) =>
+        call.flinch_library_outline(this.handle, body, out),
+      ),
+    );
+    this.workspace = memory.handle((out) => call.flinch_workspace_create(this.handle, out));
+    this.lookAhead = 0; // made when it is first needed
+  }
+
+  described(struct, describe) {
+    return this.memory.result(struct, (out) => this.memory.call[describe](this.handle, out));
+  }
+
+  clipAt(index) {
+    const { memory } = this;
+    const clip = memory.result("flinch_clip", (out) =>
+      memory.call.flinch_library_clip(this.handle, index, out),
+    );
+    return { ...clip, name: memory.text(clip.name), kind: memory.text(clip.kind) };
+  }
+
+  /** Memory for looking ahead, made once. */
+  lookAheadMemory() {
+    const { memory } = this;
+    this.lookAhead ||= memory.handle((out) =>
+      memory.call.flinch_look_ahead_create(this.handle, out),
+    );
+    return this.lookAhead;
+  }
+
+  /** A character that idles at the origin and faces +X; balls can hit it. */
+  createCharacter() {
+    return new Character(this);
+  }
+
+  /** Simulates what every clip would do. Throws FlinchError for a selector without costs. */
+  createOracle() {
+    return new Oracle(this);
+  }
+
+  /** Positions and orientations of all joints in a pose, in the world. */
+  jointFrames(pose) {
+    const { memory } = this;
+    const from = memory.begin().makeStructs("flinch_pose", [pose]);
+    const out = memory.reserveStructs("flinch_joint_frames");
+    memory.checked(memory.call.flinch_library_joint_frames(this.handle, from, out));
+    return memory.readStruct("flinch_joint_frames", out);
+  }
+
+  /** Frees it; its characters and oracles stay usable until they are freed. */
+  free() {
+    const { call } = this.memory;
+    call.flinch_look_ahead_free(this.lookAhead);
+    call.flinch_workspace_free(this.workspace);
+    call.flinch_library_free(this.handle);
+    this.handle = this.workspace = this.lookAhead = 0;
+  }
+}
