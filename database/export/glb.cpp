@@ -94,10 +94,8 @@ int GltfBuffer::add(std::span<const float> numbers, GltfElement element, GltfTar
   return static_cast<int>(accessors_.size()) - 1;
 }
 
-int GltfBuffer::add(std::span<const std::uint8_t> numbers, GltfElement element, GltfTarget target,
-                    bool is_normalized) {
-  Json& accessor = add_accessor(numbers, element, target);
-  if (is_normalized) accessor["normalized"] = true;
+int GltfBuffer::add(std::span<const std::uint8_t> numbers, GltfElement element, GltfTarget target) {
+  add_accessor(numbers, element, target);
   return static_cast<int>(accessors_.size()) - 1;
 }
 

@@ -25,8 +25,7 @@ class GltfBuffer {
   /// minimum and maximum of each component.
   int add(std::span<const float> numbers, GltfElement element, GltfTarget target = GltfTarget::none,
           bool with_bounds = false);
-  int add(std::span<const std::uint8_t> numbers, GltfElement element, GltfTarget target,
-          bool is_normalized);
+  int add(std::span<const std::uint8_t> numbers, GltfElement element, GltfTarget target);
   /// Adds vertex indices: 16 bits wide where that is enough, otherwise 32.
   int add_indices(std::span<const std::uint32_t> indices);
 

@@ -5,11 +5,12 @@
 #include <cmath>
 
 #include "database/export/export_check.h"
-#include "database/export/figure_mesh.h"
 #include "database/export/glb.h"
+#include "database/export/solid_mesh.h"
 #include "database/export/y_up.h"
 #include "database/import/file_io.h"
 #include "motion/error.h"
+#include "motion/skin/figure_skin.h"
 
 namespace flinch::database {
 namespace {
@@ -23,8 +24,7 @@ using motion::Role;
 constexpr int kBallSegments = 10;  // chords of a quarter circle
 
 // Indices of the nodes in the document.
-enum Node : int { kFigureNode, kWorldNode, kFirstJointNode, kBallNode = 2 + motion::kRoleCount };
-enum Material : int { kBodyMaterial, kAccentMaterial, kBallMaterial };
+enum Node : int { kFigureNode, kFirstJointNode, kBallNode = 1 + motion::kRoleCount };
 
 int node_of(Role joint) {
   return kFirstJointNode + static_cast<int>(joint);
@@ -48,58 +48,97 @@ Json json_of(const Vector3f& vector) {
   return Json::array({vector.x(), vector.y(), vector.z()});
 }
 
-/// Colour: linear red, green and blue.
-Json material(const char* name, const std::array<double, 3>& colour, double roughness) {
-  return {{"name", name},
+// --- Materials ---
+
+struct Material {
+  const char* name;
+  std::array<double, 3> colour;  // linear red, green and blue
+  double roughness;
+};
+constexpr motion::PerCovering<Material> kMaterials{{{
+    {"skin", {0.56, 0.33, 0.23}, 0.6},
+    {"hair", {0.035, 0.022, 0.016}, 0.7},
+    {"eyes", {0.02, 0.02, 0.025}, 0.3},
+    {"lips", {0.32, 0.12, 0.09}, 0.6},
+    {"shirt", {0.10, 0.24, 0.36}, 0.85},
+    {"trousers", {0.06, 0.065, 0.08}, 0.85},
+    {"shoes", {0.35, 0.34, 0.32}, 0.7},
+}}};
+constexpr Material kBallMaterial{"ball", {0.85, 0.25, 0.03}, 0.4};
+
+Json json_of(const Material& material) {
+  const auto& [red, green, blue] = material.colour;
+  return {{"name", material.name},
           {"pbrMetallicRoughness",
-           {{"baseColorFactor", Json::array({colour[0], colour[1], colour[2], 1})},
+           {{"baseColorFactor", Json::array({red, green, blue, 1})},
             {"metallicFactor", 0},
-            {"roughnessFactor", roughness}}}};
+            {"roughnessFactor", material.roughness}}}};
 }
 
 // --- The figure, the ball ---
 
-Json primitive(const Mesh& mesh, Material material, GltfBuffer& buffer) {
+template <class Triangles>
+int add_triangles(const Triangles& triangles, GltfBuffer& buffer) {
   std::vector<std::uint32_t> indices;
-  for (const auto& triangle : mesh.triangles) {
+  for (const auto& triangle : triangles) {
     indices.insert(indices.end(), triangle.begin(), triangle.end());
   }
-  const int positions =
-      buffer.add(floats_of(mesh.positions), GltfElement::vec3, GltfTarget::vertices, true);
-  const int normals = buffer.add(floats_of(mesh.normals), GltfElement::vec3, GltfTarget::vertices);
-  return {{"attributes", {{"POSITION", positions}, {"NORMAL", normals}}},
-          {"indices", buffer.add_indices(indices)},
-          {"material", static_cast<int>(material)}};
+  return buffer.add_indices(indices);
 }
 
-// In glTF's axes: a skinned mesh is placed in the scene directly, whatever its node's transform.
-Json skinned_primitive(SkinnedMesh skinned, Material material, GltfBuffer& buffer) {
-  skinned.mesh.positions = all_to_y_up(skinned.mesh.positions);
-  skinned.mesh.normals = all_to_y_up(skinned.mesh.normals);
+template <class Triangles>
+Json primitive(const Json& attributes, const Triangles& triangles, int material,
+               GltfBuffer& buffer) {
+  return {{"attributes", attributes},
+          {"indices", add_triangles(triangles, buffer)},
+          {"material", material}};
+}
+
+Json surface(const std::vector<Vector3f>& positions, const std::vector<Vector3f>& normals,
+             GltfBuffer& buffer) {
+  return {{"POSITION", buffer.add(floats_of(all_to_y_up(positions)), GltfElement::vec3,
+                                  GltfTarget::vertices, true)},
+          {"NORMAL",
+           buffer.add(floats_of(all_to_y_up(normals)), GltfElement::vec3, GltfTarget::vertices)}};
+}
+
+// One primitive per covering; all share the vertices. Weights are floats: Assimp 5.2.5 reads
+// normalised bytes wrongly.
+Json figure_mesh(const motion::FigureSkin& skin, GltfBuffer& buffer) {
   std::vector<std::uint8_t> joints;
-  std::vector<std::uint8_t> weights;
-  for (const Role joint : skinned.joints) {
-    joints.insert(joints.end(), {static_cast<std::uint8_t>(joint), 0, 0, 0});
-    weights.insert(weights.end(), {255, 0, 0, 0});
+  for (const auto& vertex : skin.joints) {
+    for (const Role joint : vertex) joints.push_back(static_cast<std::uint8_t>(joint));
   }
-  Json made = primitive(skinned.mesh, material, buffer);
-  made["attributes"]["JOINTS_0"] =
-      buffer.add(joints, GltfElement::vec4, GltfTarget::vertices, false);
-  made["attributes"]["WEIGHTS_0"] =
-      buffer.add(weights, GltfElement::vec4, GltfTarget::vertices, true);
-  return made;
+  Json attributes = surface(skin.positions, skin.normals, buffer);
+  attributes["JOINTS_0"] = buffer.add(joints, GltfElement::vec4, GltfTarget::vertices);
+  attributes["WEIGHTS_0"] =
+      buffer.add(floats_of(skin.weights), GltfElement::vec4, GltfTarget::vertices);
+  Json primitives = Json::array();
+  for (const motion::Covering covering : motion::kCoverings) {
+    primitives.push_back(
+        primitive(attributes, skin.triangles[covering], static_cast<int>(covering), buffer));
+  }
+  return {{"name", "figure"}, {"primitives", std::move(primitives)}};
 }
 
-// Transforms from the mesh, in glTF's axes and the rest pose, to each joint's frame: back to our
-// axes, then to the joint, whose axes are parallel to the world's. Column-major.
+Json ball_mesh(float radius, GltfBuffer& buffer) {
+  const Mesh sphere = rounded_solid(Vector3f::Zero(), radius, kBallSegments);
+  const Json attributes = surface(sphere.positions, sphere.normals, buffer);
+  return {{"name", "ball"},
+          {"primitives",
+           Json::array({primitive(attributes, sphere.triangles, motion::kCoveringCount, buffer)})}};
+}
+
+// Transforms from the mesh, in the rest pose, to each joint's frame, whose axes are parallel to the
+// world's there. Column-major.
 int inverse_bind_matrices(const motion::Skeleton& skeleton, GltfBuffer& buffer) {
   const motion::JointFrames rest = forward_kinematics(skeleton, motion::rest_pose(skeleton));
   std::vector<float> matrices;
   for (const Role role : kRoles) {
-    const Vector3f& joint = rest.position[role];
-    matrices.insert(matrices.end(), {0, 1, 0, 0,  // X of glTF is our Y
-                                     0, 0, 1, 0,  // Y is our Z
-                                     1, 0, 0, 0,  // Z is our X
+    const Vector3f joint = to_y_up(rest.position[role]);
+    matrices.insert(matrices.end(), {1, 0, 0, 0,  //
+                                     0, 1, 0, 0,  //
+                                     0, 0, 1, 0,  //
                                      -joint.x(), -joint.y(), -joint.z(), 1});
   }
   return buffer.add(matrices, GltfElement::mat4);
@@ -108,7 +147,8 @@ int inverse_bind_matrices(const motion::Skeleton& skeleton, GltfBuffer& buffer) 
 // --- The nodes ---
 
 Json joint_node(const motion::Skeleton& skeleton, Role joint) {
-  Json node{{"name", motion::name_of(joint)}, {"translation", json_of(skeleton.offset[joint])}};
+  Json node{{"name", motion::name_of(joint)},
+            {"translation", json_of(to_y_up(skeleton.offset[joint]))}};
   Json children = Json::array();
   for (const Role role : kRoles) {
     if (motion::parent_of(role) == joint) children.push_back(node_of(role));
@@ -120,12 +160,8 @@ Json joint_node(const motion::Skeleton& skeleton, Role joint) {
 Json nodes_of(const motion::Skeleton& skeleton, const std::vector<Vector3f>& ball) {
   Json nodes = Json::array();
   nodes.push_back({{"name", "figure"}, {"mesh", 0}, {"skin", 0}});
-  nodes.push_back({{"name", "flinch"},
-                   {"rotation", Json::array({-0.5, -0.5, -0.5, 0.5})},
-                   {"children", Json::array({node_of(Role::pelvis)})}});
   for (const Role joint : kRoles) nodes.push_back(joint_node(skeleton, joint));
   if (!ball.empty()) {
-    nodes[kWorldNode]["children"].push_back(static_cast<int>(kBallNode));
     nodes.push_back({{"name", "ball"}, {"translation", json_of(ball.front())}, {"mesh", 1}});
   }
   return nodes;
@@ -168,7 +204,7 @@ std::vector<float> rotation_keys(const motion::Motion& motion, Role joint) {
   std::vector<float> keys;
   Eigen::Vector4d before = Quaternionf::Identity().coeffs().cast<double>();
   for (const motion::Pose& pose : motion.poses) {
-    Eigen::Vector4d key = pose.rotation[joint].coeffs().cast<double>().normalized();
+    Eigen::Vector4d key = to_y_up(pose.rotation[joint]).coeffs().cast<double>().normalized();
     if (key.dot(before) < 0) key = -key;
     for (const double number : key) keys.push_back(static_cast<float>(number));
     before = key;
@@ -178,21 +214,22 @@ std::vector<float> rotation_keys(const motion::Motion& motion, Role joint) {
 
 void animate_figure(const motion::Motion& motion, Animation& animation) {
   std::vector<Vector3f> pelvis;
-  for (const motion::Pose& pose : motion.poses) pelvis.push_back(pose.root_position);
+  for (const motion::Pose& pose : motion.poses) pelvis.push_back(to_y_up(pose.root_position));
   animation.add(node_of(Role::pelvis), "translation", floats_of(pelvis), GltfElement::vec3);
   for (const Role joint : kRoles) {
     animation.add(node_of(joint), "rotation", rotation_keys(motion, joint), GltfElement::vec4);
   }
 }
 
-// Positions of the ball where it is visible or hidden; the origin if it is never visible.
+// Positions of the ball where it is visible or hidden, in glTF's axes; the origin if it is never
+// visible.
 std::vector<Vector3f> places_of(const BallTrack& ball) {
   const auto first = std::find_if(ball.positions.begin(), ball.positions.end(),
                                   [](const auto& position) { return position.has_value(); });
-  Vector3f place = first == ball.positions.end() ? Vector3f(Vector3f::Zero()) : **first;
+  Vector3f place = first == ball.positions.end() ? Vector3f(Vector3f::Zero()) : to_y_up(**first);
   std::vector<Vector3f> places;
   for (const std::optional<Vector3f>& position : ball.positions) {
-    place = position.value_or(place);
+    if (position) place = to_y_up(*position);
     places.push_back(place);
   }
   return places;
@@ -234,41 +271,34 @@ std::vector<std::byte> make_glb(const motion::Physique& character, const motion:
   const std::vector<Vector3f> places = ball ? places_of(*ball) : std::vector<Vector3f>();
 
   GltfBuffer buffer;
-  const FigureMesh figure = figure_mesh(character);
-  Json meshes = Json::array();
-  meshes.push_back(
-      {{"name", "figure"},
-       {"primitives", Json::array({skinned_primitive(figure.body, kBodyMaterial, buffer),
-                                   skinned_primitive(figure.accents, kAccentMaterial, buffer)})}});
-  Json materials = Json::array(
-      {material("body", {0.62, 0.58, 0.50}, 0.7), material("accents", {0.03, 0.10, 0.16}, 0.5)});
+  Json meshes = Json::array({figure_mesh(motion::make_figure_skin(character), buffer)});
+  Json materials = Json::array();
+  for (const Material& material : kMaterials) materials.push_back(json_of(material));
   Json joints = Json::array();
   for (const Role role : kRoles) joints.push_back(node_of(role));
   const int bind = inverse_bind_matrices(skeleton, buffer);
 
   Animation animation(motion, buffer);
   animate_figure(motion, animation);
+  Json roots = Json::array({int{kFigureNode}, node_of(Role::pelvis)});
   if (ball) {
-    const Mesh sphere = rounded_solid(Vector3f::Zero(), ball->radius, kBallSegments);
-    meshes.push_back({{"name", "ball"},
-                      {"primitives", Json::array({primitive(sphere, kBallMaterial, buffer)})}});
-    materials.push_back(material("ball", {0.85, 0.25, 0.03}, 0.4));
+    meshes.push_back(ball_mesh(ball->radius, buffer));
+    materials.push_back(json_of(kBallMaterial));
+    roots.push_back(int{kBallNode});
     animate_ball(*ball, places, animation);
   }
 
-  return buffer.file(
-      {{"asset", {{"version", "2.0"}, {"generator", "Flinch"}}},
-       {"scene", 0},
-       {"scenes", Json::array({{{"name", "scene"},
-                                {"nodes", Json::array({int{kFigureNode}, int{kWorldNode}})}}})},
-       {"nodes", nodes_of(skeleton, places)},
-       {"meshes", std::move(meshes)},
-       {"materials", std::move(materials)},
-       {"skins", Json::array({{{"name", "figure"},
-                               {"inverseBindMatrices", bind},
-                               {"skeleton", node_of(Role::pelvis)},
-                               {"joints", std::move(joints)}}})},
-       {"animations", Json::array({animation.json()})}});
+  return buffer.file({{"asset", {{"version", "2.0"}, {"generator", "Flinch " FLINCH_VERSION}}},
+                      {"scene", 0},
+                      {"scenes", Json::array({{{"name", "scene"}, {"nodes", std::move(roots)}}})},
+                      {"nodes", nodes_of(skeleton, places)},
+                      {"meshes", std::move(meshes)},
+                      {"materials", std::move(materials)},
+                      {"skins", Json::array({{{"name", "figure"},
+                                              {"inverseBindMatrices", bind},
+                                              {"skeleton", node_of(Role::pelvis)},
+                                              {"joints", std::move(joints)}}})},
+                      {"animations", Json::array({animation.json()})}});
 }
 
 void write_glb(const std::string& path, const motion::Physique& character,

@@ -21,14 +21,13 @@ struct BallTrack {
   std::vector<std::optional<Eigen::Vector3f>> positions;
 };
 
-/// Returns a motion as binary glTF 2.0 (.glb), which any viewer shows: the character's outlines as
-/// a skinned figure (see figure_mesh.h) that plays the motion, and optionally a ball.
+/// Returns a motion as binary glTF 2.0 (.glb), which any viewer shows: the character as a skinned
+/// figure (see motion/skin/figure_skin.h) that plays the motion, and optionally a ball.
 ///
-/// The scene has two roots. "figure" holds the skinned mesh; "flinch" converts our axes (Z up, X
-/// forward, Y left) to glTF's (Y up, Z forward, X left): (x, y, z) becomes (y, z, x), a rotation by
-/// 120 degrees. All nodes below it are in our axes, in metres: the joints, named after their roles
-/// (see motion/role.h), and "ball". Without the animation, the nodes are in the T-pose in which the
-/// mesh is bound.
+/// Everything is in glTF's axes (Y up, Z forward, X to the left; see y_up.h) and in metres. The
+/// scene has the roots "figure", which holds the skinned mesh; "pelvis", below which the other
+/// joints are, named after their roles (see motion/role.h); and "ball". Without the animation, the
+/// nodes are in the T-pose in which the mesh is bound. The mesh has one primitive per material.
 ///
 /// The one animation, "motion", has one linear key per pose: the pelvis' translation; each joint's
 /// rotation (quaternions in one hemisphere from key to key, so that no joint takes the longer arc);
@@ -41,7 +40,7 @@ std::vector<std::byte> make_glb(const motion::Physique& character, const motion:
                                 const std::optional<BallTrack>& ball = std::nullopt);
 
 /// Text in the JSON of every file that write_glb makes and of no other program's.
-inline constexpr std::string_view kGlbMark = "\"generator\":\"Flinch\"";
+inline constexpr std::string_view kGlbMark = "\"generator\":\"Flinch";
 
 /// Writes the bytes to a file atomically. Throws Error.
 void write_glb(const std::string& path, const motion::Physique& character,

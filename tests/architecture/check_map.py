@@ -32,6 +32,7 @@ TRAIN = ["motion", "features", "database/library", "database/import", "models", 
 # In order: a folder uses only folders above it, and of those only the ones that it names.
 MAP = {
     "motion": Folder(RUN_TIME, [], ["Eigen/"]),
+    "motion/skin": Folder(RUN_TIME, ["motion"], ["Eigen/"]),
     "features": Folder(RUN_TIME, ["motion"], ["Eigen/"]),
     "database/library": Folder(RUN_TIME, ["motion"], ["Eigen/", "flatbuffers/"]),
     "database/quality": Folder(OFFLINE, ["motion", "database/library"], ["Eigen/"]),
@@ -39,7 +40,7 @@ MAP = {
                               ["Eigen/", "assimp/", "flatbuffers/", "toml++/"]),
     "database/author": Folder(OFFLINE, ["motion", "features", "database/library",
                                         "database/import"], ["Eigen/", "lbfgs.h"]),
-    "database/export": Folder(OFFLINE, ["motion", "features", "database/library",
+    "database/export": Folder(OFFLINE, ["motion", "motion/skin", "features", "database/library",
                                         "database/import"], ["Eigen/", "nlohmann/"]),
     "database/annotate": Folder(OFFLINE, ["motion", "database/library", "database/quality",
                                           "database/import", "database/export"], ["Eigen/"]),

@@ -81,8 +81,8 @@ void write_broken(const std::string& folder) {
   write("unknown_component_type", replaced(sound, "5126", "5124"));
   write("wrong_element", replaced(sound, "VEC4", "VEC3"));
   write("wrong_bound", replaced(sound, "\"max\":[0.", "\"max\":[9."));
-  write("not_a_unit_rotation", replaced(sound, "[-0.5,-0.5,-0.5,0.5]", "[-0.5,-0.5,-0.5,1.5]"));
-  write("joint_twice", replaced(sound, "\"joints\":[2,3,", "\"joints\":[2,2,"));
+  write("rotation_of_three_numbers", replaced(sound, "\"translation\":[", "\"rotation\":   ["));
+  write("joint_twice", replaced(sound, "\"joints\":[1,2,", "\"joints\":[1,1,"));
 }
 
 }  // namespace

@@ -170,7 +170,7 @@ std::vector<Eigen::Vector3d> skinned_positions(const Glb& glb, std::size_t primi
       const auto joint = static_cast<std::size_t>(joints[k]);
       const Affine3d bind(Eigen::Map<const Eigen::Matrix4d>(binds.data() + 16 * joint));
       const Affine3d& node = nodes.at(skin["joints"].at(joint).get<std::size_t>());
-      sum += weights[k] / 255 * (node * bind * position);
+      sum += weights[k] * (node * bind * position);
     }
     skinned.push_back(sum);
   }

@@ -20,11 +20,11 @@ TEST(Glb, AccessorsRoundTripAligned) {
   const std::vector<std::uint32_t> many{0, 65535, 7};
   const std::vector<float> floats{-1.5F, 1e-30F, 3e38F, 0, 1, 2};
   GltfBuffer buffer;
-  buffer.add(bytes, GltfElement::scalar, GltfTarget::none, false);
+  buffer.add(bytes, GltfElement::scalar, GltfTarget::none);
   buffer.add_indices(few);
   buffer.add_indices(many);
   buffer.add(floats, GltfElement::vec3, GltfTarget::vertices, true);
-  buffer.add(bytes, GltfElement::scalar, GltfTarget::none, false);
+  buffer.add(bytes, GltfElement::scalar, GltfTarget::none);
   // The reader throws where a buffer view is not at a multiple of 4 bytes.
   const tests::Glb glb = tests::read_glb(buffer.file({{"asset", {{"version", "2.0"}}}}));
   EXPECT_EQ(tests::numbers_of(glb, 0), as_doubles(bytes));
