@@ -80,12 +80,18 @@ void ReactingCharacter::update_from_physics(float dt_s) noexcept {
   pose_ = reaction_.pose();
   if (reaction_.phase() == ReactionPhase::recovering && !has_searched_) {
     has_searched_ = true;
-    if (std::isfinite(reaction_.contact_s())) match_ = data_->clips.find(before_, pose_, dt_s);
+    if (std::isfinite(reaction_.contact_s()))
+      match_ = data_->clips.find(before_, pose_, dt_s, blow_mps());
     match_age_s_ = 0;
   }
   if (reaction_.phase() == ReactionPhase::over) {
     pose_source_ = match_ ? PoseSource::reaction_clip : PoseSource::character;
   }
+}
+
+Eigen::Vector2f ReactingCharacter::blow_mps() const noexcept {
+  const double mass_kg = static_cast<double>(library_->clip_library().character.mass_kg);
+  return (reaction_.ball_momentum().head<2>() / mass_kg).cast<float>();
 }
 
 void ReactingCharacter::update_from_clip(float dt_s) noexcept {

@@ -33,8 +33,8 @@ const char* name_of(PoseSource pose_source) noexcept;
 
 /// A character that can be hit. runtime::Character moves it until a ball is about to touch it, then
 /// physics. After the hit it blends back to runtime::Character, which has gone on meanwhile, or,
-/// where the data has a clip close to how physics moves the body, to that clip and then to idle.
-/// docs/reaction.md explains it.
+/// where the data has a clip that fits the blow and is close to how physics moves the body, to that
+/// clip and then to idle. docs/reaction.md explains it.
 ///
 /// One thread at a time may use an object. Nothing throws. After react_to() nothing is allocated
 /// (see Reaction).
@@ -75,6 +75,7 @@ class ReactingCharacter {
  private:
   void update_from_physics(float dt_s) noexcept;
   void update_from_clip(float dt_s) noexcept;
+  Eigen::Vector2f blow_mps() const noexcept;  // velocity that the ball has given to the character
   void resume_from_shown_pose(float dt_s) noexcept;
 
   const runtime::Library* library_;

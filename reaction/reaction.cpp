@@ -220,4 +220,8 @@ motion::PerBody<double> Reaction::impulse() const noexcept {
   return state_ && state_->run ? state_->run->encounter().impulse() : motion::PerBody<double>{};
 }
 
+Eigen::Vector3d Reaction::ball_momentum() const noexcept {
+  return state_ && state_->run ? state_->run->ball_momentum() : Eigen::Vector3d::Zero();
+}
+
 }  // namespace flinch::reaction

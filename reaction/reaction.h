@@ -97,6 +97,8 @@ class Reaction {
   /// Impulse on each body so far, N·s: from the ball, and from other bodies that the ball drove
   /// into it.
   motion::PerBody<double> impulse() const noexcept;
+  /// Momentum that the ball has passed to the figure so far, world, N·s.
+  Eigen::Vector3d ball_momentum() const noexcept;
 
  private:
   struct State;

@@ -27,6 +27,11 @@ struct ReactionMatch {
 motion::Pose pose_of(const motion::Clip& clip, const ReactionMatch& match,
                      float time_since_match_s) noexcept;
 
+/// By how much a push sets the body of a clip in motion: the highest speed of its centre of mass
+/// over 0.1 s toward the point where it is farthest from its place in the first pose, along that
+/// direction; horizontal, m/s. Zero for a body that stands still.
+Eigen::Vector2f push_of(const motion::Physique& character, const motion::Motion& motion);
+
 /// Finds the clip that best continues a simulated motion, as Zordan et al. 2005 do: the frame whose
 /// bodies are nearest, each weighted by its mass, and move most alike. Poses are compared in the
 /// frame of the facing, with its origin on the ground below the pelvis. With the mass m_b, position
@@ -35,6 +40,17 @@ motion::Pose pose_of(const motion::Clip& clip, const ReactionMatch& match,
 ///     D^2 = sum over b of m_b / M (|x_b - x'_b|^2 + T^2 |v_b - v'_b|^2),   T = 0.1 s.
 ///
 /// Velocities stand for the paper's window of frames.
+///
+/// A clip must fit the blow, too: a body that was hit from the front does not step forward, as it
+/// would after a push from behind. With the blow b and the clip's own push p (push_of()), both seen
+/// from the facing, a frame is admitted if
+///
+///     angle(b, p) <= 60 degrees   and   |b - p| <= 0.75 m/s.
+///
+/// At 60 degrees half of the push still goes the way of the blow; clips of four directions, 90
+/// degrees apart, leave no blow unanswered. And 0.75 m/s is the velocity that alone makes half of
+/// the largest distance: T 0.75 m/s = 0.075 m. A blow or push of zero has no direction and admits
+/// by strength.
 class ReactionClips {
  public:
   /// Prepares 30 frames per second of those `clips` that have this purpose, except for the last
@@ -43,11 +59,14 @@ class ReactionClips {
   ReactionClips(const motion::Physique& character, std::span<const motion::Clip> clips,
                 motion::Purpose purpose = motion::Purpose::push);
 
-  /// The frame nearest to a character in pose `now` that was in pose `before` `dt_s` earlier,
-  /// world. None if D exceeds `max_distance_m` everywhere, if there are no clips, if a pose is not
-  /// sound (motion::is_sound) or if `dt_s` is not positive and finite. Of equal frames, the first.
-  /// Costs about 10 ns per frame; allocates nothing.
+  /// The admitted frame nearest to a character in pose `now` that was in pose `before` `dt_s`
+  /// earlier, world. `blow_mps` is the horizontal velocity that the blow gave to the character's
+  /// centre of mass, world: the momentum that the ball lost to it, over the character's mass. None
+  /// if D exceeds `max_distance_m` everywhere, if no clip fits the blow, if a pose is not sound
+  /// (motion::is_sound), if the blow is not finite or if `dt_s` is not positive and finite. Of
+  /// equal frames, the first. Costs about 10 ns per frame; allocates nothing.
   std::optional<ReactionMatch> find(const motion::Pose& before, const motion::Pose& now, float dt_s,
+                                    const Eigen::Vector2f& blow_mps,
                                     float max_distance_m = kMaxMatchDistance_m) const noexcept;
 
   /// The largest distance of a good match, m. In a blend over half a second, a body that is 0.15 m
@@ -64,7 +83,8 @@ class ReactionClips {
     int clip;
     float time_s;
     float facing;
-    Eigen::Vector2f pelvis;  // on the ground
+    Eigen::Vector2f pelvis;                              // on the ground
+    Eigen::Vector2f push_mps = Eigen::Vector2f::Zero();  // in the frame of the facing
   };
   Frame frame_of(const motion::Pose& before, const motion::Pose& now, float dt_s) const;
 

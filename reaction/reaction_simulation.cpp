@@ -72,10 +72,13 @@ void ReactionSimulation::step() {
       encounter_.begin_step(now, kFreeStep_s, (1 - step_budget_) / kMaxStepRate_hz);
   step_budget_ = std::min(step_budget_ + kMaxStepRate_hz * step_s - 1, kMaxSavedSteps);
   const sim::ReferenceState target = wanted_.at(encounter_.time_s() + step_s);
+  const std::optional<features::Ball> flight = encounter_.scene().flight();
   encounter_.end_step(now, target, step_s, drive());
   feedforward_ = target;
   before_ = after_;
   after_ = snapshot();
+  if (encounter_.is_ball_hit())
+    ball_momentum_ += flight->mass_kg * (flight->velocity_at(step_s) - after_.ball.velocity);
   for (const sim::BodyState& body : after_.body) {
     if (!body.position.allFinite() || !body.orientation.coeffs().allFinite()) {
       throw Error("reaction", "the position of the simulated figure is not finite");

@@ -28,6 +28,8 @@ class ReactionSimulation {
   /// Returns the simulated figure at the displayed time; clavicles and toes come from `motion`.
   motion::Pose pose(const motion::Pose& motion) const;
   features::Ball ball(const features::Ball& initial_ball) const;
+  /// Momentum that the ball has passed to the figure so far, world, N·s.
+  const Eigen::Vector3d& ball_momentum() const { return ball_momentum_; }
   const sim::Encounter<sim::TreeScene>& encounter() const { return encounter_; }
 
   /// Whether the blow has put the figure so far out of balance that no step can save it, and
@@ -59,6 +61,7 @@ class ReactionSimulation {
   Snapshot after_;
   double shown_s_ = 0;
   double step_budget_ = 0;  // see step()
+  Eigen::Vector3d ball_momentum_ = Eigen::Vector3d::Zero();
 };
 
 }  // namespace flinch::reaction

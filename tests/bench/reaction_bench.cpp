@@ -83,7 +83,7 @@ void find_clip(benchmark::State& state) {
   const reaction::ReactionClips index(man, clips);
   const motion::Pose raised = scenes::arms_raised(man.skeleton);
   for (auto _ : state) {
-    benchmark::DoNotOptimize(index.find(raised, raised, 1.0F / 60, 10.0F));
+    benchmark::DoNotOptimize(index.find(raised, raised, 1.0F / 60, {0, 0}, 10.0F));
   }
   state.counters["frames"] = static_cast<double>(index.size());
 }

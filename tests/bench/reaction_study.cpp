@@ -49,6 +49,7 @@ struct Played {
   bool knocked_over = false;
   double fastest_turn = 0;  // of the pelvis while the figure falls, rad/s
   motion::Body most_hit = motion::Body::pelvis;
+  Eigen::Vector2f blow_mps = Eigen::Vector2f::Zero();
 };
 
 Played play(const Study& study, const ReactionCase& reaction_case, double frame_s) {
@@ -72,6 +73,9 @@ Played play(const Study& study, const ReactionCase& reaction_case, double frame_
     const double turned = static_cast<double>(motion::rotation_vector(turn).norm());
     played.fastest_turn = std::max(played.fastest_turn, turned / frame_s);
   }
+  played.blow_mps =
+      (reaction.ball_momentum().head<2>() / static_cast<double>(study.character.mass_kg))
+          .cast<float>();
   const auto impulse = reaction.impulse();
   for (motion::Body body : motion::kBodies) {
     if (impulse[body] > impulse[played.most_hit]) played.most_hit = body;
@@ -185,8 +189,8 @@ void print_search(const Study& study, const database::ClipLibrary& library,
   for (const ReactionCase& reaction_case : cases) {
     const Played played = play(study, reaction_case, kFrame_s);
     const double begin_s = bench::thread_cpu_s();
-    const auto match =
-        clips.find(played.poses[5], played.poses[6], static_cast<float>(kFrame_s), 10.0F);
+    const auto match = clips.find(played.poses[5], played.poses[6], static_cast<float>(kFrame_s),
+                                  played.blow_mps, 10.0F);
     spent_us += 1e6 * (bench::thread_cpu_s() - begin_s);
     if (match) distances.push_back(static_cast<double>(match->distance_m));
   }
@@ -198,7 +202,7 @@ void print_search(const Study& study, const database::ClipLibrary& library,
               near);
   std::printf("| %.3f m | %.3f m | %.0f %% | %.0f |\n", quantile(distances, 0.5),
               quantile(distances, 0.9),
-              100 * static_cast<double>(found) / static_cast<double>(distances.size()),
+              100 * static_cast<double>(found) / static_cast<double>(cases.size()),
               spent_us / static_cast<double>(cases.size()));
 }
 

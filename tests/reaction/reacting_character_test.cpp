@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "motion/interpolation.h"
 #include "motion/rotation.h"
 #include "tests/reaction/reaction_player.h"
 #include "tests/runtime/made_up_selector.h"
@@ -21,15 +22,21 @@ using tests::kNan;
 constexpr float kFrame_s = 1.0F / 60;
 constexpr float kImpact_s = 0.6F;
 
+constexpr int kClip = 1;
+
 /// Loads the synthetic library and, if asked for, adds a clip of purpose push that moves as the
-/// protective clip `push_like` does from its peak on.
-runtime::Library loaded(std::optional<int> push_like) {
+/// protective clip kClip does, and by `pushed_m` in half a second.
+runtime::Library loaded(std::optional<Eigen::Vector2f> pushed_m) {
   database::ClipLibrary clips = tests::made_up_library(5, 120);
-  if (push_like) {
-    motion::Clip push = clips.clips[static_cast<std::size_t>(*push_like)];
+  if (pushed_m) {
+    motion::Clip push = clips.clips[kClip];
     push.name = "recover";
     push.purpose = motion::Purpose::push;
     push.annotation.reset();
+    for (std::size_t k = 0; k < push.motion.poses.size(); ++k) {
+      const float time_s = static_cast<float>(k) / push.motion.rate_hz;
+      push.motion.poses[k].root_position.head<2>() += motion::minimum_jerk(2 * time_s) * *pushed_m;
+    }
     clips.clips.push_back(push);
   }
   runtime::Library library;
@@ -38,14 +45,16 @@ runtime::Library loaded(std::optional<int> push_like) {
   return library;
 }
 
-constexpr int kClip = 1;
-
 const runtime::Library& plain() {
   static const runtime::Library library = loaded(std::nullopt);
   return library;
 }
-const runtime::Library& with_push() {
-  static const runtime::Library library = loaded(kClip);
+const runtime::Library& with_push_from_the_front() {
+  static const runtime::Library library = loaded(Eigen::Vector2f(-0.15F, 0));
+  return library;
+}
+const runtime::Library& with_push_from_behind() {
+  static const runtime::Library library = loaded(Eigen::Vector2f(0.15F, 0));
   return library;
 }
 
@@ -108,8 +117,8 @@ TEST(ReactingCharacter, MatchesTheRunTimeBeforeAndAfterTheReaction) {
 }
 
 TEST(ReactingCharacter, ContinuesWithASimilarClipAndThenIdles) {
-  ReactingCharacter hit(with_push(), make_reaction_data(with_push()));
-  const Played played = play(hit, with_push(), 7);
+  ReactingCharacter hit(with_push_from_the_front(), make_reaction_data(with_push_from_the_front()));
+  const Played played = play(hit, with_push_from_the_front(), 7);
   const auto first = std::ranges::find(played.pose_sources, PoseSource::reaction_clip);
   ASSERT_NE(first, played.pose_sources.end());
   EXPECT_EQ(*(first - 1), PoseSource::physics);
@@ -122,14 +131,26 @@ TEST(ReactingCharacter, ContinuesWithASimilarClipAndThenIdles) {
   EXPECT_EQ(hit.character().phase(), runtime::Phase::idle);
 }
 
-// The body moves as in the test above, where a clip continues it; but the ball passes 2 m away.
+// The body moves as in the test above; but the ball comes from the front and the clip's push from
+// behind.
+TEST(ReactingCharacter, NoClipContinuesABlowThatItDoesNotFit) {
+  ReactingCharacter hit(with_push_from_behind(), make_reaction_data(with_push_from_behind()));
+  const Played played = play(hit, with_push_from_behind(), 3);
+  EXPECT_TRUE(std::isfinite(hit.reaction().contact_s()));
+  EXPECT_EQ(std::ranges::count(played.pose_sources, PoseSource::reaction_clip), 0);
+  EXPECT_EQ(hit.reaction().phase(), ReactionPhase::over);
+}
+
+// The body moves as in the first of these tests, where a clip continues it; but the ball passes 2 m
+// away.
 TEST(ReactingCharacter, NoClipContinuesAMotionThatNothingHit) {
-  ReactingCharacter missed(with_push(), make_reaction_data(with_push()));
+  ReactingCharacter missed(with_push_from_the_front(),
+                           make_reaction_data(with_push_from_the_front()));
   ASSERT_EQ(missed.character().respond(kClip, kImpact_s), runtime::Status::ok);
   bool met = false;
   for (float time_s = 0; time_s < 3; time_s += kFrame_s) {
     if (!met && time_s > kImpact_s) {
-      features::Ball ball = ball_at_chest(with_push(), missed.pose(), 0.27);
+      features::Ball ball = ball_at_chest(with_push_from_the_front(), missed.pose(), 0.27);
       ball.position.y() += 2;
       ASSERT_EQ(missed.react_to(ball), ReactionStatus::ok);
       met = true;
@@ -156,7 +177,7 @@ float velocity_step(const std::vector<motion::Pose>& poses, std::size_t k) {
 }
 
 TEST(ReactingCharacter, PoseIsContinuousWhenItsSourceChanges) {
-  for (const runtime::Library* library : {&plain(), &with_push()}) {
+  for (const runtime::Library* library : {&plain(), &with_push_from_the_front()}) {
     ReactingCharacter hit(*library, make_reaction_data(*library));
     const Played played = play(hit, *library, 7);
     int changes = 0;

@@ -27,7 +27,8 @@ TEST(Reaction, AllocatesNothingAfterBegin) {
       const motion::Pose before = reaction.pose();
       const std::size_t allocations = tests::allocation_count();
       ASSERT_EQ(reaction.advance(scenes::kFrame_s, wanted, wanted), ReactionStatus::ok);
-      clips.find(before, reaction.pose(), static_cast<float>(scenes::kFrame_s));
+      clips.find(before, reaction.pose(), static_cast<float>(scenes::kFrame_s),
+                 Eigen::Vector2f::Zero());
       EXPECT_EQ(tests::allocation_count(), allocations) << "frame " << k;
     }
     if (std::isfinite(reaction.contact_s())) ++hits;

@@ -109,6 +109,7 @@ TEST(Reaction, ConservesMomentum) {
     const Eigen::Vector3d lost =
         reaction_case.ball.mass_kg * (ball_before - reaction.ball().velocity);
     EXPECT_LT((figure - lost).head<2>().norm(), 0.03 * lost.norm()) << name_of(body);
+    EXPECT_LT((reaction.ball_momentum() - lost).head<2>().norm(), 1e-9) << name_of(body);
     // A free ball against a free mass at rest loses between m v and (1 + e) m v; here the mass
     // gives way.
     EXPECT_GT(lost.norm(), 0.5 * reaction_case.ball.mass_kg * velocity.norm());
