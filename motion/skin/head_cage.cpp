@@ -79,14 +79,14 @@ constexpr HeadRow kHairline{0,
                               {-0.56F, 0.76F, 0.62F},
                               {-0.90F, 0.44F, 0.62F},
                               {-1.00F, 0, 0.62F}}}};
-constexpr HeadRow kTop{0,
-                       {{{0.62F, 0, 0.88F},
-                         {0.59F, 0.20F, 0.88F},
-                         {0.40F, 0.44F, 0.89F},
-                         {-0.06F, 0.56F, 0.90F},
-                         {-0.44F, 0.50F, 0.89F},
-                         {-0.64F, 0.27F, 0.88F},
-                         {-0.70F, 0, 0.87F}}}};
+constexpr HeadRow kLastRow{0,
+                           {{{0.62F, 0, 0.88F},
+                             {0.59F, 0.20F, 0.88F},
+                             {0.40F, 0.44F, 0.89F},
+                             {-0.06F, 0.56F, 0.90F},
+                             {-0.44F, 0.50F, 0.89F},
+                             {-0.64F, 0.27F, 0.88F},
+                             {-0.70F, 0, 0.87F}}}};
 constexpr float kCrown[3] = {-0.03F, 0, 1.04F};
 
 class HeadBuilder {
@@ -157,7 +157,7 @@ void add_head(const CageGuide& guide, const Ring& neck, CageBuilder& builder) {
   join_next(kEyes, 3);
   join_next(kBrow, 3);
   join_next(kHairline, 2);
-  join_next(kTop, 0);
+  join_next(kLastRow, 0);
   const std::uint32_t crown = head.add(kCrown[0], kCrown[1], kCrown[2], 0);
   for (std::size_t k = 0; k < 12; ++k) {
     builder.face({below[k], below[(k + 1) % 12], crown}, Covering::hair, false);
