@@ -87,6 +87,21 @@ std::string look_ahead_text(const std::vector<train::LookAheadRow>& rows) {
   return table.text();
 }
 
+/// What the chosen clips are made for.
+std::string use_text(const train::Evaluation& evaluation) {
+  Table table({{"chosen clips made for"},
+               {"a neighbouring target", right},
+               {"135 degrees away or more", right},
+               {"both", right}});
+  const auto add = [&table](const train::EvaluationRow& row) {
+    table.add({row.name, fixed(row.use.other_target, 3), fixed(row.use.far_direction, 3),
+               fixed(row.use.luck, 3)});
+  };
+  for (const train::EvaluationRow& row : evaluation.rows) add(row);
+  for (const train::LookAheadRow& ahead : evaluation.look_ahead) add(ahead.row);
+  return table.text();
+}
+
 /// One line per brawn, with the shares of the kinds of clips.
 std::string brawn_text(const std::vector<train::BrawnRow>& rows) {
   std::vector<Table::Column> columns{
@@ -94,13 +109,14 @@ std::string brawn_text(const std::vector<train::BrawnRow>& rows) {
   for (const auto& [kind, share] : rows.front().kind) columns.push_back({kind, right});
   columns.push_back({"other target", right});
   columns.push_back({"135 degrees off", right});
+  columns.push_back({"both", right});
   Table table(columns);
   for (const train::BrawnRow& row : rows) {
     std::vector<std::string> cells{fixed(row.brawn, 1), fixed(row.mean_damage_ns, 3),
                                    fixed(row.mean_work_j, 0)};
     for (const auto& [kind, share] : row.kind) cells.push_back(fixed(share, 3));
-    cells.push_back(fixed(row.other_target, 3));
-    cells.push_back(fixed(row.far_direction, 3));
+    for (const double share : {row.use.other_target, row.use.far_direction, row.use.luck})
+      cells.push_back(fixed(share, 3));
     table.add(cells);
   }
   return table.text();
@@ -198,6 +214,7 @@ std::string comparison_text(const train::Report& report) {
           timing_text(report) + '\n';
   if (!report.evaluation.look_ahead.empty())
     text += look_ahead_text(report.evaluation.look_ahead) + '\n';
+  text += use_text(report.evaluation) + '\n';
   if (!report.brawn.empty()) text += brawn_text(report.brawn) + '\n';
   text += groups_text(report) + '\n';
   if (!report.noise.empty())

@@ -2,17 +2,13 @@
 #include "train/evaluate/brawn.h"
 
 #include <array>
-#include <cmath>
 
 #include "database/library/library_file.h"
-#include "motion/rotation.h"
 
 namespace flinch::train {
 namespace {
 
 constexpr std::array kShownBrawns{0.0, 0.1, 0.2, 0.3, 0.5, 0.7, 0.9, 1.0};
-const double kFar = motion::radians(135.0);
-constexpr double kRounding = 1e-4;  // of directions, which are floats
 
 std::string kind_of(const database::ClipLibrary& library, int clip) {
   return clip == library.idle ? "idle" : library.clip(clip).kind;
@@ -33,20 +29,19 @@ std::vector<BrawnRow> brawn_rows(const TrainTestSplit& split, const CostModel& c
   for (const double brawn : kShownBrawns) {
     CostModel model = cost_model;
     model.brawn = brawn;
-    BrawnRow row{.brawn = brawn, .kind = no_kinds};
+    BrawnRow row;
+    row.brawn = brawn;
+    row.kind = no_kinds;
+    std::vector<int> clips;
     for (const Observation& observation : split.tested) {
       const std::vector<double> costs = costs_of(observation.trials, model);
       const Trial& chosen = observation.trials[best_trial(observation.trials, costs)];
       row.mean_damage_ns += share * damage_ns(chosen.impulse, model.vulnerability);
       row.mean_work_j += share * double{chosen.work_j};
       row.kind[kind_of(library, chosen.clip)] += share;
-      const auto& annotation = library.clip(chosen.clip).annotation;
-      if (chosen.clip == library.idle || !annotation) continue;
-      if (annotation->target != observation.scenario.target) row.other_target += share;
-      const float apart =
-          motion::wrapped_to_pi(annotation->direction - azimuth_of(observation.scenario));
-      if (std::abs(double{apart}) >= kFar - kRounding) row.far_direction += share;
+      clips.push_back(chosen.clip);
     }
+    row.use = intended_use(split.header, split.tested, clips);
     rows.push_back(row);
   }
   return rows;

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "train/evaluate/intended_use.h"
 #include "train/evaluate/split.h"
 #include "train/objective/cost.h"
 
@@ -19,8 +20,7 @@ struct BrawnRow {
   /// Share of each kind of clip ("block", "duck", ...), and of the idle clip as "idle"; the same
   /// kinds in every row.
   std::map<std::string, double> kind;
-  double other_target = 0;   ///< clips that are made for another target than the threatened one
-  double far_direction = 0;  ///< clips that are made for a direction 135 degrees away, or more
+  IntendedUse use;
 };
 
 /// Chooses at brawns from 0 to 1 from the same simulations. None if the store does not hold its

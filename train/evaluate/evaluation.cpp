@@ -49,6 +49,7 @@ EvaluationRow row_of(std::string name, const TrainTestSplit& split, const Evalua
     row.vote.push_back(chosen.vote);
     row.expected_cost_ns.push_back(chosen.expected_cost_ns);
   }
+  row.use = intended_use(split.header, split.tested, row.chosen);
   return row;
 }
 

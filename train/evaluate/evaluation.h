@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "train/evaluate/bootstrap.h"
+#include "train/evaluate/intended_use.h"
 #include "train/evaluate/split.h"
 #include "train/fit/labels.h"
 #include "train/fit/training.h"
@@ -67,6 +68,7 @@ struct EvaluationRow {
   Estimate regret_ns;   ///< mean cost minus the oracle's
   Estimate protection;  ///< 0 for standing still, 1 for the oracle; not a number if those are equal
   std::vector<Difference> differences;  ///< from svm and knn, if those are rows
+  IntendedUse use;                      ///< of the chosen clips
 };
 
 /// Time that a row takes to choose, from features to clip, and to fit.

@@ -21,6 +21,12 @@ void put(Json& document, const std::string& key, const Estimate& estimate) {
   document[key + "_ci"] = Json::array({estimate.interval.low, estimate.interval.high});
 }
 
+void put(Json& document, const IntendedUse& use) {
+  document["other_target"] = use.other_target;
+  document["far_direction"] = use.far_direction;
+  document["luck"] = use.luck;
+}
+
 Json cost_model_document(const CostModel& model) {
   Json vulnerability;
   for (const motion::Body body : motion::kBodies)
@@ -47,6 +53,7 @@ Json document_of(const EvaluationRow& row) {
   put(document, "mean_damage", row.mean_damage_ns);
   put(document, "regret", row.regret_ns);
   put(document, "protection", row.protection);
+  put(document, row.use);
   for (const Difference& difference : row.differences)
     put(document, "minus_" + difference.from, difference.cost_ns);
   return document;
@@ -63,8 +70,7 @@ Json document_of(const BrawnRow& row) {
   Json document{
       {"brawn", row.brawn}, {"mean_damage", row.mean_damage_ns}, {"mean_work", row.mean_work_j}};
   for (const auto& [kind, share] : row.kind) document[kind] = share;
-  document["other_target"] = row.other_target;
-  document["far_direction"] = row.far_direction;
+  put(document, row.use);
   return document;
 }
 
