@@ -71,11 +71,16 @@ std::vector<double> round_ticks(const Range& range) {
   return ticks;
 }
 
-/// Returns the powers of ten in a range of positive numbers.
-std::vector<double> decades(const Range& range) {
+/// Returns the numbers 1, 2 and 5 times a power of ten in a range of positive numbers.
+std::vector<double> logarithmic_ticks(const Range& range) {
   std::vector<double> ticks;
-  for (double power = std::ceil(std::log10(range.least)); power <= std::log10(range.most); ++power)
-    ticks.push_back(std::pow(10, power));
+  for (double power = std::floor(std::log10(range.least)); power <= std::log10(range.most);
+       ++power) {
+    for (const double digit : {1, 2, 5}) {
+      const double tick = digit * std::pow(10, power);
+      if (tick >= range.least && tick <= range.most) ticks.push_back(tick);
+    }
+  }
   return ticks;
 }
 
@@ -165,6 +170,81 @@ std::string end_labels(const std::vector<Series>& series, const Scale& y) {
   return drawing;
 }
 
+/// A rectangle of the drawing, pixels.
+struct Box {
+  double left, top, right, bottom;
+
+  double overlap(const Box& other) const {
+    const double width = std::min(right, other.right) - std::max(left, other.left);
+    const double height = std::min(bottom, other.bottom) - std::max(top, other.top);
+    return std::max(width, 0.0) * std::max(height, 0.0);
+  }
+};
+
+/// A name beside a point.
+struct NamePlace {
+  double x, y;  ///< as of label()
+  const char* anchor;
+  Box box;
+};
+
+/// Where a name of so many letters may stand beside a point, the best place first.
+std::vector<NamePlace> places_beside(double x, double y, std::size_t letters) {
+  constexpr double kLetterWidth = 6.6;
+  constexpr double kGap = 8;
+  const double width = kLetterWidth * static_cast<double>(letters);
+  std::vector<NamePlace> places;
+  for (const double down : {0.0, -1.0, 1.0, -2.0, 2.0}) {
+    const double middle = y + down * kLabelHeight;
+    const double top = middle - kLabelHeight / 2;
+    const Box right{x + kGap, top, x + kGap + width, top + kLabelHeight};
+    places.push_back({right.left, middle + 4, "", right});
+    const Box left{x - kGap - width, top, x - kGap, top + kLabelHeight};
+    places.push_back({left.right, middle + 4, " end", left});
+  }
+  return places;
+}
+
+/// The names beside the lines' last points, where they cover no point and no other name, or as
+/// little as possible.
+std::string names_beside_ends(const std::vector<Series>& series, const Scale& x, const Scale& y) {
+  constexpr double kDot = 4;
+  std::vector<Box> taken{{0, 0, kLeftMargin, kChartHeight},
+                         {0, kChartHeight - kBottomMargin, kChartWidth, kChartHeight},
+                         {0, -kChartHeight, kChartWidth, 0},
+                         {kChartWidth, 0, 2 * kChartWidth, kChartHeight}};
+  for (const Series& line : series) {
+    for (std::size_t i = 0; i < line.x.size(); ++i) {
+      if (!std::isfinite(line.y[i])) continue;
+      const double at_x = x(line.x[i]);
+      const double at_y = y(line.y[i]);
+      taken.push_back({at_x - kDot, at_y - kDot, at_x + kDot, at_y + kDot});
+    }
+  }
+  std::string drawing;
+  for (std::size_t i = 0; i < series.size(); ++i) {
+    const Series& line = series[i];
+    if (line.y.empty() || !std::isfinite(line.y.back())) continue;
+    const auto covered = [&taken](const NamePlace& place) {
+      double area = 0;
+      for (const Box& box : taken) area += place.box.overlap(box);
+      return area;
+    };
+    const auto places = places_beside(x(line.x.back()), y(line.y.back()), line.name.size());
+    const NamePlace best = std::ranges::min(places, {}, covered);
+    taken.push_back(best.box);
+    drawing += label(best.x, best.y, line.name,
+                     "name" + std::string(best.anchor) + " c" + std::to_string(i % 8));
+  }
+  return drawing;
+}
+
+bool end_together(const std::vector<Series>& series) {
+  return std::ranges::all_of(series, [&series](const Series& line) {
+    return !line.x.empty() && line.x.back() == series.front().x.back();
+  });
+}
+
 }  // namespace
 
 std::string html_escaped(const std::string& text) {
@@ -211,7 +291,7 @@ std::string svg_of(const LineChart& chart) {
     const auto& first = chart.series.front().x;
     const bool is_shared = std::ranges::all_of(
         chart.series, [&first](const Series& series) { return series.x == first; });
-    ticks_x = is_shared ? first : decades(found_x);
+    ticks_x = is_shared ? first : logarithmic_ticks(found_x);
   }
   std::string drawing = axis_y(y, ticks_y, kLeftMargin, kChartWidth - kRightMargin, chart.y_title) +
                         axis_x(x, ticks_x, kTopMargin, kChartHeight - kBottomMargin, chart.x_title);
@@ -220,7 +300,9 @@ std::string svg_of(const LineChart& chart) {
         line(x(found_x.least), y(found_x.least), x(found_x.most), y(found_x.most), "diagonal");
   }
   for (std::size_t i = 0; i < chart.series.size(); ++i) drawing += drawn(chart.series[i], x, y, i);
-  return figure(chart.title, kChartHeight, drawing + end_labels(chart.series, y));
+  return figure(chart.title, kChartHeight,
+                drawing + (end_together(chart.series) ? end_labels(chart.series, y)
+                                                      : names_beside_ends(chart.series, x, y)));
 }
 
 std::string svg_of(const DotChart& chart) {
@@ -262,7 +344,7 @@ std::string chart_style() {
          ".c0{--c:#0072b2}.c1{--c:#d55e00}.c2{--c:#009e73}.c3{--c:#cc79a7}.c4{--c:#e69f00}"
          ".c5{--c:#56b4e9}.c6{--c:#8a6d3b}.c7{--c:#777}"
          ".line[class*=c]{stroke:var(--c)}.dot[class*=c]{fill:var(--c)}"
-         ".name[class*=' c']{fill:var(--c)}";
+         ".name[class*=' c']{fill:var(--c);paint-order:stroke;stroke:var(--card);stroke-width:3px}";
 }
 
 }  // namespace flinch::train

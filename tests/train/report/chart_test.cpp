@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <regex>
+
 namespace flinch::train {
 namespace {
 
@@ -24,10 +26,65 @@ TEST(LineChart, ALogarithmicAxisShowsTheValuesThatAllSeriesShare) {
   EXPECT_FALSE(has_tick(svg, "100"));
 }
 
-TEST(LineChart, ALogarithmicAxisOfSeriesThatShareNoneShowsPowersOfTen) {
+TEST(LineChart, ALogarithmicAxisOfSeriesThatShareNoneShowsRoundNumbers) {
   const std::string svg = svg_of(logarithmic_chart({6.5, 30}, {40, 2500}));
-  for (const char* power : {"10", "100", "1000"}) EXPECT_TRUE(has_tick(svg, power)) << power;
-  EXPECT_FALSE(has_tick(svg, "6.5"));
+  for (const char* number : {"10", "20", "50", "100", "200", "500", "1000", "2000"})
+    EXPECT_TRUE(has_tick(svg, number)) << number;
+  for (const char* number : {"5", "6.5", "5000"}) EXPECT_FALSE(has_tick(svg, number)) << number;
+}
+
+/// A rectangle of the drawing, pixels.
+struct Rectangle {
+  double left, top, right, bottom;
+  bool overlaps(const Rectangle& other) const {
+    return left < other.right && other.left < right && top < other.bottom && other.top < bottom;
+  }
+};
+
+/// What the names of a chart's lines cover, with letters of 6 by 11 pixels.
+std::vector<Rectangle> names_in(const std::string& svg) {
+  const std::regex name("<text class='name( end)? c[0-7]' x='([0-9.]+)' y='([0-9.]+)'>([^<]*)<");
+  std::vector<Rectangle> found;
+  for (std::sregex_iterator at(svg.begin(), svg.end(), name), end; at != end; ++at) {
+    const double x = std::stod((*at)[2]);
+    const double y = std::stod((*at)[3]);
+    const double width = 6.0 * static_cast<double>((*at)[4].length());
+    const double left = (*at)[1].matched ? x - width : x;
+    found.push_back({left, y - 10, left + width, y + 1});
+  }
+  return found;
+}
+
+std::vector<Rectangle> points_in(const std::string& svg) {
+  const std::regex point("<circle [^>]*cx='([0-9.]+)' cy='([0-9.]+)'");
+  std::vector<Rectangle> found;
+  for (std::sregex_iterator at(svg.begin(), svg.end(), point), end; at != end; ++at) {
+    const double x = std::stod((*at)[1]);
+    const double y = std::stod((*at)[2]);
+    found.push_back({x - 3, y - 3, x + 3, y + 3});
+  }
+  return found;
+}
+
+TEST(LineChart, NamesOfLinesThatEndApartCoverNoPointAndNoOtherName) {
+  LineChart chart;
+  chart.logarithmic_x = true;
+  chart.series = {{"random", {400, 900}, {0.2, 0.6}},
+                  {"nearest_annotation", {800}, {0.61}},
+                  {"knn", {20, 820}, {0.7, 0.97}},
+                  {"svm", {60, 900}, {0.8, 0.975}},
+                  {"svm_rbf", {62}, {0.8}},
+                  {"network", {12, 300, 600, 1000, 2400}, {0.78, 0.87, 0.92, 0.97, 0.99}},
+                  {"pairwise_cost", {35, 950}, {0.8, 0.972}}};
+  const std::string svg = svg_of(chart);
+  const std::vector<Rectangle> names = names_in(svg);
+  ASSERT_EQ(names.size(), chart.series.size());
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    EXPECT_GT(names[i].left, 0);
+    EXPECT_LT(names[i].right, 640);
+    for (const Rectangle& point : points_in(svg)) EXPECT_FALSE(names[i].overlaps(point)) << i;
+    for (std::size_t j = 0; j < i; ++j) EXPECT_FALSE(names[i].overlaps(names[j])) << i << ' ' << j;
+  }
 }
 
 }  // namespace
