@@ -296,21 +296,47 @@ Status Search::update(runtime::Character& character, float dt_s, const Budget& b
 
 namespace {
 
+LookAheadStatus refused(Status status) {
+  LookAheadStatus told;
+  told.status = status;
+  return told;
+}
+
 LookAheadStatus finished(Search& search, Status begun, runtime::Character& character,
                          const LookAhead& look_ahead, LookAheadWorkspace& workspace) {
-  if (begun != Status::ok) {
-    LookAheadStatus refused;
-    refused.status = begun;
-    return refused;
-  }
+  if (begun != Status::ok) return refused(begun);
   search.advance(look_ahead.budget, workspace);
   return search.finish(character);
 }
 
 }  // namespace
 
+/// Where there is one candidate, there is no choice: answers as Character::perceive does.
+LookAheadStatus Search::answer_first(runtime::Character& character, const Perception& urgent,
+                                     LookAheadWorkspace& workspace) noexcept {
+  LookAheadStatus status;
+  std::array<models::Candidate, 1> first;
+  status.status = character.rank(urgent, workspace.memory_->selection, first, status.count);
+  if (status.status != Status::ok) return status;
+  status.candidates[0].candidate = first[0];
+  status.is_complete = true;
+  status.status = character.answer(urgent, first[0].clip, first);
+  return status;
+}
+
 LookAheadStatus perceive(runtime::Character& character, std::span<const features::Threat> threats,
                          const LookAhead& look_ahead, LookAheadWorkspace& workspace) noexcept {
+  if (look_ahead.candidates <= 1) {
+    if (!character.library().is_loaded()) return refused(Status::not_loaded);
+    if (!workspace.is_for(character.library())) return refused(Status::other_workspace);
+    std::array<Perception, kMaxThreats> urgent;
+    const runtime::Notice noticed = character.notice(threats, urgent);
+    if (noticed.count == 0) return refused(noticed.status);
+    LookAheadStatus status = Search::answer_first(character, urgent[0], workspace);
+    status.threats = noticed.count;
+    status.ignored = noticed.ignored;
+    return status;
+  }
   Search search(character.library());
   const Status begun = search.begin(character, threats, look_ahead.candidates, workspace);
   return finished(search, begun, character, look_ahead, workspace);

@@ -156,6 +156,14 @@ class Search {
   const LookAheadStatus& status() const noexcept { return status_; }
 
  private:
+  friend LookAheadStatus perceive(runtime::Character& character,
+                                  std::span<const features::Threat> threats,
+                                  const LookAhead& look_ahead,
+                                  LookAheadWorkspace& workspace) noexcept;
+
+  static LookAheadStatus answer_first(runtime::Character& character,
+                                      const runtime::Perception& urgent,
+                                      LookAheadWorkspace& workspace) noexcept;
   runtime::Status open(const runtime::Character& character,
                        std::span<const runtime::Perception> threats,
                        const LookAheadWorkspace& workspace) noexcept;

@@ -13,39 +13,41 @@ namespace {
 
 using motion::Body;
 
-// The figure lags behind the response by millimetres, so a ball this near to the response is
-// simulated: the simulation decides whether it touches.
+// The figure lags behind the response by millimetres, and parts may accelerate between two frames:
+// a ball this near to the response is simulated, and the simulation decides whether it touches.
 constexpr double kNearDistance_m = 0.03;
-// How much the parts of a response may accelerate in a free step, beside what kNearDistance_m
-// covers.
-constexpr double kNearAcceleration_mps2 = 100;
 // As in sim/rehearsal: a ball that stays this clear of the response ends a simulation.
 constexpr double kClearDistance_m = 0.05;
-// No clip moves the pelvis faster; the fastest dodges reach 3 m/s.
+// No clip moves a part of the body faster, or the pelvis, or sways in idling; hands reach 8 m/s,
+// fast dodges 3 m/s.
+constexpr double kMaxPartSpeed_mps = 15;
 constexpr double kMaxPelvisSpeed_mps = 6;
+constexpr double kMaxSwaySpeed_mps = 0.5;
+constexpr double kMaxAhead_s = 0.25;  // that is skipped at once
+// By which a time in steps may fall short of a whole number.
+constexpr double kRounding = 1e-6;
 
-/// Whether the ball comes within `distance_m` of a part within `horizon_s`, if the part keeps its
-/// velocity to within `slack_mps2`.
-bool comes_near(const sim::FigureModel& figure_model, Body body, const sim::BodyState& state,
-                const features::Ball& ball, double horizon_s, double distance_m,
-                double slack_mps2) {
-  const double radius = figure_model.radius[body];
-  const double speed = (ball.velocity - state.velocity).norm() +
-                       state.angular_velocity.norm() * radius +
-                       (ball.gravity_mps2 + 1.5 * slack_mps2) * horizon_s;
-  const double reach = radius + ball.radius + distance_m + speed * horizon_s;
-  if ((ball.position - state.position).squaredNorm() > reach * reach) return false;
-  return time_of_contact(ball, placed_shape(figure_model.outline[body], state), horizon_s,
-                         distance_m, slack_mps2)
-      .has_value();
+constexpr std::size_t kNoFrame = static_cast<std::size_t>(-1);
+
+/// The time in which a ball cannot cover `distance_m` to the reach of a figure that idles for
+/// `idles_s`.
+double time_to_cover(double distance_m, const features::Ball& ball, double idles_s) {
+  const double ball_mps = ball.velocity.norm() + ball.gravity_mps2 * kMaxAhead_s;
+  const double closing_mps = ball_mps + kMaxSwaySpeed_mps;
+  const double while_idle_s = distance_m / closing_mps;
+  const double time_s = while_idle_s <= idles_s ? while_idle_s
+                                                : idles_s + (distance_m - closing_mps * idles_s) /
+                                                                (ball_mps + kMaxPelvisSpeed_mps);
+  return std::clamp(time_s, 0.0, kMaxAhead_s);
 }
 
-/// The number of steps in which a ball cannot cover `distance_m` to a figure, at least 1.
-std::size_t steps_to_cover(double distance_m, const features::Ball& ball, double step_s) {
-  constexpr double kMaxAhead_s = 0.25;
-  const double speed = ball.velocity.norm() + ball.gravity_mps2 * kMaxAhead_s + kMaxPelvisSpeed_mps;
-  const double ahead_s = std::min(distance_m / speed, kMaxAhead_s);
-  return static_cast<std::size_t>(std::max(ahead_s / step_s, 1.0));
+/// What a ball hits on its way to another body. Guards of hand and arm are made for that.
+constexpr sim::BodySet kArms = sim::set_of(Body::left_upper_arm) | sim::set_of(Body::left_forearm) |
+                               sim::set_of(Body::left_hand) | sim::set_of(Body::right_upper_arm) |
+                               sim::set_of(Body::right_forearm) | sim::set_of(Body::right_hand);
+
+int count_of_hit(const motion::PerBody<double>& impulse) {
+  return static_cast<int>(std::ranges::count_if(impulse, [](double ns) { return ns > 0; }));
 }
 
 }  // namespace
@@ -54,48 +56,94 @@ ResponseTrial::ResponseTrial(const sim::FigureModel& figure_model, double reach_
     : figure_model_(figure_model),
       reach_m_(reach_m),
       reference_(figure_model),
+      lag_(figure_model),
       encounter_(figure_model, options_, 0, figure_model, motion::PerBody<sim::BodyState>{},
                  nullptr, options_.gravity_mps2) {}
 
-/// Distance of the ball's surface from the sphere about the pelvis that no part of the figure
-/// leaves.
-double ResponseTrial::distance_to_reach_m(const features::Ball& ball, double time_s) {
-  const Eigen::Vector3d pelvis = reference_.pelvis_at(time_s);
-  return (ball.position - pelvis).norm() - reach_m_ - ball.radius;
-}
-
-/// The first free step in which the ball may come near the figure, also after a bounce.
-std::optional<std::size_t> ResponseTrial::first_near_step(const features::Ball& ball,
-                                                          double until_s) {
-  const double step_s = options_.free_step_s;
-  const double bounce_s =
-      features::time_of_bounce(ball, until_s, sim::kContactDistance_m).value_or(until_s);
-  std::size_t step = 0;
-  for (double time_s = 0; time_s < until_s; time_s = static_cast<double>(step) * step_s) {
-    const features::Ball there = ball.at(std::min(time_s, bounce_s));
-    const double distance_m = distance_to_reach_m(there, time_s) - kNearDistance_m;
-    if (time_s + step_s > bounce_s && bounce_s < until_s) {
-      // A ball that leaves the figure behind when it bounces does not come back.
-      const Eigen::Vector3d from_pelvis = there.position - reference_.pelvis_at(time_s);
-      const bool leaves = from_pelvis.head<2>().dot(there.velocity.head<2>()) > 0;
-      if (distance_m > 0 && leaves) return std::nullopt;
-      return step;
-    }
-    if (distance_m > 0) {
-      std::size_t ahead = steps_to_cover(distance_m, there, step_s);
-      const auto bounce_step = static_cast<std::size_t>(bounce_s / step_s);
-      if (step < bounce_step) ahead = std::min(ahead, bounce_step - step);
-      step += std::max<std::size_t>(ahead, 1);
+/// The body within `distance_m` of which a ball, as it is `since_s` after a frame, comes first
+/// before the next frame. Parts move straight from frame to frame.
+std::optional<Body> ResponseTrial::first_near(const features::Ball& ball, std::size_t frame,
+                                              double since_s, double distance_m) {
+  const double rate_hz = reference_.rate_hz();
+  double horizon_s = 1 / rate_hz - since_s;
+  const motion::PerBody<sim::BodyState>& from = reference_.places_at_frame(frame);
+  const motion::PerBody<sim::BodyState>& to = reference_.places_at_frame(frame + 1);
+  std::optional<Body> first;
+  for (const Body body : motion::kBodies) {
+    sim::BodyState part = from[body];
+    part.velocity = rate_hz * (to[body].position - part.position);
+    part.angular_velocity.setZero();
+    // The sphere about its centre contains a part however it turns.
+    if (!may_reach(moved_on(part, since_s), figure_model_.radius[body], ball, horizon_s,
+                   distance_m)) {
       continue;
     }
-    const sim::ReferenceState now = reference_.at(time_s);
-    for (const Body body : motion::kBodies) {
-      if (comes_near(figure_model_, body, now.body[body], there, step_s, kNearDistance_m,
-                     kNearAcceleration_mps2)) {
-        return step;
-      }
+    part.angular_velocity =
+        rate_hz * motion::rotation_vector(to[body].orientation * part.orientation.conjugate());
+    const sim::MovingShape there =
+        placed_shape(figure_model_.outline[body], moved_on(part, since_s));
+    const auto near_s = time_of_contact(ball, there, horizon_s, distance_m, 0);
+    if (!near_s) continue;
+    horizon_s = *near_s;
+    first = body;
+  }
+  return first;
+}
+
+/// For how many frames a ball, as it is `since_s` after a frame, stays `distance_m` clear of all
+/// parts, however they move: 0 if it may come near before the next one.
+std::size_t ResponseTrial::clear_frames(const features::Ball& ball, std::size_t frame,
+                                        double since_s, double distance_m) {
+  const motion::PerBody<sim::BodyState>& places = reference_.places_at_frame(frame);
+  double clear_s = kMaxAhead_s;
+  for (const Body body : motion::kBodies) {
+    const Eigen::Vector3d from_part = ball.position - places[body].position;
+    const double gap = from_part.norm() - figure_model_.radius[body] - ball.radius - distance_m -
+                       kMaxPartSpeed_mps * since_s;
+    const bool leaves = from_part.dot(ball.velocity) >= 0;
+    const double speed =
+        kMaxPartSpeed_mps + ball.gravity_mps2 * kMaxAhead_s + (leaves ? 0 : ball.velocity.norm());
+    clear_s = std::min(clear_s, gap / speed);
+  }
+  return static_cast<std::size_t>(std::max(clear_s + since_s, 0.0) * reference_.rate_hz());
+}
+
+/// What a ball, as it is `since_s` after a frame, does next.
+ResponseTrial::Ahead ResponseTrial::look(const features::Ball& ball, std::size_t frame,
+                                         double since_s, double distance_m) {
+  const double reach_m = (ball.position - reference_.pelvis_at(frame)).norm() - reach_m_ -
+                         ball.radius - distance_m - kMaxPelvisSpeed_mps * since_s;
+  const double time_s = static_cast<double>(frame) / reference_.rate_hz();
+  const double idles_s = std::max(reference_.idles_until_s() - time_s, 0.0);
+  const double cover_s = time_to_cover(reach_m, ball, idles_s);
+  Ahead ahead{static_cast<std::size_t>(cover_s * reference_.rate_hz()), std::nullopt};
+  if (ahead.frames == 0) ahead.frames = clear_frames(ball, frame, since_s, distance_m);
+  if (ahead.frames == 0) ahead = {1, first_near(ball, frame, since_s, distance_m)};
+  return ahead;
+}
+
+/// The first frame after which the ball may come near the figure before the next, also after a
+/// bounce.
+std::optional<ResponseTrial::Near> ResponseTrial::find_near(const features::Ball& ball,
+                                                            double until_s) {
+  const double rate_hz = reference_.rate_hz();
+  const auto bounce_s = features::time_of_bounce(ball, until_s, sim::kContactDistance_m);
+  const std::size_t bounce_frame =
+      bounce_s ? static_cast<std::size_t>(*bounce_s * rate_hz) : kNoFrame;
+  std::size_t frame = 0;
+  for (double time_s = 0; time_s < until_s; time_s = static_cast<double>(frame) / rate_hz) {
+    if (frame >= bounce_frame) {
+      // A ball that leaves the figure behind when it bounces does not come back.
+      const features::Ball there = ball.at(*bounce_s);
+      const Eigen::Vector3d from_pelvis = there.position - reference_.pelvis_at(frame);
+      const bool leaves = from_pelvis.head<2>().dot(there.velocity.head<2>()) > 0;
+      const bool is_far = from_pelvis.norm() - reach_m_ - ball.radius > kNearDistance_m;
+      if (is_far && leaves) return std::nullopt;
+      return Near{frame, std::nullopt};
     }
-    ++step;
+    const Ahead ahead = look(ball.at(time_s), frame, 0, kNearDistance_m);
+    if (ahead.near) return Near{frame, ahead.near};
+    frame = std::min(frame + ahead.frames, std::max(bounce_frame, frame + 1));
   }
   return std::nullopt;
 }
@@ -103,50 +151,59 @@ std::optional<std::size_t> ResponseTrial::first_near_step(const features::Ball& 
 /// Whether a ball, as it is at `now_s`, stays clear of the response from `time_s` on.
 bool ResponseTrial::stays_clear(const features::Ball& ball, double now_s, double time_s,
                                 double until_s) {
-  const double step_s = options_.free_step_s;
+  const double rate_hz = reference_.rate_hz();
   sim::BouncingBall bouncing(ball, now_s, options_.restitution);
-  while (time_s < until_s) {
-    const features::Ball& there = bouncing.at(time_s);
-    const double distance_m = distance_to_reach_m(there, time_s) - kClearDistance_m;
-    if (distance_m > 0) {
-      time_s += step_s * static_cast<double>(steps_to_cover(distance_m, there, step_s));
-      continue;
-    }
-    const sim::ReferenceState then = reference_.at(time_s);
-    for (const Body body : motion::kBodies) {
-      if (comes_near(figure_model_, body, then.body[body], there, step_s, kClearDistance_m, 0))
-        return false;
-    }
-    time_s += step_s;
+  auto frame = static_cast<std::size_t>(time_s * rate_hz);
+  double since_s = std::max(time_s - static_cast<double>(frame) / rate_hz, 0.0);
+  for (; time_s < until_s; time_s = static_cast<double>(frame) / rate_hz, since_s = 0) {
+    const Ahead ahead = look(bouncing.at(time_s), frame, since_s, kClearDistance_m);
+    if (ahead.near) return false;
+    frame += ahead.frames;
   }
   return true;
 }
 
-// Implicit springs of 60 rad/s that follow a reference in steps of 1/60 s leave no lag of position
-// at a constant acceleration, and a velocity that leads from the step before to this one.
 motion::PerBody<sim::BodyState> ResponseTrial::start_at(double time_s,
                                                         const sim::ReferenceState& now) {
   const double step_s = options_.free_step_s;
-  motion::PerBody<sim::BodyState> start = now.body;
-  if (time_s < step_s) return start;
-  const sim::ReferenceState before = reference_.at(time_s - step_s);
-  for (const Body body : motion::kBodies) {
-    const sim::BodyState& from = before.body[body];
-    sim::BodyState& to = start[body];
-    to.velocity = (to.position - from.position) / step_s;
-    to.angular_velocity =
-        motion::rotation_vector(to.orientation * from.orientation.conjugate()) / step_s;
-  }
-  return start;
+  // An idling character's lag is small, and it does not matter where a response has just begun.
+  if (time_s < 2 * step_s) return now.body;
+  return lag_.figure(
+      {reference_.places_at(time_s - 2 * step_s), reference_.places_at(time_s - step_s), now,
+       reference_.places_at(time_s + step_s)},
+      step_s, options_.gravity_mps2);
 }
 
+// A hit after the first one depends on a fraction of a millimetre of that, so it is simulated from
+// further back: at once if an arm is in the way, and else when there is a second hit.
 TrialResult ResponseTrial::meet(const features::Ball& ball, double until_s,
                                 const models::ResponseCosts& costs, double max_damage_ns) {
+  const auto near = find_near(ball, until_s);
+  if (!near) return {};
+  const double near_s = static_cast<double>(near->frame) / reference_.rate_hz();
+  const double near_step = std::floor(near_s / options_.free_step_s + kRounding);
+  const auto begin_s = [&](int settling) {
+    return std::max(near_step - settling, 0.0) * options_.free_step_s;
+  };
+  int steps = 0;
+  if (!near->body || !(sim::set_of(*near->body) & kArms)) {
+    const TrialResult first =
+        run(ball, begin_s(kSettlingSteps), until_s, costs, max_damage_ns, true);
+    if (first.is_cut || count_of_hit(first.impulse) < 2) return first;
+    steps = first.steps;
+  }
+  TrialResult result = run(ball, begin_s(kLongSettlingSteps), until_s, costs, max_damage_ns, false);
+  result.steps += steps;
+  return result;
+}
+
+/// Simulates from `begin_s` on, until `until_s` or until nothing can touch any more; or until the
+/// damage exceeds `max_damage_ns`; or, if only the `first_hit` is wanted, until a second body is
+/// hit.
+TrialResult ResponseTrial::run(const features::Ball& ball, double begin_s, double until_s,
+                               const models::ResponseCosts& costs, double max_damage_ns,
+                               bool first_hit) {
   TrialResult result;
-  const auto near_step = first_near_step(ball, until_s);
-  if (!near_step) return result;
-  const std::size_t first_step = *near_step - std::min(*near_step, kSettlingSteps);
-  const double begin_s = static_cast<double>(first_step) * options_.free_step_s;
   const features::Ball then = ball.at(begin_s);
   sim::ReferenceState now = reference_.at(begin_s);
   encounter_.restart(begin_s, start_at(begin_s, now), &then);
@@ -163,6 +220,7 @@ TrialResult ResponseTrial::meet(const features::Ball& ball, double until_s,
     now = is_whole ? target : reference_.at(encounter_.time_s());
     ++result.steps;
     if (std::isinf(encounter_.first_contact_s())) continue;
+    if (first_hit && count_of_hit(encounter_.impulse()) > 1) break;
     result.damage_ns = damage_ns(costs, encounter_.impulse());
     if (result.damage_ns > max_damage_ns) {
       result.is_cut = true;

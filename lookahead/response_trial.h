@@ -4,6 +4,7 @@
 #include <limits>
 #include <optional>
 
+#include "lookahead/figure_lag.h"
 #include "lookahead/response_reference.h"
 #include "models/response_costs.h"
 #include "sim/encounter/encounter.h"
@@ -22,8 +23,9 @@ struct TrialResult {
 
 /// Simulates balls against responses, each from shortly before it may touch, with the figure, the
 /// steps and the laws of training. What training takes from an undisturbed run of the whole
-/// response is approximated here: the figure starts kSettlingSteps before the contact in the
-/// response's own pose, with its velocities, and its motors settle in these steps.
+/// response is approximated here: the figure starts kSettlingSteps before the contact where it is
+/// if it has followed the response for a while (FigureLag), and its motors settle in these steps.
+/// Where an arm or more than one body is hit, it starts kLongSettlingSteps before.
 ///
 /// Allocates when it is made and never after. A trial leaves nothing behind: equal calls give equal
 /// bits.
@@ -42,18 +44,38 @@ class ResponseTrial {
   TrialResult meet(const features::Ball& ball, double until_s, const models::ResponseCosts& costs,
                    double max_damage_ns = std::numeric_limits<double>::infinity());
 
-  static constexpr std::size_t kSettlingSteps = 6;
+  static constexpr int kSettlingSteps = 2;
+  static constexpr int kLongSettlingSteps = 10;
 
  private:
-  std::optional<std::size_t> first_near_step(const features::Ball& ball, double until_s);
+  /// Where a ball first comes near: the frame before, and the body, if it is known.
+  struct Near {
+    std::size_t frame = 0;
+    std::optional<motion::Body> body;
+  };
+  /// The body that a ball comes near before the next frame, or the number of frames after which to
+  /// look again.
+  struct Ahead {
+    std::size_t frames = 0;
+    std::optional<motion::Body> near;
+  };
+
+  std::optional<Near> find_near(const features::Ball& ball, double until_s);
   bool stays_clear(const features::Ball& ball, double now_s, double time_s, double until_s);
+  Ahead look(const features::Ball& ball, std::size_t frame, double since_s, double distance_m);
+  std::size_t clear_frames(const features::Ball& ball, std::size_t frame, double since_s,
+                           double distance_m);
+  std::optional<motion::Body> first_near(const features::Ball& ball, std::size_t frame,
+                                         double since_s, double distance_m);
   motion::PerBody<sim::BodyState> start_at(double time_s, const sim::ReferenceState& now);
-  double distance_to_reach_m(const features::Ball& ball, double time_s);
+  TrialResult run(const features::Ball& ball, double begin_s, double until_s,
+                  const models::ResponseCosts& costs, double max_damage_ns, bool first_hit);
 
   sim::SimulationOptions options_;
   const sim::FigureModel& figure_model_;
   double reach_m_;
   ResponseReference reference_;
+  FigureLag lag_;
   sim::Encounter<sim::TreeScene> encounter_;
 };
 

@@ -33,6 +33,7 @@ struct Pair {
   double foreseen_damage_ns = 0;
   double work_j = 0;
   double foreseen_work_j = 0;
+  int bodies_hit = 0;  ///< as training measured it
   std::array<double, kBrawns.size()> cost_ns{};
   std::array<double, kBrawns.size()> foreseen_cost_ns{};
 
@@ -70,6 +71,27 @@ void print_changes(const char* what, const Study& study, auto&& change) {
               100 * bench::quantile(changes, 0.95));
 }
 
+/// How many pairs' costs differ by more than 1 %, by the number of bodies that are hit: second hits
+/// turn on a fraction of a millimetre of the first.
+void print_by_bodies(const Study& study) {
+  std::printf("\n| bodies hit | pairs | brawn %.1f: cost differs by more than 1 %% | brawn %.1f |\n"
+              "| --- | --- | --- | --- |\n",
+              kBrawns[0], kBrawns[1]);
+  constexpr int kMost = 3;  // and more
+  for (int bodies = 0; bodies <= kMost; ++bodies) {
+    int pairs = 0;
+    std::array<int, kBrawns.size()> differ{};
+    for (const Pair& pair : study.pairs) {
+      if (std::min(pair.bodies_hit, kMost) != bodies) continue;
+      ++pairs;
+      for (std::size_t brawn = 0; brawn < kBrawns.size(); ++brawn)
+        differ[brawn] += pair.cost_change(brawn) > 0.01;
+    }
+    std::printf("| %d%s | %d | %d | %d |\n", bodies, bodies == kMost ? " or more" : "", pairs,
+                differ[0], differ[1]);
+  }
+}
+
 void print(Study study) {
   const auto hits = [](const Pair& pair) { return pair.damage_ns > 0; };
   const auto same = [](const Pair& pair) {
@@ -90,6 +112,7 @@ void print(Study study) {
     const std::string what = "cost at brawn " + std::to_string(kBrawns[brawn]).substr(0, 3);
     print_changes(what.c_str(), study, [&](const Pair& pair) { return pair.cost_change(brawn); });
   }
+  print_by_bodies(study);
   std::printf("\n| us | median | p99 |\n| --- | --- | --- |\n");
   std::printf("| plan | %.1f | %.1f |\n", bench::quantile(study.plan_us, 0.5),
               bench::quantile(study.plan_us, 0.99));
@@ -148,6 +171,8 @@ void run(const bench::StudyArguments& arguments) {
                 found.damage_ns,
                 double{measured.work_j},
                 0,
+                static_cast<int>(std::ranges::count_if(measured.impulse,
+                                                       [](float ns) { return ns > 0; })),
                 {},
                 {}};
       pair.foreseen_work_j = double{
