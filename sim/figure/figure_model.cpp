@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "sim/figure/figure_model.h"
 
+#include <algorithm>
+#include <array>
 #include <numbers>
 
 #include "sim/collision/pair_clearance.h"
@@ -86,7 +88,38 @@ MovingShape placed(const MovingShape& outline, const Eigen::Vector3d& centre_of_
   return shape;
 }
 
+TreeConstants tree_constants(const FigureModel& figure_model) {
+  static_assert(TreeConstants::kBodies == motion::kBodyCount);
+  const auto copy = [](const auto& from, auto& to) { std::ranges::copy(from, to); };
+  TreeConstants constants;
+  for (Body body : motion::kBodies) {
+    TreeConstants::Body& constant = constants.bodies[static_cast<std::size_t>(body)];
+    constant.parent = static_cast<std::size_t>(parent_of(body).value_or(body));
+    constant.mass_kg = static_cast<double>(figure_model.model[body].mass_kg);
+    const Eigen::Matrix3d& inertia = figure_model.inertia[body];
+    copy(std::array{inertia(0, 0), inertia(1, 1), inertia(2, 2), inertia(0, 1), inertia(0, 2),
+                    inertia(1, 2)},
+         constant.inertia);
+    if (parent_of(body)) copy(joint_offset(figure_model, body), constant.joint);
+    const JointKind kind = figure_model.kinds[body];
+    constant.free_axes = kind == JointKind::ball ? 3 : kind == JointKind::elbow ? 2 : 1;
+    copy(hinge_axis(kind), constant.hinge);
+    constant.stiffness = figure_model.gains[body].stiffness;
+    constant.damping = figure_model.gains[body].damping;
+    const JointRange& range = figure_model.limits[body];
+    copy(range.reference.coeffs(), constant.range.reference);
+    copy(range.bone, constant.range.bone);
+    copy(range.min, constant.range.min);
+    copy(range.max, constant.range.max);
+  }
+  return constants;
+}
+
 }  // namespace
+
+Eigen::Vector3d joint_offset(const FigureModel& figure_model, Body body) {
+  return -figure_model.model[body].centre_of_mass.cast<double>();
+}
 
 FigureModel::FigureModel(const motion::Physique& character)
     : skeleton(character.skeleton), model(make_body_model(character)) {
@@ -120,6 +153,7 @@ FigureModel::FigureModel(const motion::Physique& character)
       }
     }
   }
+  tree = tree_constants(*this);
 }
 
 Eigen::Vector3d sole_point(const MovingShape& foot, double forward, double left) {

@@ -6,6 +6,7 @@
 #include "sim/collision/sweep.h"
 #include "sim/figure/joint_range.h"
 #include "sim/figure/springs.h"
+#include "sim/figure/tree_constants.h"
 
 namespace flinch::sim {
 
@@ -27,7 +28,11 @@ struct FigureModel {
   /// Bodies that can collide with each body: neither connected by a joint nor overlapping in the
   /// rest pose.
   motion::PerBody<BodySet> may_collide;
+  TreeConstants tree;  ///< the same, for TreeLanes
 };
+
+/// Position of the joint of `body` from its centre of mass, in its own frame, m.
+Eigen::Vector3d joint_offset(const FigureModel& figure_model, motion::Body body);
 
 /// A point on the underside of a foot's box, in the frame of the foot's centre of mass, m.
 /// `forward` and `left` are in [-1, 1] across the box.

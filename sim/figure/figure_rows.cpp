@@ -37,8 +37,7 @@ struct JointAxes {
 // blow from the side.
 JointAxes axes_of(JointKind kind, const JointRange& limits, const Eigen::Quaterniond& reference) {
   if (kind == JointKind::ball) return {};
-  const bool elbow = kind == JointKind::elbow;
-  const Eigen::Vector3d anatomical = elbow ? Eigen::Vector3d::UnitZ() : Eigen::Vector3d::UnitY();
+  const Eigen::Vector3d anatomical = hinge_axis(kind);
   const Eigen::Vector3d angles = joint_angles(limits, reference);
   const Eigen::Vector3d& bone = limits.bone;
   const Eigen::Vector3d bend = angles - angles.dot(bone) * bone;
@@ -46,7 +45,7 @@ JointAxes axes_of(JointKind kind, const JointRange& limits, const Eigen::Quatern
   const Eigen::Vector3d hinge = (side * bend + kStraight_rad * anatomical).normalized();
   JointAxes axes;
   axes.frame << hinge, bone, hinge.cross(bone);
-  axes.free = elbow ? 2 : 1;
+  axes.free = kind == JointKind::elbow ? 2 : 1;
   return axes;
 }
 
@@ -145,9 +144,9 @@ JointRows joint_rows(const FigureModel& figure_model, Body body,
   return rows;
 }
 
-FigureRows figure_rows(const FigureModel& figure_model, const motion::PerBody<BodyState>& now,
-                       const ReferenceState& target, double step_s, const Drive& drive) {
-  FigureRows rows;
+FigureAnchors figure_anchors(const FigureModel& figure_model, const motion::PerBody<BodyState>& now,
+                             const ReferenceState& target, double step_s, const Drive& drive) {
+  FigureAnchors rows;
   if (!drive.is_falling) {
     rows.pelvis = pelvis_rows(figure_model, now[Body::pelvis], target.body[Body::pelvis], step_s,
                               drive.strength);
@@ -160,6 +159,12 @@ FigureRows figure_rows(const FigureModel& figure_model, const motion::PerBody<Bo
     rows.feet[side] = foot_rows(figure_model, foot, now[foot], target.body[foot], standing_feet,
                                 step_s, drive.foot_hold);
   }
+  return rows;
+}
+
+FigureRows figure_rows(const FigureModel& figure_model, const motion::PerBody<BodyState>& now,
+                       const ReferenceState& target, double step_s, const Drive& drive) {
+  FigureRows rows{figure_anchors(figure_model, now, target, step_s, drive), {}};
   for (Body body : motion::kBodies) {
     const auto parent = parent_of(body);
     if (!parent) continue;
@@ -167,10 +172,6 @@ FigureRows figure_rows(const FigureModel& figure_model, const motion::PerBody<Bo
                                    now[*parent].orientation, target, step_s, drive.strength.joints);
   }
   return rows;
-}
-
-Eigen::Vector3d joint_offset(const FigureModel& figure_model, Body body) {
-  return -figure_model.model[body].centre_of_mass.cast<double>();
 }
 
 MovingShape placed_shape(const MovingShape& outline, const BodyState& state) {

@@ -34,17 +34,20 @@ JointRows joint_rows(const FigureModel& figure_model, motion::Body body,
                      const Eigen::Quaterniond& now, const Eigen::Quaterniond& parent_now,
                      const ReferenceState& target, double step_s, double share);
 
-/// All equations of a figure for a step, except its contacts.
-struct FigureRows {
+/// The springs between a figure and the world in a step.
+struct FigureAnchors {
   std::optional<AnchorRows> pelvis;                 ///< unless it is free
   motion::PerSide<std::optional<AnchorRows>> feet;  ///< that are held in place
-  motion::PerBody<JointRows> joints;                ///< the pelvis has none
+};
+FigureAnchors figure_anchors(const FigureModel& figure_model, const motion::PerBody<BodyState>& now,
+                             const ReferenceState& target, double step_s, const Drive& drive);
+
+/// All equations of a figure for a step, except its contacts.
+struct FigureRows : FigureAnchors {
+  motion::PerBody<JointRows> joints;  ///< the pelvis has none
 };
 FigureRows figure_rows(const FigureModel& figure_model, const motion::PerBody<BodyState>& now,
                        const ReferenceState& target, double step_s, const Drive& drive);
-
-/// Position of the joint of `body` from its centre of mass, in its own frame, m.
-Eigen::Vector3d joint_offset(const FigureModel& figure_model, motion::Body body);
 
 /// Returns a part's outline at the part's pose, with its velocity.
 MovingShape placed_shape(const MovingShape& outline, const BodyState& state);

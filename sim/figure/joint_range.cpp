@@ -119,6 +119,17 @@ JointKind kind_of(Body body) {
   }
 }
 
+Eigen::Vector3d hinge_axis(JointKind kind) {
+  switch (kind) {
+    case JointKind::elbow:
+      return Eigen::Vector3d::UnitZ();
+    case JointKind::hinge:
+      return Eigen::Vector3d::UnitY();
+    default:
+      return Eigen::Vector3d::Zero();
+  }
+}
+
 Eigen::Vector3d joint_angles(const JointRange& limits, const Eigen::Quaterniond& rotation) {
   return motion::swing_twist_vector<double>(limits.reference.conjugate() * rotation, limits.bone);
 }

@@ -23,6 +23,8 @@ JointRange limits_of(motion::Body body);
 /// bone; an elbow about that one and also along the bone, because the forearm's two bones do.
 enum class JointKind { ball, elbow, hinge };
 JointKind kind_of(motion::Body body);
+/// The anatomical axis of a hinge or an elbow in the parent's frame; zero for a ball joint.
+Eigen::Vector3d hinge_axis(JointKind kind);
 
 /// Returns the angles of a rotation of the child in its parent's frame.
 Eigen::Vector3d joint_angles(const JointRange& limits, const Eigen::Quaterniond& rotation);

@@ -5,6 +5,7 @@
 
 #include "sim/body_set.h"
 #include "sim/figure/figure_rows.h"
+#include "sim/tree/tree_lanes.h"
 
 namespace flinch::sim {
 
@@ -14,10 +15,15 @@ struct BodyImpulse {
   Twist impulse;
 };
 
-/// Spatial inertia of bodies at a point: [mass coupling; coupling^T angular] maps the point's
-/// velocity and the angular velocity to impulse and moment.
-struct SpatialInertia {
-  Eigen::Matrix3d mass, coupling, angular;
+/// A step of one figure.
+struct TreeStep {
+  const motion::PerBody<BodyState>& now;
+  const ReferenceState& target;  ///< the reference at the end of the step
+  double step_s = 0;
+  double gravity_mps2 = 0;
+  const Drive& drive;
+  BodySet pushed = 0;                      ///< the bodies on which forces act
+  const motion::PerBody<Twist>& impulses;  ///< of these forces; others are not read
 };
 
 /// An impulse on bodies, propagated through the joints to the pelvis.
@@ -31,18 +37,22 @@ struct PropagatedImpulse {
 
 /// The equations of motion of a figure's joints over one step, solved by an articulated-body
 /// recursion in time proportional to the number of bodies. Solves the same system as ODE's
-/// dWorldStep; without the contacts all of its rows are equations and form a tree. joint_tree.cpp
-/// has the derivation.
+/// dWorldStep; without the contacts all of its rows are equations and form a tree. factor_trees.h
+/// has the derivation, and TreeLanes the equations.
 class JointTree {
  public:
   /// `figure_model` must outlive this.
   explicit JointTree(const FigureModel& figure_model);
 
-  /// Sets the step and factors its equations. `impulses` are those of forces on the bodies in
-  /// `pushed`; those of others are not read.
-  void set_step(const motion::PerBody<BodyState>& now, const FigureRows& rows, double step_s,
-                double gravity_mps2, BodySet pushed = 0,
-                const motion::PerBody<Twist>& impulses = {});
+  /// Writes a step into a lane, for factor_trees().
+  template <std::size_t kLanes>
+  void put_step(const TreeStep& step, TreeLanes<kLanes>& lanes, std::size_t lane) const;
+  /// Takes over the equations that factor_trees() has factored in a lane.
+  template <std::size_t kLanes>
+  void take_factors(const TreeLanes<kLanes>& lanes, std::size_t lane);
+  /// Writes the added impulses into the lane, for move_figures().
+  template <std::size_t kLanes>
+  void put_impulses(TreeLanes<kLanes>& lanes, std::size_t lane) const;
   /// Propagates impulses, summed, through the joints to the pelvis.
   void propagate(std::span<const BodyImpulse> body_impulses, PropagatedImpulse& propagated) const;
   /// Returns first^T M^-1 second: the velocity change along `second` that `first` causes after the
@@ -59,8 +69,7 @@ class JointTree {
   using Body = motion::Body;
   struct Link {
     Body parent{};
-    BodySet chain = 0;  // the body and all its ancestors
-    Eigen::Vector3d joint_local = Eigen::Vector3d::Zero();
+    BodySet chain = 0;                  // the body and all its ancestors
     Eigen::Vector3d to_joint;           // from the body's centre of mass, world
     Eigen::Vector3d parent_to_joint;    // from the parent's
     Eigen::Vector3d joint_to_joint;     // from the parent's joint
@@ -70,16 +79,9 @@ class JointTree {
     Twist prescribed;         // c_0: velocity of the child relative to the parent in the rigid rows
     Eigen::Vector3d angular;  // E b_w + e
   };
-  void factor(const JointRows& rows, const motion::PerBody<BodyState>& now, Body body,
-              double step_s);
-  void anchor(Body body, const AnchorRows& rows, double step_s);
 
   const FigureModel& figure_model_;
   motion::PerBody<Link> links_;
-  // Articulated-body inertia: of each body with all factored descendants, at its joint; of the
-  // pelvis at its centre of mass.
-  motion::PerBody<SpatialInertia> inertia_;
-  motion::PerBody<Twist> momentum_;
   Eigen::Matrix<double, 6, 6>
       root_inverse_inertia_;                // inverse of the whole figure's inertia at the pelvis
   Eigen::Vector<double, 6> root_velocity_;  // of the pelvis, with all added impulses

@@ -112,15 +112,49 @@ void TreeScene::apply_gravity(double time_s) {
 }
 
 void TreeScene::step(const ReferenceState& target, double step_s, const Drive& drive) {
-  apply_gravity(step_s / 2);
+  TreeLanes<1> lanes;
+  begin_step(target, step_s, drive, lanes, 0);
+  factor_trees(figure_model_.tree, lanes);
+  solve_contacts(lanes, 0);
+  move_figures(figure_model_.tree, lanes);
+  end_step(lanes, 0);
+}
+
+template <std::size_t kLanes>
+void TreeScene::begin_step(const ReferenceState& target, double step_s, const Drive& drive,
+                           TreeLanes<kLanes>& lanes, std::size_t lane) {
   set_forces(target, step_s, drive);
-  tree_.set_step(bodies_, figure_rows(figure_model_, bodies_, target, step_s, drive), step_s,
-                 drive.feedforward_from ? 0 : gravity_mps2_, pushed_, pushes_);
-  const Twist on_ball = solve_contacts(step_s);
-  tree_.velocities(kAllBodies, after_);
-  for (Body body : motion::kBodies) move(bodies_[body], after_[body], step_s);
+  tree_.put_step({bodies_, target, step_s, drive.feedforward_from ? 0 : gravity_mps2_, drive,
+                  pushed_, pushes_},
+                 lanes, lane);
+}
+
+template <std::size_t kLanes>
+void TreeScene::solve_contacts(TreeLanes<kLanes>& lanes, std::size_t lane) {
+  const double step_s = lanes.step_s[lane];
+  apply_gravity(step_s / 2);
+  Twist on_ball;
+  if (!contacts_.empty()) {
+    tree_.take_factors(lanes, lane);
+    on_ball = solve_contacts(step_s);
+    tree_.put_impulses(lanes, lane);
+  }
   move_ball(on_ball, step_s);
   apply_gravity(step_s / 2);
+}
+
+template <std::size_t kLanes>
+void TreeScene::end_step(const TreeLanes<kLanes>& lanes, std::size_t lane) {
+  for (Body body : motion::kBodies) {
+    const auto& from = lanes.bodies[static_cast<std::size_t>(body)];
+    BodyState& state = bodies_[body];
+    for (Eigen::Index i = 0; i < 3; ++i) {
+      state.position[i] = from.position[i][lane];
+      state.velocity[i] = from.velocity[i][lane];
+      state.angular_velocity[i] = from.angular_velocity[i][lane];
+    }
+    for (Eigen::Index i = 0; i < 4; ++i) state.orientation.coeffs()[i] = from.orientation[i][lane];
+  }
 }
 
 void TreeScene::step_ball(double step_s) {
@@ -336,5 +370,24 @@ std::span<const ContactImpulse> TreeScene::impulses(double) {
   }
   return impulses_;
 }
+
+template void TreeScene::begin_step(const ReferenceState&, double, const Drive&, TreeLanes<1>&,
+                                    std::size_t);
+template void TreeScene::solve_contacts(TreeLanes<1>&, std::size_t);
+template void TreeScene::end_step(const TreeLanes<1>&, std::size_t);
+template void TreeScene::begin_step(const ReferenceState&, double, const Drive&, TreeLanes<2>&,
+                                    std::size_t);
+template void TreeScene::solve_contacts(TreeLanes<2>&, std::size_t);
+template void TreeScene::end_step(const TreeLanes<2>&, std::size_t);
+#ifdef __x86_64__
+template void TreeScene::begin_step(const ReferenceState&, double, const Drive&, TreeLanes<4>&,
+                                    std::size_t);
+template void TreeScene::solve_contacts(TreeLanes<4>&, std::size_t);
+template void TreeScene::end_step(const TreeLanes<4>&, std::size_t);
+template void TreeScene::begin_step(const ReferenceState&, double, const Drive&, TreeLanes<8>&,
+                                    std::size_t);
+template void TreeScene::solve_contacts(TreeLanes<8>&, std::size_t);
+template void TreeScene::end_step(const TreeLanes<8>&, std::size_t);
+#endif
 
 }  // namespace flinch::sim

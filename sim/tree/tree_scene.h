@@ -45,6 +45,15 @@ class TreeScene {
 
   /// Runs a step that ends at `target`.
   void step(const ReferenceState& target, double step_s, const Drive& drive = {});
+  /// The same in a lane, beside steps of other scenes: call begin_step, factor_trees(),
+  /// solve_contacts, move_figures() and end_step, each for all lanes.
+  template <std::size_t kLanes>
+  void begin_step(const ReferenceState& target, double step_s, const Drive& drive,
+                  TreeLanes<kLanes>& lanes, std::size_t lane);
+  template <std::size_t kLanes>
+  void solve_contacts(TreeLanes<kLanes>& lanes, std::size_t lane);
+  template <std::size_t kLanes>
+  void end_step(const TreeLanes<kLanes>& lanes, std::size_t lane);
   /// Runs a step of the ball alone.
   void step_ball(double step_s);
   std::span<const ContactImpulse> impulses(double step_s);
