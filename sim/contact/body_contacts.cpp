@@ -116,14 +116,14 @@ void BodyContacts::for_each_pair(const motion::PerBody<MovingShape>& shapes, dou
 }
 
 std::span<const BodyContact> BodyContacts::find(const motion::PerBody<MovingShape>& shapes,
-                                                const ReferenceState& reference) {
+                                                const ReferenceOnDemand& reference) {
   found_.clear();
   motion::PerBody<double> driven_until_s = driven_until_s_;
   for_each_pair(shapes, kPushTolerance_m, 0, [&](Body first, Body second) {
     const motion::Clearance near = clearance(shapes[first], shapes[second]);
     if (near.gap > kPushTolerance_m) return;
     const double free_closing =
-        reference_closing_speed(reference.body[first], reference.body[second], near);
+        reference_closing_speed(reference.get().body[first], reference.get().body[second], near);
     const double closing = closing_speed(shapes[first], shapes[second], near);
     const bool is_impact =
         hit_now_[first] || hit_now_[second] || closing > free_closing + kImpactSpeed_mps;
@@ -138,14 +138,14 @@ std::span<const BodyContact> BodyContacts::find(const motion::PerBody<MovingShap
 }
 
 double BodyContacts::time_to_impact(const motion::PerBody<MovingShape>& shapes,
-                                    const ReferenceState& reference, double horizon_s) const {
+                                    const ReferenceOnDemand& reference, double horizon_s) const {
   double first_s = horizon_s;
   for_each_pair(shapes, 0, horizon_s, [&](Body first, Body second) {
     const motion::Clearance near = clearance(shapes[first], shapes[second]);
     if (near.gap <= kPushTolerance_m) return;
     const double closing = closing_speed(shapes[first], shapes[second], near);
     const double free_closing =
-        reference_closing_speed(reference.body[first], reference.body[second], near);
+        reference_closing_speed(reference.get().body[first], reference.get().body[second], near);
     if (closing <= free_closing + kImpactSpeed_mps) return;
     first_s = std::min(first_s, near.gap / closing);
   });

@@ -49,11 +49,11 @@ class BodyContacts {
   /// Returns the contacts of this step, valid until the next call. `reference` is the state of the
   /// reference motion now.
   std::span<const BodyContact> find(const motion::PerBody<MovingShape>& shapes,
-                                    const ReferenceState& reference);
+                                    const ReferenceOnDemand& reference);
   /// Returns the time until the first blow if the bodies keep their velocities, at most
   /// `horizon_s`.
-  double time_to_impact(const motion::PerBody<MovingShape>& shapes, const ReferenceState& reference,
-                        double horizon_s) const;
+  double time_to_impact(const motion::PerBody<MovingShape>& shapes,
+                        const ReferenceOnDemand& reference, double horizon_s) const;
   /// Whether a driven body may still strike another body or come near enough to do so.
   bool may_collide_again(const motion::PerBody<MovingShape>& shapes) const;
   /// Adds the impulse that each body is charged for the contacts of a step of which only a `share`

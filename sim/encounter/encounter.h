@@ -48,11 +48,11 @@ class Encounter {
   /// Finds what the ball hits now and returns the length of step that this allows: at most
   /// `max_step_s`, and at least `min_step_s` even where less is safe. `now` is the state of the
   /// reference motion.
-  double begin_step(const ReferenceState& now, double max_step_s, double min_step_s = 0);
+  double begin_step(const ReferenceOnDemand& now, double max_step_s, double min_step_s = 0);
   /// Steps the scene or, with ContactSearch::on_path, the part of the step up to the first contact.
   /// `target` is the state of the reference motion after `step_s`. Returns the length of the step:
   /// `step_s` or, if there is a contact, the time of that.
-  double end_step(const ReferenceState& now, const ReferenceState& target, double step_s,
+  double end_step(const ReferenceOnDemand& now, const ReferenceState& target, double step_s,
                   const Drive& drive = {});
   /// A step in which only the ball moves; the figure stays as it is. For a figure that no longer
   /// matters, once the game shows another pose.
@@ -94,7 +94,7 @@ class Encounter {
 };
 
 template <class Scene>
-double Encounter<Scene>::begin_step(const ReferenceState& now, double max_step_s,
+double Encounter<Scene>::begin_step(const ReferenceOnDemand& now, double max_step_s,
                                     double min_step_s) {
   const auto flight = scene_.flight();
   double step_s = options_.free_step_s;
@@ -147,7 +147,7 @@ bool Encounter<Scene>::may_touch(double horizon_s) const {
 }
 
 template <class Scene>
-double Encounter<Scene>::end_step(const ReferenceState& now, const ReferenceState& target,
+double Encounter<Scene>::end_step(const ReferenceOnDemand& now, const ReferenceState& target,
                                   double step_s, const Drive& drive) {
   scene_.add_supports(target, step_s, drive);
   for (const BodyContact& contact : body_contacts_.find(shapes_, now)) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "motion/body.h"
@@ -43,6 +44,29 @@ class Reference {
   const motion::BodyModel& model_;
   const motion::Motion& motion_;
   std::vector<Velocities> velocities_;  // one per pose
+};
+
+/// The state of a reference at some time, computed when it is first needed, which it may never be.
+/// For one thread.
+class ReferenceOnDemand {
+ public:
+  /// A state that is known. It must outlive this.
+  ReferenceOnDemand(const ReferenceState& state) : state_(&state) {}
+  /// `reference` must outlive this.
+  ReferenceOnDemand(const Reference& reference, double time_s)
+      : reference_(&reference), time_s_(time_s) {}
+
+  const ReferenceState& get() const {
+    if (state_) return *state_;
+    if (!computed_) computed_ = reference_->at(time_s_);
+    return *computed_;
+  }
+
+ private:
+  const ReferenceState* state_ = nullptr;
+  const Reference* reference_ = nullptr;
+  double time_s_ = 0;
+  mutable std::optional<ReferenceState> computed_;
 };
 
 }  // namespace flinch::sim
