@@ -17,6 +17,9 @@ struct SimulationResult {
   bool skipped = false;     ///< nothing could touch, so nothing was simulated
   int steps = 0;            ///< number of simulated steps
   int solver_messages = 0;  ///< number of messages of the contact solver
+  /// Whether all numbers stayed finite. If not, the simulation ended there and the rest is no
+  /// result.
+  bool is_finite = true;
   /// Distance of hands, feet and head from the reference, root mean square over time and points, m.
   double tracking_error_m = 0;
 };

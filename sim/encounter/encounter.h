@@ -54,6 +54,23 @@ class Encounter {
   /// `step_s` or, if there is a contact, the time of that.
   double end_step(const ReferenceOnDemand& now, const ReferenceState& target, double step_s,
                   const Drive& drive = {});
+  /// The same without a drive in a lane, beside steps of other encounters: call put_step,
+  /// factor_trees(), solve_contacts, move_figures() and end_step, each for all lanes.
+  template <std::size_t kLanes>
+  void put_step(const ReferenceOnDemand& now, const ReferenceState& target, double step_s,
+                TreeLanes<kLanes>& lanes, std::size_t lane) {
+    add_contacts(now, target, step_s, {});
+    scene_.begin_step(target, step_s, {}, lanes, lane);
+  }
+  template <std::size_t kLanes>
+  void solve_contacts(TreeLanes<kLanes>& lanes, std::size_t lane) {
+    scene_.solve_contacts(lanes, lane);
+  }
+  template <std::size_t kLanes>
+  double end_step(const TreeLanes<kLanes>& lanes, std::size_t lane) {
+    scene_.end_step(lanes, lane);
+    return end_at_contact(lanes.step_s[lane]);
+  }
   /// A step in which only the ball moves; the figure stays as it is. For a figure that no longer
   /// matters, once the game shows another pose.
   void step_ball_alone();
@@ -78,13 +95,17 @@ class Encounter {
  private:
   bool searches_on_path() const { return options_.contact_search == ContactSearch::on_path; }
   double find_hits(const features::Ball& flight);
-  double step_to_contact(const ReferenceState& target, double step_s, const Drive& drive);
+  void add_contacts(const ReferenceOnDemand& now, const ReferenceState& target, double step_s,
+                    const Drive& drive);
+  double end_at_contact(double step_s);
 
   const FigureModel& figure_model_;
   SimulationOptions options_;
   BodyContacts body_contacts_;
   Scene scene_;
-  motion::PerBody<MovingShape> shapes_;  // at the start of the step
+  motion::PerBody<MovingShape> shapes_;      // at the start of the step
+  std::optional<features::Ball> searching_;  // the ball then, if its contact may end the step
+  motion::PerBody<BodyState> before_;        // the figure then, if there is such a ball
   motion::PerBody<double> impulse_;
   double first_contact_s_ = std::numeric_limits<double>::infinity();
   double time_s_ = 0;
@@ -149,45 +170,52 @@ bool Encounter<Scene>::may_touch(double horizon_s) const {
 template <class Scene>
 double Encounter<Scene>::end_step(const ReferenceOnDemand& now, const ReferenceState& target,
                                   double step_s, const Drive& drive) {
+  add_contacts(now, target, step_s, drive);
+  scene_.step(target, step_s, drive);
+  return end_at_contact(step_s);
+}
+
+template <class Scene>
+void Encounter<Scene>::add_contacts(const ReferenceOnDemand& now, const ReferenceState& target,
+                                    double step_s, const Drive& drive) {
   scene_.add_supports(target, step_s, drive);
   for (const BodyContact& contact : body_contacts_.find(shapes_, now)) {
     scene_.add_body_contact(contact.first, contact.second, contact.near, contact.free_closing_mps,
                             contact.is_impact);
   }
-  const double stepped_s = step_to_contact(target, step_s, drive);
+  searching_.reset();
+  if (is_blow_ || !searches_on_path()) return;
+  searching_ = scene_.flight();
+  if (searching_) before_ = scene_.bodies();
+}
+
+/// Ends the step that the scene has taken and returns its length. A ball that touches no body does
+/// not change how they move, so its first contact is found on the path that the step has moved them
+/// along, and all are placed there.
+template <class Scene>
+double Encounter<Scene>::end_at_contact(double step_s) {
+  double stepped_s = step_s;
+  if (searching_) {
+    const StepPath path{before_, scene_.bodies(), step_s};
+    features::Ball ball = *searching_;
+    std::optional<double> bounce_s;
+    if (is_ball_on_ground_) {  // which changed its velocity at the step's start
+      const features::Ball after = *scene_.flight();
+      ball.velocity = (after.position - ball.position) / step_s;
+      ball.gravity_mps2 = 0;
+    } else {
+      bounce_s = time_of_bounce(ball, step_s, kContactDistance_m);
+    }
+    const auto contact_s = first_contact(figure_model_, path, ball, bounce_s);
+    const double until_s = contact_s ? std::max(*contact_s, min_step_s_) : step_s;
+    if (until_s < step_s) {
+      scene_.place(path.at(until_s), ball.at(until_s));
+      stepped_s = until_s;
+    }
+  }
   body_contacts_.add_impulses(scene_.impulses(step_s), impulse_, stepped_s / step_s);
   time_s_ += stepped_s;
   return stepped_s;
-}
-
-/// A ball that touches no body does not change how they move, so its first contact is found on the
-/// path that a step has moved them along, and all are placed there.
-template <class Scene>
-double Encounter<Scene>::step_to_contact(const ReferenceState& target, double step_s,
-                                         const Drive& drive) {
-  const auto flight = scene_.flight();
-  if (!flight || is_blow_ || !searches_on_path()) {
-    scene_.step(target, step_s, drive);
-    return step_s;
-  }
-  const motion::PerBody<BodyState> before = scene_.bodies();
-  scene_.step(target, step_s, drive);
-  const StepPath path{before, scene_.bodies(), step_s};
-  features::Ball ball = *flight;
-  std::optional<double> bounce_s;
-  if (is_ball_on_ground_) {  // which changed its velocity at the step's start
-    const features::Ball after = *scene_.flight();
-    ball.velocity = (after.position - ball.position) / step_s;
-    ball.gravity_mps2 = 0;
-  } else {
-    bounce_s = time_of_bounce(ball, step_s, kContactDistance_m);
-  }
-  const auto contact_s = first_contact(figure_model_, path, ball, bounce_s);
-  if (!contact_s) return step_s;
-  const double until_s = std::max(*contact_s, min_step_s_);
-  if (until_s >= step_s) return step_s;
-  scene_.place(path.at(until_s), ball.at(until_s));
-  return until_s;
 }
 
 template <class Scene>

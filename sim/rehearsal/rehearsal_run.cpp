@@ -55,6 +55,8 @@ RehearsalRun::RehearsalRun(const FigureModel& figure_model, const SimulationOpti
 bool RehearsalRun::start(const Rehearsal::Track& track, const features::Ball& ball) {
   track_ = &track;
   result_ = {};
+  result_.is_finite = ball.position.allFinite() && ball.velocity.allFinite();
+  if (!result_.is_finite) return false;
   const auto contact = first_contact(figure_model_, track, ball);
   if (!contact) {
     result_.skipped = true;
@@ -70,7 +72,7 @@ bool RehearsalRun::start(const Rehearsal::Track& track, const features::Ball& ba
     }
   }
   encounter_.restart(contact->time_s, contact->figure, &then);
-  now_ = track.reference.at(contact->time_s);
+  now_.emplace(track.reference, contact->time_s);
   return begin_step();
 }
 
@@ -79,7 +81,7 @@ bool RehearsalRun::begin_step() {
   const double time_s = encounter_.time_s();
   const double left_s = track_->duration_s - time_s;
   if (left_s > 0) {
-    step_s_ = encounter_.begin_step(now_, left_s);
+    step_s_ = encounter_.begin_step(*now_, left_s);
     const bool is_over = step_s_ >= options_.free_step_s && !encounter_.may_collide_again() &&
                          !encounter_.may_touch(step_s_) && leaves(time_s + step_s_);
     if (!is_over) return true;
@@ -90,12 +92,11 @@ bool RehearsalRun::begin_step() {
   return false;
 }
 
-bool RehearsalRun::step() {
-  const ReferenceState target = track_->reference.at(encounter_.time_s() + step_s_);
-  const bool is_whole = encounter_.end_step(now_, target, step_s_) >= step_s_;
-  now_ = is_whole ? target : track_->reference.at(encounter_.time_s());
-  ++result_.steps;
-  return begin_step();
+/// A number that is not finite in any body reaches the pelvis in the same step.
+bool RehearsalRun::is_finite() const {
+  const TreeScene& scene = encounter_.scene();
+  return scene.bodies()[Body::pelvis].velocity.allFinite() &&
+         scene.ball_state().velocity.allFinite();
 }
 
 /// Whether the ball stays clear of the undisturbed figure from `time_s` on.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "sim/rehearsal/simulator.h"
 
-#include "sim/rehearsal/rehearsal_run.h"
 #include "sim/rehearsal/rehearsal_track.h"
+#include "sim/rehearsal/throw_simulator.h"
 
 namespace flinch::sim {
 
@@ -24,20 +24,17 @@ Rehearsal Simulator::rehearse(const motion::Motion& reference, double from_s,
                                                       from_s, duration_s));
 }
 
-std::vector<SimulationResult> Simulator::simulate(std::span<const Throw> throws) const {
-  std::vector<SimulationResult> results;
-  results.reserve(throws.size());
-  RehearsalRun run(setup_->figure, setup_->options);
-  for (const auto& [rehearsal, ball] : throws) {
-    for (bool goes_on = run.start(rehearsal.track(), ball); goes_on;) goes_on = run.step();
-    results.push_back(run.result());
-  }
-  return results;
-}
-
 SimulationResult Simulator::simulate(const Rehearsal& rehearsal, const features::Ball& ball) const {
   const Throw one{rehearsal, ball};
-  return simulate({&one, 1}).front();
+  return ThrowSimulator(*this, 1).simulate({&one, 1}).front();
+}
+
+const FigureModel& Simulator::figure_model() const {
+  return setup_->figure;
+}
+
+const SimulationOptions& Simulator::options() const {
+  return setup_->options;
 }
 
 }  // namespace flinch::sim

@@ -2,8 +2,6 @@
 #pragma once
 
 #include <memory>
-#include <span>
-#include <vector>
 
 #include "features/ball.h"
 #include "motion/body.h"
@@ -14,11 +12,7 @@
 
 namespace flinch::sim {
 
-/// A ball, and the rehearsal whose figure it flies at from time 0 on.
-struct Throw {
-  const Rehearsal& rehearsal;
-  features::Ball ball;
-};
+struct FigureModel;
 
 /// Simulates a figure of 17 bodies that tracks a motion while balls fly at it: the motion once
 /// without a ball, then each ball from where it may first touch.
@@ -35,13 +29,14 @@ class Simulator {
   /// Tracks `reference` without a ball for `duration_s` and keeps the states that a ball may meet
   /// from `from_s` on.
   Rehearsal rehearse(const motion::Motion& reference, double from_s, double duration_s) const;
-  /// Returns for each throw what OdeSimulator::simulate of the rehearsed motion returns for this
-  /// ball over the whole duration, in a fraction of the time and within the error bounds that
-  /// docs/simulation.md gives; without the tracking error. Rehearsals must come from this
-  /// simulator. A result does not depend on the other throws; many at once cost less than one by
-  /// one. Throws Error if a ball touches the figure before its rehearsal starts.
-  std::vector<SimulationResult> simulate(std::span<const Throw> throws) const;
+  /// Returns what OdeSimulator::simulate of the rehearsed motion returns for this ball over the
+  /// whole duration, in a fraction of the time and within the error bounds that docs/simulation.md
+  /// gives; without the tracking error. `rehearsal` must come from this simulator. Throws Error if
+  /// the ball touches the figure before the rehearsal starts. For many balls see ThrowSimulator.
   SimulationResult simulate(const Rehearsal& rehearsal, const features::Ball& ball) const;
+
+  const FigureModel& figure_model() const;
+  const SimulationOptions& options() const;
 
  private:
   struct Setup;

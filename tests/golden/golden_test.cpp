@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Same seed, same bits: the whole way from a library to a reacting character ends in stated hashes,
-// whatever the number of threads, the compiler or its sanitizers.
+// whatever the number of threads and lanes, the compiler or its sanitizers.
 #include <gtest/gtest.h>
 #include <omp.h>
 
@@ -63,11 +63,13 @@ void expect_hash(std::uint64_t expected, std::uint64_t found, const std::string&
   EXPECT_EQ(expected, found) << text.str() << ". " << kAdvice;
 }
 
-/// A store of `kScenarios`, as `threads` simulate it.
-train::Store simulated_store(const train::SimulationSetup& setup, int threads) {
+/// A store of `kScenarios`, as `threads` simulate it, each with so many lanes.
+train::Store simulated_store(const train::SimulationSetup& setup, int threads,
+                             std::size_t lanes = sim::widest_lanes()) {
   train::RehearsalCache rehearsals(std::uint64_t{1} << 28);
   train::BatchContext context;
   context.threads = threads;
+  context.lanes = lanes;
   train::Batch batch;
   EXPECT_TRUE(simulate_batch(setup, rehearsals, {0, kScenarios}, context, batch));
   return {make_store_header(setup), std::move(batch.observations)};
@@ -145,6 +147,11 @@ std::uint64_t hash_of_a_minute(const std::string& selector_file) {
 TEST(Golden, StoreSelectorAndAMinuteOfReactionsHaveTheStatedHashes) {
   const database::ClipLibrary library = scenes::synthetic_library();
   const train::SimulationSetup setup(library, {});
+  for (std::size_t lanes = 1; lanes <= sim::widest_lanes(); lanes *= 2) {
+    SCOPED_TRACE(std::to_string(lanes) + " lanes");
+    expect_hash(kObservationsHash, hash_of(simulated_store(setup, 1, lanes).observations),
+                "kObservationsHash");
+  }
   for (const int threads : {1, 2, 3}) {
     SCOPED_TRACE(std::to_string(threads) + " threads");
     const train::Store store = simulated_store(setup, threads);

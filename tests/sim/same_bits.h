@@ -18,6 +18,7 @@ inline void expect_same_bits(const sim::SimulationResult& first,
   EXPECT_EQ(first.first_contact_s, second.first_contact_s);
   EXPECT_EQ(first.tracking_error_m, second.tracking_error_m);
   EXPECT_EQ(first.steps, second.steps);
+  EXPECT_EQ(first.is_finite, second.is_finite);
 }
 
 /// Expects that `run`, which appends its results, gives the same bits on one thread alone as on

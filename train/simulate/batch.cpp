@@ -8,6 +8,7 @@
 #include <exception>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <span>
 
 namespace flinch::train {
@@ -76,8 +77,9 @@ std::vector<TaskGroup> groups_of(std::span<const TrialTask> tasks) {
   return groups;
 }
 
-/// Results of one thread.
-struct ThreadTotals {
+/// What one thread works with, and its results.
+struct ThreadState {
+  std::optional<sim::ThrowSimulator> throws;  ///< once needed
   SimulationCounts counts;
   PhaseTimes cpu;
 };
@@ -91,26 +93,26 @@ class TrialRunner {
 
   bool stopped() const { return context_.stop != nullptr && *context_.stop; }
 
-  void run_group(TaskGroup group, ThreadTotals& totals) const {
+  void run_group(TaskGroup group, ThreadState& thread) const {
     if (setup_.plan.unabridged) {
-      run_unabridged(group, totals);
+      run_unabridged(group, thread);
     } else {
-      run_rehearsed(group, totals);
+      run_rehearsed(group, thread);
     }
   }
 
  private:
-  void run_unabridged(TaskGroup group, ThreadTotals& totals) const {
+  void run_unabridged(TaskGroup group, ThreadState& thread) const {
     const double begin_s = context_.cpu_s();
     for (const TrialTask& task : group) {
       if (stopped()) return;
       const int clip = trial_of(task).clip;
-      take(task, try_unabridged(setup_, observations_[task.observation].scenario, clip), totals);
+      take(task, try_unabridged(setup_, observations_[task.observation].scenario, clip), thread);
     }
-    totals.cpu.contact_s += context_.cpu_s() - begin_s;
+    thread.cpu.contact_s += context_.cpu_s() - begin_s;
   }
 
-  void run_rehearsed(TaskGroup group, ThreadTotals& totals) const {
+  void run_rehearsed(TaskGroup group, ThreadState& thread) const {
     const double begin_s = context_.cpu_s();
     std::vector<std::shared_ptr<const RehearsedResponse>> responses;
     std::vector<RehearsedTrial> trials;
@@ -121,19 +123,20 @@ class TrialRunner {
       trials.push_back({observations_[task.observation].scenario, *responses.back()});
     }
     const double rehearsed_s = context_.cpu_s();
-    const std::vector<TrialResult> results = try_rehearsed(setup_, trials);
-    for (std::size_t i = 0; i < group.size(); ++i) take(group[i], results[i], totals);
-    totals.cpu.rehearsing_s += rehearsed_s - begin_s;
-    totals.cpu.contact_s += context_.cpu_s() - rehearsed_s;
+    if (!thread.throws) thread.throws.emplace(setup_.simulator, context_.lanes);
+    const std::vector<TrialResult> results = try_rehearsed(setup_, trials, *thread.throws);
+    for (std::size_t i = 0; i < group.size(); ++i) take(group[i], results[i], thread);
+    thread.cpu.rehearsing_s += rehearsed_s - begin_s;
+    thread.cpu.contact_s += context_.cpu_s() - rehearsed_s;
   }
 
   Trial& trial_of(const TrialTask& task) const {
     return observations_[task.observation].trials[task.trial];
   }
 
-  void take(const TrialTask& task, const TrialResult& result, ThreadTotals& totals) const {
+  void take(const TrialTask& task, const TrialResult& result, ThreadState& thread) const {
     trial_of(task) = result.trial;
-    totals.counts.add(result.simulated);
+    thread.counts.add(result.simulated);
   }
 
   std::shared_ptr<const RehearsedResponse> response_of(const ResponseKey& key) const {
@@ -192,12 +195,12 @@ bool simulate_batch(const SimulationSetup& setup, RehearsalCache& rehearsals, Sc
   FirstException failure;
 #pragma omp parallel num_threads(context.threads)
   {
-    ThreadTotals totals;
+    ThreadState thread;
 #pragma omp for schedule(dynamic) nowait
     for (std::size_t k = 0; k < groups.size(); ++k) {
       if (runner.stopped() || failure.thrown()) continue;
       try {
-        runner.run_group(groups[k], totals);
+        runner.run_group(groups[k], thread);
         if (omp_get_thread_num() == 0) context.poll();
       } catch (...) {
         failure.keep_current();
@@ -205,8 +208,8 @@ bool simulate_batch(const SimulationSetup& setup, RehearsalCache& rehearsals, Sc
     }
 #pragma omp critical
     {
-      batch.counts.add(totals.counts);
-      batch.cpu.add(totals.cpu);
+      batch.counts.add(thread.counts);
+      batch.cpu.add(thread.cpu);
     }
   }
   failure.rethrow();

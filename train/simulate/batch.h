@@ -40,6 +40,8 @@ using CpuClock = std::function<double()>;
 /// Resources that the caller provides for a batch.
 struct BatchContext {
   int threads = 1;
+  /// Simulations that each thread steps side by side: see sim::ThrowSimulator.
+  std::size_t lanes = sim::widest_lanes();
   CpuClock cpu_s = [] { return 0.0; };
   const std::atomic<bool>* stop = nullptr;  ///< the batch stops when this becomes true
   /// Called on the calling thread from time to time while it works: after each response's trials.

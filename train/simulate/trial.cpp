@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "train/simulate/trial.h"
 
+#include <string>
+
 #include "features/ball.h"
 #include "lookahead/oracle/oracle.h"
 #include "lookahead/oracle/response_motion.h"
+#include "motion/error.h"
 #include "runtime/response/response.h"
 
 namespace flinch::train {
@@ -19,6 +22,9 @@ lookahead::ResponseMotion response_motion(const SimulationSetup& setup,
 }
 
 TrialResult trial_result(int clip, double work_j, const sim::SimulationResult& simulated) {
+  if (!simulated.is_finite)
+    throw Error("simulation", "the numbers of clip " + std::to_string(clip) +
+                                  "'s simulation are not finite; check the library's motions");
   TrialResult result{{}, simulated};
   result.trial.clip = clip;
   result.trial.work_j = static_cast<float>(work_j);
@@ -79,16 +85,17 @@ RehearsedResponse rehearse(const SimulationSetup& setup, const ResponseKey& key)
 }
 
 std::vector<TrialResult> try_rehearsed(const SimulationSetup& setup,
-                                       std::span<const RehearsedTrial> trials) {
-  std::vector<sim::Throw> throws;
-  throws.reserve(trials.size());
+                                       std::span<const RehearsedTrial> trials,
+                                       sim::ThrowSimulator& throws) {
+  std::vector<sim::Throw> thrown;
+  thrown.reserve(trials.size());
   for (const auto& [scenario, response] : trials) {
     const float rehearsed_s = time_to_impact_s(setup.plan.distribution, response.key.cell.time);
     const double later_s = double{scenario.time_to_impact_s} - double{rehearsed_s};
-    throws.push_back({response.rehearsal,
+    thrown.push_back({response.rehearsal,
                       ball_of(scenario.threat, setup.plan.options.gravity_mps2).at(later_s)});
   }
-  const std::vector<sim::SimulationResult> simulated = setup.simulator.simulate(throws);
+  const std::vector<sim::SimulationResult> simulated = throws.simulate(thrown);
   std::vector<TrialResult> results;
   results.reserve(trials.size());
   for (std::size_t i = 0; i < trials.size(); ++i) {

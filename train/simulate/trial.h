@@ -9,6 +9,7 @@
 #include "runtime/response/prepared_library.h"
 #include "sim/ode/ode_simulator.h"
 #include "sim/rehearsal/simulator.h"
+#include "sim/rehearsal/throw_simulator.h"
 #include "train/objective/observation.h"
 #include "train/scenario/scenario_sampling.h"
 #include "train/simulate/shared_response.h"

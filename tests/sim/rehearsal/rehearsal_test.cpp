@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 
 #include "motion/error.h"
@@ -12,6 +13,7 @@
 #include "sim/ode/ode_simulator.h"
 #include "sim/rehearsal/first_contact.h"
 #include "sim/rehearsal/simulator.h"
+#include "sim/rehearsal/throw_simulator.h"
 #include "tests/sim/random_hits.h"
 #include "tests/sim/rehearsal/total_impulse.h"
 #include "tests/sim/same_bits.h"
@@ -196,25 +198,84 @@ TEST_F(RehearsalTest, IsDeterministicOnConcurrentThreads) {
   scenes::expect_same_bits_on_threads(run);
 }
 
+/// The numbers of lanes that this processor has.
+std::vector<std::size_t> lane_counts() {
+  std::vector<std::size_t> counts;
+  for (std::size_t lanes = 1; lanes <= widest_lanes(); lanes *= 2) counts.push_back(lanes);
+  return counts;
+}
+
 // Of several rehearsals, and among balls that bounce first or miss.
-TEST_F(RehearsalTest, ManyThrowsHaveTheBitsOfEachAlone) {
+TEST_F(RehearsalTest, ThrowsSideBySideHaveTheBitsOfEachAlone) {
   const auto rehearsed = rehearsals();
   std::vector<Throw> throws;
   for (const scenes::Hit& hit : balls(120, 16)) {
     throws.push_back({rehearsed[hit.motion], hit.ball});
   }
-  const std::vector<SimulationResult> together = simulator_.simulate(throws);
-  ASSERT_EQ(together.size(), throws.size());
-  int hits = 0;
-  int misses = 0;
-  for (std::size_t i = 0; i < throws.size(); ++i) {
-    const SimulationResult alone = simulator_.simulate(throws[i].rehearsal, throws[i].ball);
-    scenes::expect_same_bits(alone, together[i]);
-    EXPECT_EQ(alone.skipped, together[i].skipped);
-    ++(alone.steps > 0 ? hits : misses);
+  for (const std::size_t lanes : lane_counts()) {
+    SCOPED_TRACE(lanes);
+    ThrowSimulator simulator(simulator_, lanes);
+    int hits = 0;
+    int misses = 0;
+    for (int again = 0; again < 2; ++again) {
+      const std::vector<SimulationResult> together = simulator.simulate(throws);
+      ASSERT_EQ(together.size(), throws.size());
+      for (std::size_t i = 0; i < throws.size(); ++i) {
+        const SimulationResult alone = simulator_.simulate(throws[i].rehearsal, throws[i].ball);
+        scenes::expect_same_bits(alone, together[i]);
+        EXPECT_EQ(alone.skipped, together[i].skipped);
+        ++(alone.steps > 0 ? hits : misses);
+      }
+    }
+    EXPECT_GT(hits, 2 * 60);
+    EXPECT_GT(misses, 2 * 5);
   }
-  EXPECT_GT(hits, 60);
-  EXPECT_GT(misses, 5);
+}
+
+TEST_F(RehearsalTest, BadNumbersAreToldAndChangeNoOtherThrow) {
+  constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+  const auto rehearsed = rehearsals();
+  std::vector<Throw> good;
+  std::vector<Throw> mixed;
+  for (const scenes::Hit& hit : scenes::random_hits(character_, motions_, 40, 17)) {
+    good.push_back({rehearsed[hit.motion], hit.ball});
+    features::Ball bad = hit.ball;
+    if (good.size() % 3 == 0) bad.velocity.y() = kNan;
+    if (good.size() % 3 == 1) bad.mass_kg = kNan;
+    if (good.size() % 3 == 2) bad.mass_kg = 0;
+    mixed.push_back(good.back());
+    mixed.push_back({rehearsed[hit.motion], bad});
+  }
+  for (const std::size_t lanes : lane_counts()) {
+    SCOPED_TRACE(lanes);
+    ThrowSimulator simulator(simulator_, lanes);
+    const std::vector<SimulationResult> alone = simulator.simulate(good);
+    const std::vector<SimulationResult> beside = simulator.simulate(mixed);
+    int told = 0;
+    for (std::size_t i = 0; i < good.size(); ++i) {
+      EXPECT_TRUE(alone[i].is_finite);
+      scenes::expect_same_bits(alone[i], beside[2 * i]);
+      if (alone[i].steps == 0) continue;
+      EXPECT_FALSE(beside[2 * i + 1].is_finite) << i;
+      ++told;
+    }
+    EXPECT_GT(told, 25);
+  }
+}
+
+// Balls of a fifth of a gram and of two tonnes, against parts of 0.4 to 15 kg.
+TEST_F(RehearsalTest, BallsOfAnyMassHaveFiniteImpulses) {
+  const auto rehearsed = rehearsals();
+  std::vector<Throw> throws;
+  for (scenes::Hit& hit : scenes::random_hits(character_, motions_, 60, 18)) {
+    hit.ball.mass_kg = throws.size() % 2 == 0 ? 2e-4 : 2e3;
+    throws.push_back({rehearsed[hit.motion], hit.ball});
+  }
+  ThrowSimulator simulator(simulator_);
+  for (const SimulationResult& result : simulator.simulate(throws)) {
+    EXPECT_TRUE(result.is_finite);
+    EXPECT_TRUE(std::isfinite(total_impulse(result)));
+  }
 }
 
 TEST_F(RehearsalTest, LaterStartGivesTheSameBitsInLessMemory) {

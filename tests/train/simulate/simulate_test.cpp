@@ -170,6 +170,7 @@ TEST(SharedTrials, MatchFullSimulations) {
   SimulationPlan plan;
   plan.distribution.min_time_to_impact_s = 0.5;  // so that many responses start later
   const SimulationSetup setup(library, plan);
+  sim::ThrowSimulator throws(setup.simulator);
   int compared = 0;
   int close = 0;
   for (std::uint64_t number = 0; number < 12; ++number) {
@@ -179,7 +180,7 @@ TEST(SharedTrials, MatchFullSimulations) {
       const RehearsedResponse shared = rehearse(setup, setup.responses.key_of(clip, cell));
       const Trial slow = try_clip(setup, posed.scenario, clip);
       const RehearsedTrial rehearsed{posed.scenario, shared};
-      const Trial fast = try_rehearsed(setup, {&rehearsed, 1}).front().trial;
+      const Trial fast = try_rehearsed(setup, {&rehearsed, 1}, throws).front().trial;
       EXPECT_NEAR(slow.work_j, fast.work_j, 1e-3F * slow.work_j);
       close += difference(slow, fast) < 0.005 ? 1 : 0;
       ++compared;
