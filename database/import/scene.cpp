@@ -113,12 +113,6 @@ Eigen::Vector3d vector_of(const aiVector3D& v) {
   return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
 }
 
-Eigen::Quaterniond rotation_of(const aiQuaternion& q) {
-  const Eigen::Quaterniond rotation(static_cast<double>(q.w), static_cast<double>(q.x),
-                                    static_cast<double>(q.y), static_cast<double>(q.z));
-  return rotation.norm() > 0 ? rotation.normalized() : Eigen::Quaterniond::Identity();
-}
-
 Eigen::Affine3d transform_of(const aiMatrix4x4& m) {
   Eigen::Affine3d transform = Eigen::Affine3d::Identity();
   for (unsigned row = 0; row < 3; ++row) {
@@ -214,6 +208,19 @@ class SceneMaker {
     return *longest;
   }
 
+  // Assimp 5.2.5 takes the bytes of glTF rotations that are kept as integers for floats, which gives
+  // anything but unit quaternions (findings/assimp_gltf_short_rotations.sh).
+  Eigen::Quaterniond rotation_of(const aiQuaternion& q, const SceneNode& node) const {
+    const Eigen::Quaterniond rotation(static_cast<double>(q.w), static_cast<double>(q.x),
+                                      static_cast<double>(q.y), static_cast<double>(q.z));
+    if (!(std::abs(rotation.norm() - 1) < 0.1)) {
+      fail("`" + node.name +
+           "` has rotations that are no unit quaternions; if the file keeps them as integers, save "
+           "it with floats");
+    }
+    return rotation.normalized();
+  }
+
   void add_animation() {
     const aiAnimation& animation = longest_animation();
     const double ticks_per_s = animation.mTicksPerSecond > 0 ? animation.mTicksPerSecond : 1;
@@ -229,7 +236,7 @@ class SceneMaker {
       }
       for (unsigned k = 0; k < from.mNumRotationKeys; ++k) {
         track.rotation_times_s.push_back(from.mRotationKeys[k].mTime / ticks_per_s);
-        track.rotations.push_back(rotation_of(from.mRotationKeys[k].mValue));
+        track.rotations.push_back(rotation_of(from.mRotationKeys[k].mValue, *node));
       }
       for (unsigned k = 0; k < from.mNumScalingKeys; ++k) {
         track.scale_times_s.push_back(from.mScalingKeys[k].mTime / ticks_per_s);

@@ -175,6 +175,26 @@ TEST(Scene, FilesThatAreCutOrWrongAreRefusedInOneLine) {
   EXPECT_THAT(error_of([&] { read_source_file(folder / "none.glb"); }), HasSubstr("No such file"));
 }
 
+TEST(Scene, RotationsThatGltfKeepsAsIntegersAreRefused) {
+  const TemporaryFolder folder;
+  // Two times as floats, 0 and 1 s, and a rotation by 0 for each, as 16-bit integers.
+  const std::string zero(4, '\0');
+  const std::string identity = std::string(6, '\0') + "\xff\x7f";
+  folder.write("numbers.bin", zero + std::string("\0\0\x80\x3f", 4) + identity + identity);
+  const std::string path = folder.write("packed.gltf", R"({"asset": {"version": "2.0"}, "scene": 0,
+      "scenes": [{"nodes": [0]}], "nodes": [{"name": "hips"}],
+      "buffers": [{"byteLength": 24, "uri": "numbers.bin"}],
+      "bufferViews": [{"buffer": 0, "byteLength": 24}],
+      "accessors": [
+        {"bufferView": 0, "componentType": 5126, "count": 2, "type": "SCALAR"},
+        {"bufferView": 0, "byteOffset": 8, "componentType": 5122, "normalized": true, "count": 2,
+         "type": "VEC4"}],
+      "animations": [{"samplers": [{"input": 0, "output": 1}],
+        "channels": [{"sampler": 0, "target": {"node": 0, "path": "rotation"}}]}]})");
+  EXPECT_THAT(error_of([&] { read_source_file(path); }),
+              testing::AllOf(StartsWith(path + ": `hips`"), HasSubstr("save it with floats")));
+}
+
 TEST(Scene, AGltfFileCannotMakeFlinchReadAFileOutsideItsFolder) {
   const TemporaryFolder folder;
   std::filesystem::create_directory(folder / "in");
