@@ -75,8 +75,10 @@ motion::PerBody<sim::BodyState> FigureLag::figure(const Steps& steps, double ste
     impulse.linear *= kLong_s;
     impulse.angular *= kLong_s;
   }
-  tree_.set_step(still.body, figure_rows(figure_model_, still.body, still, kLong_s, {}), kLong_s, 0,
-                 sim::kAllBodies, impulses);
+  sim::TreeLanes<1> lane;
+  tree_.put_step({still.body, still, kLong_s, 0, {}, sim::kAllBodies, impulses}, lane, 0);
+  sim::factor_trees(figure_model_.tree, lane);
+  tree_.take_factors(lane, 0);
   motion::PerBody<sim::Twist> after;
   tree_.velocities(sim::kAllBodies, after);
   for (const Body body : motion::kBodies) {
