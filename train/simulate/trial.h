@@ -79,10 +79,12 @@ struct RehearsedTrial {
   const RehearsedResponse& response;
 };
 
-/// Returns the trial of each scenario with its response. The threat starts from where it is when
-/// the rehearsed response starts.
+/// Returns the trial of each scenario with its response, the same whatever the other trials are. The
+/// threat starts from where it is when the rehearsed response starts. `throws` is that of
+/// `setup.simulator`. Throws Error where a simulation's numbers are not finite.
 std::vector<TrialResult> try_rehearsed(const SimulationSetup& setup,
-                                       std::span<const RehearsedTrial> trials);
+                                       std::span<const RehearsedTrial> trials,
+                                       sim::ThrowSimulator& throws);
 
 /// Returns the work of a clip's response with unlimited time, J: started at once from the idle
 /// clip's start and played at its own rate. 0 for the idle clip.
