@@ -198,8 +198,11 @@ TEST(Scene, RotationsThatGltfKeepsAsIntegersAreRefused) {
 TEST(Scene, AGltfFileCannotMakeFlinchReadAFileOutsideItsFolder) {
   const TemporaryFolder folder;
   std::filesystem::create_directory(folder / "in");
-  folder.write("secret.bin", std::string(64, '\0'));
-  folder.write("in/own.bin", std::string(64, '\0'));
+  const std::string times(16, '\0');
+  const std::string rotation = std::string(12, '\0') + std::string("\0\0\x80\x3f", 4);  // by 0
+  for (const char* file : {"secret.bin", "in/own.bin"}) {
+    folder.write(file, times + rotation + rotation + std::string(16, '\0'));
+  }
   const auto error_with = [&](const std::string& uri) {
     const std::string path = folder.write("in/a.gltf", R"({"asset": {"version": "2.0"}, "scene": 0,
       "scenes": [{"nodes": [0]}], "nodes": [{"name": "a"}],
