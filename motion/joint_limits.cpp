@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 #include "motion/error.h"
@@ -117,6 +118,26 @@ Eigen::Vector3f joint_angles(const JointLimits& limits, const Eigen::Quaternionf
   return swing_twist_vector<float>(limits.reference.conjugate() * seen, limits.axis);
 }
 
+// With the sine s of half an angle from 0 to pi, the angle is 2 asin(s), and
+//
+//     2 s <= 2 asin(s) <= 2 s (1 + (pi / 2 - 1) s^2),
+//
+// since asin(s) / s is convex in s^2: it lies below its chord from s = 0 to 1. So the angles about
+// x, y and z are those vector parts of swing and twist times a factor that is at most the one on
+// the right. Every range holds 0.
+bool is_clearly_within(const JointLimits& limits, const Eigen::Quaternionf& rotation) {
+  constexpr float kRise = std::numbers::pi_v<float> / 2 - 1;
+  const Eigen::Quaternionf seen = limits.on_right_side ? mirrored(rotation) : rotation;
+  const auto [swing, twist] =
+      decompose_swing_twist<float>(limits.reference.conjugate() * seen, limits.axis);
+  // The twist takes the shorter way round, as in rotation_vector(); a swing's scalar part is
+  // positive.
+  const Eigen::Vector3f along = twist.w() < 0 ? Eigen::Vector3f(-twist.vec()) : twist.vec();
+  const Eigen::Vector3f most = 2 * (1 + kRise * swing.vec().squaredNorm()) * swing.vec() +
+                               2 * (1 + kRise * along.squaredNorm()) * along;
+  return (most.array() <= limits.max.array()).all() && (most.array() >= limits.min.array()).all();
+}
+
 Eigen::Quaternionf rotation_of_angles(const JointLimits& limits, const Eigen::Vector3f& angles) {
   const Eigen::Quaternionf rotation =
       limits.reference * rotation_from_swing_twist(angles, limits.axis);
@@ -151,7 +172,7 @@ Eigen::Quaternionf clamp_to_limits(const JointLimits& limits, const Eigen::Quate
 
 Eigen::Quaternionf clamp_to_limits(const JointLimits& limits, const Eigen::Quaternionf& rotation,
                                    const Eigen::Quaternionf& motion) {
-  if (limit_excess(limits, rotation) <= 0) return rotation;
+  if (is_clearly_within(limits, rotation) || limit_excess(limits, rotation) <= 0) return rotation;
   const Eigen::Vector3f angles = joint_angles(limits, rotation);
   const Eigen::Vector3f own = joint_angles(limits, motion);
   const Eigen::Vector3f clamped =

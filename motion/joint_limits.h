@@ -40,6 +40,10 @@ Eigen::Vector3f joint_angles(const JointLimits& limits, const Eigen::Quaternionf
 /// Returns the rotation that has these angles: the inverse of joint_angles().
 Eigen::Quaternionf rotation_of_angles(const JointLimits& limits, const Eigen::Vector3f& angles);
 
+/// Whether a bound without trigonometry shows that the rotation is within the limits: true of most
+/// rotations inside, false of all outside.
+bool is_clearly_within(const JointLimits& limits, const Eigen::Quaternionf& rotation);
+
 /// Returns by how much the worst of the three angles exceeds its range, radians; 0 inside.
 float limit_excess(const JointLimits& limits, const Eigen::Quaternionf& rotation);
 

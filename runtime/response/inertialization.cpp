@@ -173,8 +173,14 @@ Pose inertialized_pose(const PreparedLibrary& library, const features::Character
   pose.root_position +=
       decayed(inertialization.root, inertialization.root_velocity, kDecayRate, time_s, decay);
   for (Role role : roles) {
-    pose.rotation[role] =
-        settled(inertialization, role, time_s, decay, pose.rotation[role]).normalized();
+    const Eigen::Quaternionf idle = pose.rotation[role];
+    pose.rotation[role] = settled(inertialization, role, time_s, decay, idle).normalized();
+    const motion::JointLimits* limits = library.wrist_limits[role];
+    if (limits != nullptr && !is_clearly_within(*limits, pose.rotation[role])) {
+      const Eigen::Quaternionf at_first =
+          motion::rotation_from_vector<float>(inertialization.rotation[role]) * idle;
+      pose.rotation[role] = clamp_to_limits(*limits, pose.rotation[role], at_first);
+    }
   }
   return pose;
 }

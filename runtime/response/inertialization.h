@@ -17,7 +17,9 @@ struct PreparedLibrary;  // opaque: runtime::Library::prepared()
 ///
 ///     x(t) = (x_0 + (v_0 + k x_0) t) e^(-k t),   k = kDecayRate.
 ///
-/// A joint that would swing past its limit on the way has a larger k.
+/// A joint that would swing past its limit on the way has a larger k. A wrist that is bent and
+/// turned would leave its limits on the straight way itself, by up to 0.14 rad: it keeps to them,
+/// or as far beyond as it was.
 struct Inertialization {
   bool is_zero = true;                                      ///< no difference
   Eigen::Vector3f root = Eigen::Vector3f::Zero();           ///< x_0 of the pelvis, world, m

@@ -10,6 +10,10 @@ PreparedLibrary prepare(const database::ClipLibrary& library) {
   prepared.leg_limits = {
       {{{&motion::joint_limits_named("left_hip"), &motion::joint_limits_named("left_ankle")},
         {&motion::joint_limits_named("right_hip"), &motion::joint_limits_named("right_ankle")}}}};
+  for (const char* name : {"left_wrist", "right_wrist"}) {
+    const motion::JointLimits& limits = motion::joint_limits_named(name);
+    prepared.wrist_limits[limits.to] = &limits;
+  }
   prepared.body_model = motion::make_body_model(library.character);
   const motion::Skeleton& skeleton = library.character.skeleton;
   for (motion::Side side : motion::kSides) {

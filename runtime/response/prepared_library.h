@@ -29,6 +29,9 @@ struct PreparedLibrary {
   };
   motion::PerSide<LegLimits> leg_limits;  ///< those among joint_limits that feet may strain
 
+  /// Of both hands; null for other roles.
+  motion::PerRole<const motion::JointLimits*> wrist_limits{};
+
   const motion::Skeleton& skeleton() const { return library->character.skeleton; }
   const motion::Clip& clip(int index) const { return library->clip(index); }
   const motion::Motion& idle() const { return library->idle_clip().motion; }

@@ -152,10 +152,20 @@ bool clamp_joint(const motion::JointLimits& limits, const Eigen::Quaternionf& mo
   return moves;
 }
 
-// Moves a leg to its foot. Where the body comes from another motion, the foot may be where the hip
-// and the ankle cannot follow. Then it comes as near as they allow, above the ground, which needs a
-// new solution; each comes nearer. `frames` belong to `pose`, which is as it was blended: joints
-// may be as far beyond their limits as it has them.
+// The way of the ankle where a foot tilts, horizontal, m: it rolls over its sole, whose points on
+// the ground stay, as they all lie about as far below the ankle.
+Eigen::Vector3f roll_over_sole(const Response& r, Side side, const FootPose& foot,
+                               const Eigen::Quaternionf& tilted) {
+  const float depth_m =
+      motion::min_height(r.library->soles[side].foot, Eigen::Quaternionf::Identity());
+  const Eigen::Vector3f sole = depth_m * Eigen::Vector3f::UnitZ();
+  return horizontal(foot.orientation * sole - tilted * sole);
+}
+
+// Moves a leg to its foot. Where the body comes from another motion or hurries into its clip, the
+// foot may be where the hip and the ankle cannot follow. Then it comes as near as they allow, above
+// the ground, which needs a new solution; each comes nearer. `frames` belong to `pose`, which is as
+// it was blended: joints may be as far beyond their limits as it has them.
 void move_leg(const Response& r, Side side, const JointFrames& frames, const FootPose& foot,
               Pose& pose) {
   constexpr int kRounds = 4;
@@ -164,13 +174,13 @@ void move_leg(const Response& r, Side side, const JointFrames& frames, const Foo
   const Eigen::Quaternionf blended_hip = pose.rotation[limits.hip->to];
   const Eigen::Quaternionf blended_ankle = pose.rotation[limits.ankle->to];
   motion::move_limb_end(frames, leg, foot.ankle, foot.orientation, pose);
-  if (r.inertialization.is_zero) return;
   for (int round = 0; round < kRounds; ++round) {
     const bool hip_moves = clamp_joint(*limits.hip, blended_hip, pose);
     const bool ankle_moves = clamp_joint(*limits.ankle, blended_ankle, pose);
     if (!hip_moves && !ankle_moves) return;
     FootPose near = foot_of(r.library->skeleton(), pose, side);
     if (!ankle_moves) near.orientation = foot.orientation;
+    if (!hip_moves) near.ankle = foot.ankle + roll_over_sole(r, side, foot, near.orientation);
     near = above_ground(r, side, near, pose.rotation[motion::roles_of(side).toes]);
     motion::move_limb_end(frames, leg, near.ankle, near.orientation, pose);
   }

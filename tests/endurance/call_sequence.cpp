@@ -19,8 +19,7 @@ namespace flinch::tests {
 namespace {
 
 constexpr float kMaxUnitError = 1e-5F;
-constexpr float kWantedExcess = 0.05F;  // radians
-constexpr float kMaxExcess = 0.15F;     // radians
+constexpr float kMaxExcess = 0.05F;  // radians
 constexpr float kTurn = 2 * std::numbers::pi_v<float>;
 
 template <class Struct>
@@ -330,15 +329,12 @@ void CallSequence::check(const Actor& actor, const Seen& now) {
     fail("led to a time to impact of", state.time_to_impact_s);
   if (actor.is_bent || !fault_.empty()) return;
   const motion::Pose pose = runtime::pose_of(now.pose);
-  bool is_beyond = false;
   for (const motion::JointLimits& limits : motion::human_joint_limits()) {
     const float excess = excess_of(pose, limits);
     max_excess_ = std::max(max_excess_, excess);
-    is_beyond = is_beyond || excess > kWantedExcess;
     if (!(excess <= kMaxExcess))
       fail("bends " + std::string(limits.name) + " beyond its limit by, radians,", excess);
   }
-  if (is_beyond) ++poses_beyond_;
 }
 
 void CallSequence::check_numbers(const flinch_pose& pose) {

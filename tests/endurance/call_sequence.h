@@ -21,8 +21,8 @@ using Draw = std::function<std::uint32_t()>;
 /// - the call was refused where a number is beyond what flinch.h allows, and has then changed
 ///   nothing: pose, state and candidates are equal bit by bit;
 /// - every number of pose and state is finite, and every quaternion unit to 1e-5;
-/// - every joint is within its human limits to 0.15 rad, but for characters that the game has
-/// moved.
+/// - every joint is within its human limits to 0.05 rad, but for characters that the game has
+///   moved.
 class CallSequence {
  public:
   /// `library` must outlive it.
@@ -38,8 +38,6 @@ class CallSequence {
   const std::string& fault() const { return fault_; }
   /// How often calls returned each status.
   const std::map<flinch_status, std::int64_t>& statuses() const { return statuses_; }
-  /// How many poses so far had a joint more than 0.05 rad beyond its limits.
-  std::int64_t poses_beyond() const { return poses_beyond_; }
   /// The largest excess of a joint's limit so far, radians.
   float max_excess() const { return max_excess_; }
   /// The largest difference of a quaternion's length from 1 so far.
@@ -99,7 +97,6 @@ class CallSequence {
   std::string_view call_name_;
   std::string fault_;
   std::map<flinch_status, std::int64_t> statuses_;
-  std::int64_t poses_beyond_ = 0;
   float max_excess_ = 0;
   float max_unit_error_ = 0;
   std::uint64_t pose_hash_ = 0;

@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 
+#include <cmath>
 #include <random>
 
 #include "author_scene.h"
@@ -62,6 +63,30 @@ TEST(JointLimits, AllowHumanPosesOnly) {
   EXPECT_EQ(shoulder_excess({radians(-25), radians(10), 0, 0}), 0);             // to the back
   EXPECT_GT(shoulder_excess({radians(-110), radians(10), 0, 0}), 10);           // far to the back
   EXPECT_GT(shoulder_excess({radians(20), radians(10), radians(120), 0}), 10);  // twisted
+}
+
+TEST(JointLimits, ABoundWithoutTrigonometryAdmitsOnlyWhatIsWithin) {
+  std::mt19937 random(7);
+  std::normal_distribution<float> normal;
+  for (const JointLimits& limits : human_joint_limits()) {
+    int within = 0;
+    int clearly = 0;
+    for (int i = 0; i < 4000; ++i) {
+      // From next to the reference to half a turn from it, with either sign of the quaternion.
+      const float spread = std::ldexp(1.0F, -(i % 8));
+      const Eigen::Vector3f turn(normal(random), normal(random), normal(random));
+      Eigen::Quaternionf rotation = rotation_of_angles(limits, 3 * spread * turn);
+      if (random() % 2 == 0) rotation.coeffs() *= -1;
+      const bool is_within = limit_excess(limits, rotation) <= 0;
+      const bool is_clear = is_clearly_within(limits, rotation);
+      ASSERT_TRUE(is_within || !is_clear) << limits.name;
+      within += is_within ? 1 : 0;
+      clearly += is_clear ? 1 : 0;
+    }
+    EXPECT_GT(within, 200) << limits.name;
+    EXPECT_LT(within, 3800) << limits.name;
+    EXPECT_GT(clearly, within * 8 / 10) << limits.name;
+  }
 }
 
 TEST(JointLimits, AnElbowBendsOneWay) {

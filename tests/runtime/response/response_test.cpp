@@ -8,7 +8,9 @@
 
 #include "database/author/authored_library.h"
 #include "motion/default_character.h"
+#include "motion/figure.h"
 #include "motion/interpolation.h"
+#include "motion/joint_limits.h"
 #include "motion/limb_ik.h"
 #include "motion/rotation.h"
 #include "runtime/response/prepared_library.h"
@@ -17,6 +19,7 @@
 #include "tests/runtime/response/response_quality.h"
 #include "tests/scenes/allocation_count.h"
 #include "tests/scenes/not_finite.h"
+#include "tests/scenes/sample_count.h"
 
 namespace flinch::runtime {
 namespace {
@@ -350,6 +353,29 @@ TEST(ResponseQuality, AllClipsMeetTheBounds) {
     }
   }
   EXPECT_GT(lifts, 100);
+}
+
+// A body that hurries into a side step leaves the foot behind on which it stands.
+TEST(ResponseQuality, JointsStayWithinTheirLimitsHoweverShortTheTime) {
+  std::mt19937 random(5);
+  for (int clip = 1; clip < static_cast<int>(authored().clips.size()); ++clip) {
+    for (int i = 0; i < tests::samples(12); ++i) {
+      const features::CharacterState state{tests::uniform(random, 0, 100), {0, 0}, 0};
+      const float impact_s = tests::uniform(random, 0.01F, 0.5F);
+      const Response response = make_response(prepared(), state, clip, impact_s);
+      for (float t = 0; t < duration_s(response); t += 1.0F / 60) {
+        const motion::JointFrames frames =
+            forward_kinematics(prepared().skeleton(), pose_at(response, t));
+        for (const motion::JointLimits& limits : motion::human_joint_limits()) {
+          const Eigen::Quaternionf rotation =
+              motion::relative_rotation(frames, limits.from, limits.to);
+          ASSERT_LE(limit_excess(limits, rotation), 0.02F)
+              << limits.name << " in " << prepared().clip(clip).name << " at " << t << " s of "
+              << impact_s;
+        }
+      }
+    }
+  }
 }
 
 // A character that is interrupted in the middle of a response; its pose and velocities continue.
