@@ -20,6 +20,33 @@ extern "C" {
  * arrays of arrays are flat. Never NULL. */
 FLINCH_API const char* flinch_layout(void);
 
+/* A surface for drawing the figure as a person. */
+typedef struct flinch_skin flinch_skin;
+/* Makes the surface of a library's character; takes about a millisecond. */
+FLINCH_API flinch_status flinch_skin_create(const flinch_library* library, flinch_skin** out);
+/* Frees it. */
+FLINCH_API flinch_status flinch_skin_free(flinch_skin* skin);
+
+#define FLINCH_SKIN_JOINTS 4 /* that move a vertex */
+#define FLINCH_COVERINGS 7   /* skin, hair, eyes, lips, shirt, trousers, shoes */
+
+/* Closed surfaces of triangles in the rest pose. A vertex v moves with its joints: with their
+ * positions p and orientations R, and r their positions at rest, where all orientations are the
+ * identity, v' = sum of w (p + R (v - r)). The arrays belong to the skin. */
+typedef struct flinch_skin_mesh {
+  uint32_t size;
+  int32_t vertex_count;
+  const float* position; /* 3 per vertex, m */
+  const float* normal;   /* 3 per vertex, unit, outward */
+  const uint8_t* joint;  /* FLINCH_SKIN_JOINTS per vertex */
+  const float* weight;   /* FLINCH_SKIN_JOINTS per vertex, 0 or more, sum 1 */
+  /* Of each covering, three vertices per triangle, counter-clockwise from outside. */
+  const uint32_t* triangle[FLINCH_COVERINGS];
+  int32_t triangle_count[FLINCH_COVERINGS];
+} flinch_skin_mesh;
+/* Writes the above to `out`. */
+FLINCH_API flinch_status flinch_skin_describe(const flinch_skin* skin, flinch_skin_mesh* out);
+
 /* Simulates what every clip would do: the best choice that is possible. Immutable. */
 typedef struct flinch_oracle flinch_oracle;
 /* Makes an oracle. FLINCH_WITHOUT_COSTS for a selector of an earlier version. */

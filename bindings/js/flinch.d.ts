@@ -150,8 +150,19 @@ export class Oracle {
   free(): void;
 }
 
+/** A surface that moves with the joints: v' = sum of w (p + R (v - r)), r the joint at rest. */
+export interface Skin {
+  position: Float32Array;
+  normal: Float32Array;
+  joint: Uint8Array;
+  weight: Float32Array;
+  /** Of each covering: skin, hair, eyes, lips, shirt, trousers, shoes. */
+  triangles: Uint32Array[];
+}
+
 /** A selector with its clips. */
 export class Library {
+  readonly flinch: Flinch;
   readonly info: {
     clip_count: number;
     idle_clip: number;
@@ -164,6 +175,7 @@ export class Library {
   createCharacter(): Character;
   createOracle(): Oracle;
   jointFrames(pose: Pose): JointFrames;
+  skin(): Skin;
   free(): void;
 }
 

@@ -144,6 +144,12 @@ std::string layout() {
                                    F(ball_position), F(ball_velocity), F(impulse_ns)}));
   }
   {
+    using S = flinch_skin_mesh;
+    structs.push_back(struct_text("flinch_skin_mesh", sizeof(S),
+                                  {F(size), F(vertex_count), F(position), F(normal), F(joint),
+                                   F(weight), F(triangle), F(triangle_count)}));
+  }
+  {
     using S = flinch_costs;
     structs.push_back(struct_text("flinch_costs", sizeof(S), {F(brawn), F(work_weight_ns_per_j)}));
   }

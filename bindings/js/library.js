@@ -72,6 +72,28 @@ export class Library {
     return memory.readStruct("flinch_joint_frames", out);
   }
 
+  /** A surface for drawing the figure as a person (see flinch_skin_mesh in exports.h). */
+  skin() {
+    const { memory } = this;
+    const { call } = memory;
+    const handle = memory.handle((out) => call.flinch_skin_create(this.handle, out));
+    const mesh = memory.result("flinch_skin_mesh", (out) => call.flinch_skin_describe(handle, out));
+    const copied = (Array, address, count) =>
+      new Array(call.memory.buffer, address, count).slice();
+    const { vertex_count: count } = mesh;
+    const skin = {
+      position: copied(Float32Array, mesh.position, 3 * count),
+      normal: copied(Float32Array, mesh.normal, 3 * count),
+      joint: copied(Uint8Array, mesh.joint, 4 * count),
+      weight: copied(Float32Array, mesh.weight, 4 * count),
+      triangles: Array.from(mesh.triangle, (address, covering) =>
+        copied(Uint32Array, address, 3 * mesh.triangle_count[covering]),
+      ),
+    };
+    call.flinch_skin_free(handle);
+    return skin;
+  }
+
   /** Frees it; its characters and oracles stay usable until they are freed. */
   free() {
     const { call } = this.memory;

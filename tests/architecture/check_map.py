@@ -67,7 +67,7 @@ MAP = {
     "runtime/c": Folder(RUN_TIME, [*ENCOUNTER, "database/library", "models", "runtime",
                                    "runtime/response", "reaction", "lookahead"],
                         ["Eigen/", "stddef.h", "stdint.h"]),
-    "bindings/js": Folder(RUN_TIME, [*ENCOUNTER, "sim/rehearsal", "database/library", "models",
+    "bindings/js": Folder(RUN_TIME, [*ENCOUNTER, "motion/skin", "sim/rehearsal", "database/library", "models",
                                      "runtime", "runtime/response", "reaction", "lookahead",
                                      "lookahead/oracle", "runtime/c"], ["Eigen/"]),
     "train/scenario": Folder(OFFLINE, ["motion", "features", "database/library"], ["Eigen/"]),

@@ -84,6 +84,13 @@ assert.ok(struck > 20, `only ${struck} balls hit`);
 assert.ok(impulse_error < 1e-3, `impulses differ by ${impulse_error} N s`);
 assert.ok(hit_error <= 1e-5, `poses after a hit differ by ${hit_error}`);
 
+// The surface is where the joints are: every vertex of the standing figure is above the ground.
+const skin = library.skin();
+const vertices = skin.position.length / 3;
+assert.ok(vertices > 1000 && skin.triangles.every((corners) => corners.every((v) => v < vertices)));
+assert.ok(skin.position.every((value, i) => i % 3 !== 2 || (value > -0.01 && value < 2)));
+assert.ok(skin.joint.every((joint) => joint < flinch.joints.length));
+
 // Errors are exceptions with the library's text.
 const refuses = (act, status, text) =>
   assert.throws(act, (error) => {

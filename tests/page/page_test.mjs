@@ -1,0 +1,320 @@
+// SPDX-License-Identifier: MIT
+// The page in a real browser: usage: node page_test.mjs PAGE VIEWER_FOLDER PACKAGE SELECTOR [SHOTS]
+// PAGE is what scripts/page built, into which SELECTOR is put here. With SHOTS writes pictures of all views into that
+// folder. Drawing is done in software here, so frames are small and few.
+import assert from "node:assert/strict";
+import { mkdirSync } from "node:fs";
+import { mkdtemp, readFile, rm, writeFile } from "node:fs/promises";
+import { createServer } from "node:http";
+import { createRequire } from "node:module";
+import { tmpdir } from "node:os";
+import { pathToFileURL } from "node:url";
+
+const [built, viewer, packageFolder, selector_file, shots] = process.argv.slice(2);
+const { chromium } = createRequire(`${viewer}/package.json`)("playwright-core");
+const { loadFlinch } = await import(pathToFileURL(`${packageFolder}/flinch.js`));
+const selector = await readFile(selector_file);
+const folder = await mkdtemp(`${tmpdir()}/flinch-page-`);
+const page_file = `${folder}/flinch.html`;
+const data = `<script type="application/octet-stream" data-selector="default">${selector.toString("base64")}</script>`;
+await writeFile(page_file, (await readFile(built, "utf8")).replace("<!-- selectors -->", () => data));
+const address = pathToFileURL(page_file).href;
+
+const browser = await chromium.launch({
+  executablePath: "/usr/bin/chromium",
+  args: ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"],
+});
+
+const complaints = [];
+async function open(where) {
+  const context = await browser.newContext({ viewport: { width: 760, height: 460 } });
+  const made = await context.newPage();
+  made.setDefaultTimeout(90000);
+  made.on("console", (message) => {
+    if (message.type() === "error") complaints.push(message.text());
+  });
+  made.on("pageerror", (error) => complaints.push(String(error)));
+  await made.goto(where, { waitUntil: "commit" });
+  await made.waitForFunction(() => globalThis.flinchPage?.takes.length > 0);
+  return made;
+}
+const begin_ms = performance.now();
+const page = await open(address);
+console.log(`the page loads in ${(performance.now() - begin_ms).toFixed(0)} ms`);
+
+/** Follows a link to a view within the page. */
+async function show(hash) {
+  await page.evaluate((link) => {
+    history.replaceState(null, "", "#");
+    location.hash = link;
+  }, hash);
+  await page.evaluate(frames);
+}
+const frames = () =>
+  new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(done, 50))));
+const throwNow = () => page.locator("#panel").getByRole("button", { name: "Throw", exact: true }).click();
+const median = (values) => [...values].sort((a, b) => a - b)[values.length >> 1];
+const shot = (name) =>
+  shots ? page.screenshot({ path: `${shots}/${name}.png` }) : Promise.resolve();
+if (shots) mkdirSync(shots, { recursive: true });
+
+const kThrow = "#view=one&from=30,1.6&aim=0.05,0.02,1.5&ball=14,0.55,0.105,0.27";
+const tests = {
+  async "a throw plays, and the head is where the native library has it"() {
+    await show(kThrow);
+    await throwNow();
+    await page.waitForFunction(() => globalThis.flinchPage.player.time > 0.2);
+    await page.evaluate(() => globalThis.flinchPage.player.pause());
+    // The same in Node, whose results equal the native library's (js.throws).
+    const flinch = await loadFlinch();
+    const library = flinch.load(selector);
+    const { clip, contact_s, threat, heads } = await page.evaluate(() => {
+      const [take] = globalThis.flinchPage.takes;
+      take.at(0.5);
+      return {
+        clip: take.clip,
+        contact_s: take.trial.contact_s,
+        threat: JSON.parse(JSON.stringify(take.threat)),
+        heads: take.frames.map(({ joints }) => Array.from(joints.position)),
+      };
+    });
+    const character = library.createCharacter();
+    assert.equal(character.perceive(threat), "ok");
+    assert.equal(character.candidates()[0].clip, clip);
+    const head = flinch.joints.indexOf("head");
+    let compared = 0;
+    for (let frame = 0; frame < heads.length && frame / 60 < contact_s - 0.1; ++frame) {
+      const expected = character.jointFrames().position.slice(3 * head, 3 * head + 3);
+      for (let i = 0; i < 3; ++i)
+        assert.ok(Math.abs(heads[frame][3 * head + i] - expected[i]) < 1e-3, `frame ${frame}`);
+      character.update(1 / 60);
+      ++compared;
+    }
+    assert.ok(compared > 15, `compared ${compared} frames`);
+  },
+
+  async "scrubbing back and forth shows the same"() {
+    await show(kThrow);
+    const picture = async (time) => {
+      await page.evaluate((t) => globalThis.flinchPage.player.seek(t), time);
+      await page.evaluate(frames);
+      return page.evaluate(() => document.getElementById("canvas").toDataURL());
+    };
+    const first = await picture(0.6);
+    const later = await picture(2.4);
+    assert.notEqual(first, later);
+    assert.equal(await picture(0.6), first);
+  },
+
+  async "a link reproduces what is shown"() {
+    await show(kThrow);
+    await page.getByRole("button", { name: "Random throw" }).click();
+    await page.waitForFunction(() => globalThis.flinchPage.player.time > 0.1);
+    await page.evaluate(() => {
+      globalThis.flinchPage.player.pause();
+      globalThis.flinchPage.set({ camera: [-70, 20, 4], delay: 0.1 });
+      globalThis.flinchPage.player.seek(0.55);
+    });
+    await page.waitForTimeout(300);
+    const state = () => {
+      const { view, takes } = globalThis.flinchPage;
+      return [view, takes[0].clip, Array.from(takes[0].at(view.time).from.ball)];
+    };
+    const shown = await page.evaluate(state);
+    const other = await open(page.url());
+    const reproduced = await other.evaluate(state);
+    await other.context().close();
+    const numbers = (value) => JSON.stringify(value).match(/-?\d+(\.\d+)?(e-?\d+)?/g).map(Number);
+    const words = (value) => JSON.stringify(value).replace(/[-\d.e]+/g, "#");
+    assert.equal(words(reproduced), words(shown));
+    const [a, b] = [numbers(reproduced), numbers(shown)];
+    a.forEach((number, i) => assert.ok(Math.abs(number - b[i]) < 0.01, `${number} for ${b[i]}`));
+  },
+
+  async "absurd links are shown as the nearest possible"() {
+    await show("#view=x&from=1e99,NaN&aim=a,b,c&ball=-5,1e9,Infinity,&who=99&t=-3&camera=1,,9e9&brawn=7");
+    const view = await page.evaluate(() => globalThis.flinchPage.view);
+    assert.equal(view.mode, "one");
+    assert.equal(view.thrown.speed, 3);
+    assert.equal(view.thrown.time, 1.5);
+    assert.equal(view.thrown.mass, 0.27);
+    assert.equal(view.camera[2], 15);
+    assert.equal(view.brawn, 1);
+  },
+
+  async "a damaged selector gives its message, and the page lives on"() {
+    await show(kThrow);
+    const damaged = Buffer.from(selector);
+    damaged[damaged.length >> 1] ^= 1;
+    for (const [buffer, text] of [
+      [damaged, /damaged/],
+      [selector.subarray(0, 1000), /cut short/],
+      [Buffer.from("HIERARCHY"), /not a selector/],
+    ]) {
+      await page.locator("input[type=file]").setInputFiles({ name: "bad.flinch", mimeType: "", buffer });
+      await page.waitForFunction((t) => new RegExp(t).test(document.getElementById("message").textContent), text.source);
+    }
+    const before = await page.evaluate(() => globalThis.flinchPage.choosers.length);
+    await page.locator("input[type=file]").setInputFiles({ name: "again.flinch", mimeType: "", buffer: selector });
+    await page.waitForFunction((n) => globalThis.flinchPage.choosers.length > n, before);
+  },
+
+  async "compare shows six figures in step, and the oracle is never beaten"() {
+    await show(kThrow.replace("view=one", "view=compare"));
+    await page.waitForFunction(() => globalThis.flinchPage.service.took_ms.length > 0);
+    const shown = await page.evaluate(() =>
+      globalThis.flinchPage.takes.map(({ chooser, trial }) => [chooser.kind, trial.cost_ns]));
+    assert.equal(shown.length, 6);
+    assert.equal(await page.locator(".caption").count(), 6);
+    const oracle = shown.find(([kind]) => kind === "oracle")[1];
+    for (const [kind, cost] of shown) assert.ok(cost >= oracle * 0.989, `${kind} beats the oracle`);
+    await page.getByRole("button", { name: "Next disagreement" }).click();
+    await page.waitForFunction(() => globalThis.flinchPage.player.time > 0.3);
+    for (let i = 0; i < 4; ++i) {
+      await page.evaluate(() => globalThis.flinchPage.throwRandom());
+      await page.waitForTimeout(300);
+    }
+    const { took, frame } = await page.evaluate(() => ({
+      took: globalThis.flinchPage.service.took_ms,
+      frame: globalThis.flinchPage.frame_ms,
+    }));
+    console.log(`  oracle ${median(took).toFixed(0)} ms a throw (median of ${took.length}); script ${median(frame).toFixed(1)} ms a frame for six (drawn in software)`);
+  },
+
+  async "release to first moving frame, and script time of one figure"() {
+    await show(kThrow);
+    const times = await page.evaluate(async () => {
+      const app = globalThis.flinchPage;
+      const figures = { selector: 0, ahead: app.choosers.findIndex(({ kind }) => kind === "ahead") };
+      const result = {};
+      for (const [name, figure] of Object.entries(figures)) {
+        const all = [];
+        for (let i = 0; i < 12; ++i) {
+          app.view.figure = figure;
+          const begin = performance.now();
+          app.throwRandom();
+          app.takes[0].at(1 / 60);
+          all.push(performance.now() - begin);
+        }
+        result[name] = all.sort((a, b) => a - b)[6];
+      }
+      app.player.start();
+      app.frame_ms.length = 0;
+      await new Promise((done) => setTimeout(done, 1500));
+      const frames = [...app.frame_ms].sort((a, b) => a - b);
+      result.frame = frames[frames.length >> 1];
+      return result;
+    });
+    console.log(`  release to first frame: selector ${times.selector.toFixed(0)} ms, look-ahead ${times.ahead.toFixed(0)} ms; script ${times.frame.toFixed(1)} ms a frame for one`);
+  },
+
+  async "dragging on the figure aims and throws"() {
+    await show(kThrow);
+    const box = await page.locator("#canvas").boundingBox();
+    const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+    await page.mouse.move(x, y);
+    await page.mouse.down();
+    await page.mouse.move(x + 120, y + 30, { steps: 5 });
+    await shot("aim");
+    await page.mouse.up();
+    await page.waitForFunction(() => globalThis.flinchPage.player.isPlaying);
+    const { thrown, camera } = await page.evaluate(() => globalThis.flinchPage.view);
+    assert.ok(Math.abs(thrown.azimuth - 30) > 5, "the drag changes where the ball comes from");
+    assert.equal(camera[0], 35, "a drag on the figure does not turn the view");
+    await page.mouse.move(box.x + 40, box.y + 200);
+    await page.mouse.down();
+    await page.mouse.move(box.x + 90, box.y + 200, { steps: 3 });
+    await page.mouse.up();
+    assert.notEqual(await page.evaluate(() => globalThis.flinchPage.view.camera[0]), 35);
+  },
+
+  async "the keyboard plays, pauses and scrubs"() {
+    await show(kThrow);
+    await page.locator("#canvas").focus();
+    await page.keyboard.press("t");
+    await page.waitForFunction(() => globalThis.flinchPage.player.time > 0.1);
+    await page.keyboard.press(" ");
+    const at = await page.evaluate(() => [globalThis.flinchPage.player.isPlaying, globalThis.flinchPage.player.time]);
+    assert.equal(at[0], false);
+    await page.keyboard.press("ArrowRight");
+    assert.ok((await page.evaluate(() => globalThis.flinchPage.player.time)) > at[1]);
+  },
+
+  async "reduced motion: a throw shows its impact and waits"() {
+    await page.emulateMedia({ reducedMotion: "reduce" });
+    await show(kThrow);
+    await throwNow();
+    assert.equal(await page.evaluate(() => globalThis.flinchPage.player.isPlaying), false);
+    assert.ok((await page.evaluate(() => globalThis.flinchPage.player.time)) > 0.4);
+    await page.emulateMedia({ reducedMotion: "no-preference" });
+  },
+
+  async "the rose answers from all around, and a click throws"() {
+    await show(kThrow.replace("view=one", "view=rose"));
+    assert.equal(await page.locator("svg .cell").count(), 144);
+        await page.locator("svg .cell").nth(100).click();
+    assert.equal(await page.evaluate(() => globalThis.flinchPage.view.mode), "one");
+  },
+
+  async "a tournament fills up, and the oracle has all that is possible"() {
+    await show(kThrow.replace("view=one", "view=tournament"));
+    await page.waitForFunction(() => /^([3-9]|\d\d+) throws/.test(document.querySelector("#full .legend")?.textContent ?? ""));
+    const label = await page.locator("#full svg").getAttribute("aria-label");
+    assert.match(label, /Oracle 100 %/);
+    assert.match(label, /Idle 0 %/);
+    await shot("tournament");
+  },
+
+  async "nothing but its own script runs, from a server with a strict policy too"() {
+    const html = await readFile(page_file, "utf8");
+    const policy = /Content-Security-Policy" content="([^"]+)"/.exec(html)[1];
+    assert.ok(policy.includes("default-src 'none'") && !policy.includes("unsafe-inline"));
+    const server = createServer((_, response) => {
+      response.setHeader("Content-Security-Policy", policy);
+      response.setHeader("Content-Type", "text/html");
+      response.end(html);
+    });
+    await new Promise((done) => server.listen(0, "127.0.0.1", done));
+    const served = await open(`http://127.0.0.1:${server.address().port}/${kThrow}`);
+    await served.evaluate(() => globalThis.flinchPage.throwBall());
+    await served.waitForFunction(() => globalThis.flinchPage.player.time > 0.1);
+    await served.context().close();
+    server.close();
+  },
+
+  async "phone, light and dark"() {
+    for (const [name, width, height, colorScheme] of [
+      ["light", 1280, 800, "light"],
+      ["dark", 1280, 800, "dark"],
+      ["phone", 390, 780, "light"],
+    ]) {
+      await page.setViewportSize({ width, height });
+      await page.emulateMedia({ colorScheme });
+      for (const mode of ["one", "compare", "rose"]) {
+        await show(`${kThrow.replace("view=one", `view=${mode}`)}&t=0.62`);
+        if (mode === "compare") await page.waitForTimeout(800); // the oracle's answer
+        await shot(`${mode}_${name}`);
+        const excess = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
+        assert.ok(excess <= 0, `${mode} on ${name} is ${excess} px too wide`);
+      }
+    }
+  },
+};
+
+let failed = 0;
+for (const [name, test] of Object.entries(tests)) {
+  const begin = performance.now();
+  try {
+    await test();
+    assert.deepEqual(complaints.splice(0), [], "the console has errors");
+    console.log(`ok      ${name} (${((performance.now() - begin) / 1000).toFixed(1)} s)`);
+  } catch (error) {
+    ++failed;
+    complaints.length = 0;
+    console.log(`FAILED  ${name}\n${error.stack}`);
+  }
+}
+await browser.close();
+await rm(folder, { recursive: true });
+console.log(`${Object.keys(tests).length} tests, ${failed} failed`);
+process.exit(failed ? 1 : 0);

@@ -1,0 +1,378 @@
+// SPDX-License-Identifier: MIT
+// The page: what is shown, and what changes it.
+import type { Flinch } from "flinch";
+import { connectAim } from "./aim";
+import { centreOfMass, supportPolygon } from "./balance";
+import { showCaptions } from "./captions";
+import { atRest, choose, choosersOf, loadSelector, type Chooser, type Conditions, type Selector } from "./chooser";
+import { button, byId } from "./dom";
+import { Figure } from "./figure";
+import { shortName } from "./files";
+import { kDefaultView, linkOf, viewOf, type Mode, type View } from "./link";
+import { showMessage } from "./message";
+import { OracleService } from "./oracle_service";
+import { Panel } from "./panel";
+import { Player } from "./player";
+import { drawRose } from "./rose";
+import { kPalettes, Stage } from "./stage";
+import { drawStandings } from "./standings";
+import { Take } from "./take";
+import { randomNumbers, randomThrow, threatOf, type Throw } from "./throw";
+import { whyThisClip } from "./why";
+import type { SelectorFile } from "./worker";
+import { Vector3 } from "three";
+
+const kModeNames: Record<Mode, string> = {
+  one: "Throw",
+  compare: "Compare",
+  rose: "Rose",
+  tournament: "Tournament",
+};
+const kColours = [0x3f6fb5, 0x2f8f6b, 0x8a5bb0, 0xb5803a, 0xb04a5a, 0x557085, 0x7a7f88];
+const kMostCompared = 6;
+const kMostBytes = 64 * 1024 * 1024;
+const kTournamentThrows = 200;
+
+export class App {
+  readonly stage = new Stage(byId<HTMLCanvasElement>("canvas"));
+  readonly player = new Player(() => this.changed());
+  readonly panel: Panel;
+  view: View = structuredClone(kDefaultView);
+  selectors: Selector[] = [];
+  choosers: Chooser[] = [];
+  takes: Take[] = [];
+  service: OracleService | null = null;
+  /** Times of the last frames that were drawn: script time, ms. */
+  readonly frame_ms: number[] = [];
+  private files: SelectorFile[] = [];
+  private readonly figures = new Map<Chooser, Figure>();
+  private tournament: OracleService | null = null; // while one is shown
+  private isStale = true; // something is to be drawn
+  private linkTimer = 0;
+  private shown = 0; // counts throws, so that late answers of the oracle are dropped
+  private whyTimer = 0;
+  private readonly isStill = matchMedia("(prefers-reduced-motion: reduce)");
+
+  constructor(
+    private readonly flinch: Flinch,
+    private readonly module: WebAssembly.Module,
+  ) {
+    this.panel = new Panel({
+      thrown: () => this.throwBall(),
+      set: (change) => this.set(change),
+      random: () => this.throwRandom(),
+      disagreeing: () => this.throwDisagreeing(),
+      files: (files) => void this.openFiles(files),
+      redraw: () => this.showPage(),
+    });
+    byId("transport").append(...this.player.root);
+    for (const [mode, name] of Object.entries(kModeNames) as [Mode, string][]) {
+      const made = button(name, () => this.set({ mode }));
+      made.dataset.mode = mode;
+      byId("modes").append(made);
+    }
+    connectAim(this.stage, {
+      view: () => this.view,
+      turned: (camera) => this.set({ camera }),
+      aimed: (thrown) => this.aim(thrown),
+      thrown: (thrown) => {
+        this.view.thrown = thrown;
+        this.throwBall();
+      },
+    });
+    this.connectPage();
+  }
+
+  /** Adds a selector from its file; throws FlinchError where it cannot be used. */
+  addSelector(file: SelectorFile): void {
+    try {
+      const name = shortName(file.name);
+      this.selectors.push(loadSelector(this.flinch, name, file.bytes));
+      this.files.push({ name, bytes: file.bytes });
+    } catch (error) {
+      throw new Error(`${file.name}: ${(error as Error).message}`);
+    }
+    this.choosers = choosersOf(this.selectors);
+    for (const figure of this.figures.values()) figure.dispose();
+    this.figures.clear();
+    this.stage.setCells([], 1);
+    this.service?.stop();
+    this.service = null;
+  }
+
+  start(): void {
+    this.restore();
+    requestAnimationFrame((now) => this.frame(now));
+    if (this.selectors.length === 0)
+      showMessage("Drop selector files (.flinch) onto the page, or make it with them by scripts/page.");
+  }
+
+  /** Shows what the link says. */
+  private restore(): void {
+    this.view = viewOf(location.hash, this.choosers.length);
+    this.player.setPace(this.view.pace);
+    this.player.time = this.view.time;
+    this.showPage();
+    this.player.isPlaying = false;
+    this.player.seek(this.view.time);
+  }
+
+  get conditions(): Conditions {
+    const { thrown, delay } = this.view;
+    return { threat: threatOf(thrown), delay, brawn: this.brawn };
+  }
+
+  /** How costs are weighed: as the first selector was trained, unless the visitor says otherwise. */
+  get brawn(): number {
+    const own = this.selectors[0]?.oracle.costs().brawn ?? 0.5;
+    return this.view.brawn < 0 ? own : this.view.brawn;
+  }
+
+  /** Changes what is shown, without throwing. */
+  set(change: Partial<View>): void {
+    const isOnlyCamera = Object.keys(change).every((key) => key === "camera");
+    Object.assign(this.view, change);
+    if (isOnlyCamera) this.stage.look(this.view.camera);
+    else this.showPage();
+    this.changed();
+  }
+
+  throwBall(): void {
+    byId("hint").hidden = true;
+    if (this.view.mode === "rose" || this.view.mode === "tournament") this.view.mode = "one";
+    this.showPage();
+    if (this.isStill.matches) this.player.seek(Math.max(this.view.thrown.time - 0.05, 0));
+    else this.player.start();
+  }
+
+  throwRandom(): void {
+    this.view.seed = (this.view.seed + 1) >>> 0;
+    this.view.thrown = randomThrow(randomNumbers(this.view.seed));
+    this.throwBall();
+  }
+
+  /** Throws the next seeded ball on which the selectors choose different clips. */
+  throwDisagreeing(): void {
+    const asked = this.choosers.filter(({ kind }) => kind === "selector" || kind === "ahead");
+    for (let tries = 0; tries < 300; ++tries) {
+      this.view.seed = (this.view.seed + 1) >>> 0;
+      const thrown = randomThrow(randomNumbers(this.view.seed));
+      const conditions = { ...this.conditions, threat: threatOf(thrown) };
+      const names = asked.map((chooser) => {
+        const { selector } = chooser;
+        const clip = choose(chooser, atRest(selector, this.view.delay), conditions);
+        return selector.library.clips[clip]!.name;
+      });
+      if (new Set(names).size < 2) continue;
+      this.view.thrown = thrown;
+      this.throwBall();
+      return;
+    }
+    showMessage("No disagreement in 300 throws.");
+  }
+
+  async openFiles(files: Iterable<File>): Promise<void> {
+    for (const file of files) {
+      try {
+        if (file.size > kMostBytes) throw new Error(`${file.name} is larger than 64 MiB.`);
+        byId("message").hidden = true;
+        this.addSelector({ name: file.name, bytes: new Uint8Array(await file.arrayBuffer()) });
+      } catch (error) {
+        showMessage(error);
+      }
+    }
+    this.showPage();
+  }
+
+  private connectPage(): void {
+    const dark = matchMedia("(prefers-color-scheme: dark)");
+    const paint = () => {
+      this.stage.paint(kPalettes[dark.matches ? "dark" : "light"]);
+      this.isStale = true;
+    };
+    dark.addEventListener("change", paint);
+    paint();
+    new ResizeObserver(() => {
+      if (this.takes.length > 0) this.showCells();
+    }).observe(this.stage.canvas);
+    addEventListener("hashchange", () => {
+      if (location.hash !== linkOf(this.view)) this.restore();
+    });
+    addEventListener("keydown", (event) => this.pressed(event));
+    addEventListener("dragover", (event) => {
+      event.preventDefault();
+      document.body.classList.add("drop");
+    });
+    addEventListener("dragleave", () => document.body.classList.remove("drop"));
+    addEventListener("drop", (event) => {
+      event.preventDefault();
+      document.body.classList.remove("drop");
+      void this.openFiles(event.dataTransfer?.files ?? []);
+    });
+  }
+
+  private pressed(event: KeyboardEvent): void {
+    const isTyping = (event.target as Element).closest("input, select, button");
+    if (isTyping || event.ctrlKey || event.metaKey || event.altKey) return;
+    const [azimuth, elevation, distance] = this.view.camera;
+    const acts: Record<string, () => void> = {
+      " ": () => this.player.toggle(),
+      ArrowLeft: () => this.player.seek(this.player.time - 1 / 30),
+      ArrowRight: () => this.player.seek(this.player.time + 1 / 30),
+      a: () => this.set({ camera: [azimuth - 5, elevation, distance] }),
+      d: () => this.set({ camera: [azimuth + 5, elevation, distance] }),
+      t: () => this.throwBall(),
+      n: () => this.throwRandom(),
+      x: () => this.throwDisagreeing(),
+    };
+    const act = acts[event.key];
+    if (!act) return;
+    event.preventDefault();
+    if (event.key.startsWith("Arrow")) this.player.pause();
+    act();
+  }
+
+  /** While dragging: the throw is shown, not simulated. */
+  private aim(thrown: Throw): void {
+    this.view.thrown = thrown;
+    this.panel.show(this.view, this.choosers, this.brawn);
+    this.isStale = true;
+  }
+
+  /** Makes everything anew for the view. */
+  private showPage(): void {
+    const { mode, figure, camera } = this.view;
+    document.body.className = mode;
+    for (const made of byId("modes").querySelectorAll("button"))
+      made.ariaPressed = String(made.dataset.mode === mode);
+    const isStaged = mode === "one" || mode === "compare";
+    byId("stage").hidden = !isStaged;
+    byId("transport").hidden = !isStaged;
+    byId("full").hidden = isStaged;
+    this.panel.show(this.view, this.choosers, this.brawn);
+    this.tournament?.stop();
+    this.tournament = null;
+    if (this.choosers.length === 0) return;
+    if (!isStaged) {
+      this.showFull();
+      return;
+    }
+    const shown =
+      mode === "one" ? [this.choosers[figure]!] : this.choosers.slice(0, kMostCompared);
+    this.showTakes(shown);
+    this.stage.look(camera);
+  }
+
+  private showTakes(shown: readonly Chooser[]): void {
+    const throwNumber = ++this.shown;
+    for (const take of this.takes) take.free();
+    const { idle_clip } = shown[0]!.selector.library.info;
+    this.takes = shown.map(
+      (chooser) =>
+        new Take(chooser, this.conditions, chooser.kind === "oracle" ? idle_clip : undefined),
+    );
+    this.showCells();
+    const oracle = shown.findIndex(({ kind }) => kind === "oracle");
+    if (oracle < 0) return;
+    const { threat, delay, brawn } = this.conditions;
+    this.workers().ask(threat, delay, brawn, (best) => {
+      if (throwNumber !== this.shown || !best) return;
+      this.takes[oracle]!.free();
+      this.takes[oracle] = new Take(shown[oracle]!, this.conditions, best.clip);
+      this.showCells();
+    });
+  }
+
+  private showCells(): void {
+    const count = this.takes.length;
+    const isNarrow = this.stage.canvas.clientWidth < this.stage.canvas.clientHeight;
+    const columns = count === 1 ? 1 : isNarrow ? 2 : 3;
+    this.stage.setCells(
+      this.takes.map((take) => ({ take, figure: this.figureOf(take.chooser) })),
+      columns,
+    );
+    showCaptions(byId("captions"), this.takes, columns, this.brawn);
+    clearTimeout(this.whyTimer);
+    this.whyTimer = window.setTimeout(() => this.showWhy(), 60);
+    this.isStale = true;
+  }
+
+  /** The figure of a chooser, made once. */
+  private figureOf(chooser: Chooser): Figure {
+    let figure = this.figures.get(chooser);
+    if (!figure) {
+      figure = new Figure(chooser.selector.library, kColours[this.choosers.indexOf(chooser)]!);
+      this.figures.set(chooser, figure);
+    }
+    return figure;
+  }
+
+  private showWhy(): void {
+    const [take] = this.takes;
+    if (this.view.mode === "one" && take)
+      this.panel.showWhy(whyThisClip(this.flinch, take, this.conditions));
+    else this.panel.showWhy(null);
+  }
+
+  private showFull(): void {
+    const root = byId("full");
+    const { mode, figure, thrown, delay, seed } = this.view;
+    const { brawn } = this;
+    this.panel.showWhy(null);
+    if (mode === "rose") {
+      const chooser = this.choosers[figure]!;
+      drawRose(root, chooser, thrown, { delay, brawn }, this.panel.roseColours, (one) => {
+        this.view.thrown = one;
+        this.throwBall();
+      });
+      return;
+    }
+    root.replaceChildren();
+    this.tournament = new OracleService(this.module, this.files);
+    this.tournament.play(
+      { seed, throws: kTournamentThrows, delay, brawn },
+      (standings, count) => drawStandings(root, standings, count),
+    );
+  }
+
+  private workers(): OracleService {
+    this.service ??= new OracleService(this.module, this.files);
+    return this.service;
+  }
+
+  private changed(): void {
+    this.isStale = true;
+    this.view.time = this.player.time;
+    this.view.pace = this.player.pace;
+    clearTimeout(this.linkTimer);
+    this.linkTimer = window.setTimeout(() => history.replaceState(null, "", linkOf(this.view)), 150);
+  }
+
+  private frame(now: number): void {
+    const begin = performance.now();
+    const isMoving = this.player.tick(now);
+    if ((isMoving || this.isStale) && this.takes.length > 0 && !byId("stage").hidden) {
+      this.isStale = false;
+      this.showBalance();
+      this.stage.draw(this.player.time);
+      this.frame_ms.push(performance.now() - begin);
+      if (this.frame_ms.length > 600) this.frame_ms.shift();
+    }
+    requestAnimationFrame((next) => this.frame(next));
+  }
+
+  private showBalance(): void {
+    const [take] = this.takes;
+    if (!take || this.view.mode !== "one" || !this.panel.showsBalance) {
+      this.stage.showOverlay([]);
+      return;
+    }
+    const { library } = take.chooser.selector;
+    const { joints } = take.at(this.player.time).from;
+    const centre = centreOfMass(library, joints);
+    this.stage.showOverlay([
+      { points: supportPolygon(library, joints), colour: 0x2f9e6e },
+      { points: [centre, new Vector3(centre.x, centre.y, 0.006)], colour: 0xd0504a },
+    ]);
+  }
+}

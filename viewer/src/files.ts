@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// What scripts/page puts into the page: flinch.wasm and selectors, in base64.
+import type { SelectorFile } from "./worker";
+
+function bytesOf(element: Element): Uint8Array {
+  const text = atob((element.textContent ?? "").trim());
+  const bytes = new Uint8Array(text.length);
+  for (let i = 0; i < text.length; ++i) bytes[i] = text.charCodeAt(i);
+  return bytes;
+}
+
+export function embeddedModule(): Promise<WebAssembly.Module> {
+  const element = document.getElementById("flinch-wasm");
+  if (!element) throw new Error("This page was built without flinch.wasm: run scripts/page.");
+  if (typeof WebAssembly === "undefined")
+    throw new Error("This browser does not run WebAssembly, or it is switched off.");
+  return WebAssembly.compile(bytesOf(element) as BufferSource);
+}
+
+export function embeddedSelectors(): SelectorFile[] {
+  return [...document.querySelectorAll<HTMLElement>("script[data-selector]")].map((element) => ({
+    name: element.dataset.selector!,
+    bytes: bytesOf(element),
+  }));
+}
+
+/** The name of a selector file without its ending. */
+export function shortName(file: string): string {
+  return file.replace(/^.*[/\\]/, "").replace(/\.flinch$/, "");
+}

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+// What is shown, as the part of the address after #, and back. Whatever a link says, the result is
+// something that can be shown.
+import { allowed, clamp, kDefaultThrow, type Throw } from "./throw";
+
+export type Mode = "one" | "compare" | "rose" | "tournament";
+const kModes: readonly Mode[] = ["one", "compare", "rose", "tournament"];
+
+export interface View {
+  mode: Mode;
+  thrown: Throw;
+  figure: number; // which chooser `one` shows
+  brawn: number; // weighs work against damage in what is shown and in the oracle's choice
+  delay: number; // of the reaction, s
+  time: number; // of the playback, s
+  pace: number; // of the playback, seconds per second
+  camera: [number, number, number]; // azimuth, elevation (degrees), distance (m)
+  seed: number; // of the next throw, and of the tournament
+}
+
+export const kDefaultView: View = {
+  mode: "one",
+  thrown: kDefaultThrow,
+  figure: 0,
+  brawn: -1, // the selector's own
+  delay: 0,
+  time: 0,
+  pace: 1,
+  camera: [35, 12, 4.6],
+  seed: 1,
+};
+
+const rounded = (value: number) => String(Number(value.toFixed(3)));
+
+export function linkOf(view: View): string {
+  const { thrown } = view;
+  const parts = {
+    view: view.mode,
+    from: [thrown.azimuth, thrown.from_height].map(rounded).join(","),
+    aim: thrown.aim.map(rounded).join(","),
+    ball: [thrown.speed, thrown.time, thrown.radius, thrown.mass].map(rounded).join(","),
+    who: String(view.figure),
+    brawn: rounded(view.brawn),
+    delay: rounded(view.delay),
+    t: rounded(view.time),
+    pace: rounded(view.pace),
+    camera: view.camera.map(rounded).join(","),
+    seed: String(view.seed),
+  };
+  return "#" + Object.entries(parts).map(([key, value]) => `${key}=${value}`).join("&");
+}
+
+/** Reads a link for a page with this many choosers. */
+export function viewOf(link: string, choosers: number): View {
+  const parts = new Map(
+    link
+      .replace(/^#/, "")
+      .slice(0, 2000)
+      .split("&")
+      .map((part) => part.split("=") as [string, string]),
+  );
+  const numbers = (key: string, count: number) => {
+    const read = (parts.get(key) ?? "").split(",").map((text) => (text ? Number(text) : NaN));
+    return Array.from({ length: count }, (_, i) => read[i] ?? NaN);
+  };
+  const number = (key: string, fallback: number, low: number, high: number) => {
+    const [value] = numbers(key, 1);
+    return Number.isFinite(value) ? clamp(value!, [low, high]) : fallback;
+  };
+  const [azimuth, from_height] = numbers("from", 2) as [number, number];
+  const [speed, time, radius, mass] = numbers("ball", 4) as [number, number, number, number];
+  const [turn, elevation, distance] = numbers("camera", 3) as [number, number, number];
+  const camera: View["camera"] = [...kDefaultView.camera];
+  if (Number.isFinite(turn)) camera[0] = turn % 360;
+  if (Number.isFinite(elevation)) camera[1] = clamp(elevation, [-5, 89]);
+  if (Number.isFinite(distance)) camera[2] = clamp(distance, [1, 15]);
+  const mode = parts.get("view") as Mode;
+  return {
+    mode: kModes.includes(mode) ? mode : kDefaultView.mode,
+    thrown: allowed({
+      azimuth,
+      from_height,
+      aim: numbers("aim", 3) as Throw["aim"],
+      speed,
+      time,
+      radius,
+      mass,
+    }),
+    figure: Math.floor(number("who", 0, 0, Math.max(choosers - 1, 0))),
+    brawn: number("brawn", kDefaultView.brawn, -1, 1),
+    delay: number("delay", 0, 0, 0.4),
+    time: number("t", 0, 0, 10),
+    pace: number("pace", 1, 0.05, 1),
+    camera,
+    seed: Math.floor(number("seed", 1, 0, 4294967295)),
+  };
+}

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+// Workers, so that the page never waits.
+import type { Threat, Trial } from "flinch";
+import type { Standing } from "./tournament";
+import FlinchWorker from "./worker?worker&inline";
+import type { Reply, Request, SelectorFile } from "./worker";
+
+type Found = (best: Trial | null) => void;
+type Progress = (standings: Standing[], thrown: number) => void;
+type OracleRequest = Extract<Request, { kind: "oracle" }>;
+
+export class OracleService {
+  private readonly worker = new FlinchWorker();
+  private next = 0;
+  private found: Found | null = null; // of the request that the worker has
+  private waiting: [OracleRequest, Found] | null = null; // the latest that it has not
+  private progress: Progress | null = null;
+  /** How long the oracle took for the throws so far, ms. */
+  readonly took_ms: number[] = [];
+
+  constructor(module: WebAssembly.Module, selectors: SelectorFile[]) {
+    this.send({ kind: "load", module, selectors });
+    this.worker.onmessage = ({ data }: MessageEvent<Reply>) => {
+      if (data.kind === "tournament") this.progress?.(data.standings, data.thrown);
+      else this.answered(data);
+    };
+  }
+
+  /** Asks for the oracle's choice. Of several questions at once only the last is answered. */
+  ask(threat: Threat, delay: number, brawn: number, found: Found): void {
+    const request: OracleRequest = { kind: "oracle", id: ++this.next, threat, delay, brawn };
+    if (this.found) {
+      this.waiting = [request, found];
+      return;
+    }
+    this.found = found;
+    this.send(request);
+  }
+
+  play(
+    plan: { seed: number; throws: number; delay: number; brawn: number },
+    progress: Progress,
+  ): void {
+    this.progress = progress;
+    this.send({ kind: "tournament", id: ++this.next, ...plan });
+  }
+
+  /** What was asked for is no longer wanted. */
+  stop(): void {
+    this.worker.terminate();
+  }
+
+  private answered({ best, took_ms }: Extract<Reply, { kind: "oracle" }>): void {
+    this.took_ms.push(took_ms);
+    const found = this.found!;
+    const waiting = this.waiting;
+    this.found = this.waiting = null;
+    if (waiting) {
+      this.found = waiting[1];
+      this.send(waiting[0]);
+    } else {
+      found(best);
+    }
+  }
+
+  private send(request: Request): void {
+    this.worker.postMessage(request);
+  }
+}

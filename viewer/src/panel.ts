@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+// The settings.
+import type { Chooser } from "./chooser";
+import { button, byId, element, slider } from "./dom";
+import type { View } from "./link";
+import type { RoseColours } from "./rose";
+import { kRanges, type Throw } from "./throw";
+
+export interface PanelActs {
+  thrown: () => void;
+  set: (change: Partial<View>) => void;
+  random: () => void;
+  disagreeing: () => void;
+  files: (files: Iterable<File>) => void;
+  redraw: () => void;
+}
+
+type Slid = keyof typeof kRanges;
+const kSliders: [Slid, string, string, number, number, number][] = [
+  // what, label, unit, step, digits, from the value to what is shown
+  ["speed", "Speed", "m/s", 0.5, 1, 1],
+  ["radius", "Size", "cm across", 1, 0, 200],
+  ["mass", "Mass", "kg", 0.01, 2, 1],
+  ["time", "Time to impact", "s", 0.01, 2, 1],
+  ["azimuth", "From", "°", 1, 0, 1],
+];
+
+export class Panel {
+  roseColours: RoseColours = "kind";
+  showsBalance = false;
+  private view!: View;
+  private readonly sliders: [Slid, ReturnType<typeof slider>][];
+  private readonly brawn: ReturnType<typeof slider>;
+  private readonly delay: ReturnType<typeof slider>;
+  private readonly who = element("select", { className: "choice", ariaLabel: "Who answers" });
+  private readonly about = element("p", { className: "quiet" });
+  private readonly why = element("div", { id: "why" });
+  private readonly rose = element("select", { className: "choice", ariaLabel: "Colours of the rose" });
+
+  constructor(private readonly acts: PanelActs) {
+    this.sliders = kSliders.map(([key, label, unit, step, digits, scale]) => [
+      key,
+      slider({ label, unit, range: kRanges[key], step, digits, scale }, (value) =>
+        this.acts.set({ thrown: { ...this.view.thrown, [key]: value } as Throw }),
+      ),
+    ]);
+    this.brawn = slider(
+      { label: "Brawn: work against damage", unit: "", range: [0, 1], step: 0.05, digits: 2 },
+      (brawn) => this.acts.set({ brawn }),
+    );
+    this.delay = slider(
+      { label: "Reaction delay", unit: "ms", range: [0, 0.4], step: 10, digits: 0, scale: 1000 },
+      (delay) => this.acts.set({ delay }),
+    );
+    this.who.onchange = () => this.acts.set({ figure: this.who.selectedIndex });
+    this.rose.append(
+      element("option", { value: "kind", textContent: "Colour: kind of clip" }),
+      element("option", { value: "protection", textContent: "Colour: what it prevents" }),
+    );
+    this.rose.onchange = () => {
+      this.roseColours = this.rose.value as RoseColours;
+      this.acts.redraw();
+    };
+    this.build();
+  }
+
+  private build(): void {
+    const balance = element("input", { type: "checkbox" });
+    balance.onchange = () => {
+      this.showsBalance = balance.checked;
+      this.acts.set({});
+    };
+    const file = element("input", { type: "file", accept: ".flinch", multiple: true, hidden: true });
+    file.onchange = () => this.acts.files(file.files ?? []);
+    byId("panel").append(
+      element(
+        "div",
+        { className: "buttons" },
+        button("Throw", () => this.acts.thrown(), "main"),
+        button("Random throw", () => this.acts.random()),
+        button("Next disagreement", () => this.acts.disagreeing()),
+      ),
+      this.who,
+      this.rose,
+      this.about,
+      this.why,
+      element("h2", { textContent: "The ball" }),
+      ...this.sliders.map(([, made]) => made.root),
+      element("h2", { textContent: "The character" }),
+      this.delay.root,
+      this.brawn.root,
+      element("p", {
+        className: "quiet",
+        textContent:
+          "Brawn weighs costs and the oracle's choice here; selectors keep what they were trained with.",
+      }),
+      element("label", { className: "quiet" }, balance, " Show support and centre of mass"),
+      element("h2", { textContent: "Selectors" }),
+      element(
+        "div",
+        { className: "buttons" },
+        button("Open selector…", () => file.click()),
+        file,
+      ),
+      element("p", {
+        className: "quiet",
+        textContent:
+          "Keys: space plays, ← → scrub, T throws again, N throws at random, X finds a disagreement, A D turn.",
+      }),
+    );
+  }
+
+  show(view: View, choosers: readonly Chooser[], brawn: number): void {
+    this.view = view;
+    for (const [key, made] of this.sliders) made.set(view.thrown[key]);
+    this.brawn.set(brawn);
+    this.delay.set(view.delay);
+    this.who.replaceChildren(
+      ...choosers.map(({ name }) => element("option", { textContent: name })),
+    );
+    this.who.selectedIndex = view.figure;
+    this.who.hidden = view.mode === "compare" || view.mode === "tournament";
+    this.rose.hidden = view.mode !== "rose";
+    this.about.hidden = this.who.hidden;
+    this.about.textContent = choosers[view.figure]?.about ?? "";
+  }
+
+  showWhy(content: HTMLElement | null): void {
+    this.why.replaceChildren(...(content ? [content] : []));
+  }
+}

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+// The time of the playback.
+import { button, element } from "./dom";
+import { kDuration } from "./take";
+
+const kPaces = [1, 0.5, 0.25, 0.1];
+
+export class Player {
+  time = 0;
+  pace = 1;
+  isPlaying = false;
+  readonly root: HTMLElement[];
+  private last = 0;
+  private readonly play = button("Play", () => this.toggle(), "main");
+  private readonly scrub = element("input", { type: "range", ariaLabel: "Time" });
+  private readonly output = element("output");
+  private readonly paces = element("select", { ariaLabel: "Speed of the playback" });
+
+  constructor(private readonly changed: () => void) {
+    Object.assign(this.scrub, { min: "0", max: String(kDuration), step: "0.001" });
+    this.scrub.oninput = () => {
+      this.isPlaying = false;
+      this.seek(Number(this.scrub.value));
+    };
+    for (const pace of kPaces)
+      this.paces.append(element("option", { value: String(pace), textContent: `${pace} ×` }));
+    this.paces.onchange = () => {
+      this.pace = Number(this.paces.value);
+      this.changed();
+    };
+    this.root = [this.play, this.scrub, this.output, this.paces];
+  }
+
+  seek(time: number): void {
+    this.time = Math.min(Math.max(time, 0), kDuration);
+    this.show();
+    this.changed();
+  }
+
+  setPace(pace: number): void {
+    this.pace = kPaces.reduce((a, b) => (Math.abs(b - pace) < Math.abs(a - pace) ? b : a));
+    this.show();
+  }
+
+  start(): void {
+    this.seek(0);
+    this.resume();
+  }
+
+  resume(): void {
+    if (this.time >= kDuration) this.time = 0;
+    this.isPlaying = true;
+    this.last = 0;
+    this.show();
+    this.changed();
+  }
+
+  pause(): void {
+    this.isPlaying = false;
+    this.show();
+    this.changed();
+  }
+
+  toggle(): void {
+    if (this.isPlaying) this.pause();
+    else this.resume();
+  }
+
+  /** Advances to the browser's time `now_ms`; whether anything moves. */
+  tick(now_ms: number): boolean {
+    if (!this.isPlaying) return false;
+    // A hidden page gives one long frame, which must not end the playback.
+    const dt = this.last > 0 ? Math.min((now_ms - this.last) / 1000, 0.1) : 0;
+    this.last = now_ms;
+    this.time = Math.min(this.time + dt * this.pace, kDuration);
+    if (this.time >= kDuration) {
+      this.isPlaying = false;
+      this.changed();
+    }
+    this.show();
+    return true;
+  }
+
+  private show(): void {
+    this.scrub.value = String(this.time);
+    this.output.textContent = `${this.time.toFixed(2)} s`;
+    this.play.textContent = this.isPlaying ? "Pause" : "Play";
+    this.paces.value = String(this.pace);
+  }
+}
