@@ -32,7 +32,7 @@ struct FigureSkin {
 /// outside the surface, so what is seen is what is hit. The halves of a symmetric character are
 /// mirror images.
 ///
-/// Opens no file and throws nothing but std::bad_alloc. Takes about a millisecond.
+/// Opens no file and throws nothing but std::bad_alloc.
 FigureSkin make_figure_skin(const Physique& character);
 
 }  // namespace flinch::motion
