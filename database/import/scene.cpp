@@ -208,8 +208,8 @@ class SceneMaker {
     return *longest;
   }
 
-  // Assimp 5.2.5 takes the bytes of glTF rotations that are kept as integers for floats, which gives
-  // anything but unit quaternions (findings/assimp_gltf_short_rotations.sh).
+  // Assimp 5.2.5 takes the bytes of glTF rotations that are kept as integers for floats, which
+  // gives anything but unit quaternions (findings/assimp_gltf_short_rotations.sh).
   Eigen::Quaterniond rotation_of(const aiQuaternion& q, const SceneNode& node) const {
     const Eigen::Quaterniond rotation(static_cast<double>(q.w), static_cast<double>(q.x),
                                       static_cast<double>(q.y), static_cast<double>(q.z));

@@ -74,9 +74,10 @@ void print_changes(const char* what, const Study& study, auto&& change) {
 /// How many pairs' costs differ by more than 1 %, by the number of bodies that are hit: second hits
 /// turn on a fraction of a millimetre of the first.
 void print_by_bodies(const Study& study) {
-  std::printf("\n| bodies hit | pairs | brawn %.1f: cost differs by more than 1 %% | brawn %.1f |\n"
-              "| --- | --- | --- | --- |\n",
-              kBrawns[0], kBrawns[1]);
+  std::printf(
+      "\n| bodies hit | pairs | brawn %.1f: cost differs by more than 1 %% | brawn %.1f |\n"
+      "| --- | --- | --- | --- |\n",
+      kBrawns[0], kBrawns[1]);
   constexpr int kMost = 3;  // and more
   for (int bodies = 0; bodies <= kMost; ++bodies) {
     int pairs = 0;
@@ -171,8 +172,8 @@ void run(const bench::StudyArguments& arguments) {
                 found.damage_ns,
                 double{measured.work_j},
                 0,
-                static_cast<int>(std::ranges::count_if(measured.impulse,
-                                                       [](float ns) { return ns > 0; })),
+                static_cast<int>(
+                    std::ranges::count_if(measured.impulse, [](float ns) { return ns > 0; })),
                 {},
                 {}};
       pair.foreseen_work_j = double{

@@ -79,8 +79,8 @@ struct RehearsedTrial {
   const RehearsedResponse& response;
 };
 
-/// Returns the trial of each scenario with its response, the same whatever the other trials are. The
-/// threat starts from where it is when the rehearsed response starts. `throws` is that of
+/// Returns the trial of each scenario with its response, the same whatever the other trials are.
+/// The threat starts from where it is when the rehearsed response starts. `throws` is that of
 /// `setup.simulator`. Throws Error where a simulation's numbers are not finite.
 std::vector<TrialResult> try_rehearsed(const SimulationSetup& setup,
                                        std::span<const RehearsedTrial> trials,
