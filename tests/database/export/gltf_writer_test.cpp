@@ -6,7 +6,6 @@
 
 #include <cmath>
 #include <limits>
-#include <regex>
 
 #include "database/import/file_io.h"
 #include "glb_reader.h"
@@ -234,8 +233,7 @@ TEST(GltfWriter, KeepsToWhatEveryImporterReads) {
               is_scale ? "STEP" : "LINEAR");
   }
   const std::string generator = glb.document["asset"]["generator"];
-  EXPECT_TRUE(std::regex_match(generator, std::regex("Flinch [0-9]+[.][0-9]+[.][0-9]+")))
-      << generator;
+  EXPECT_THAT(generator, testing::MatchesRegex("Flinch [0-9]+[.][0-9]+[.][0-9]+"));
 }
 
 TEST(GltfWriter, BallFollowsItsTrackAndHasZeroScaleWhileAbsent) {

@@ -3,7 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include <regex>
+#include <string>
+#include <vector>
 
 namespace flinch::train {
 namespace {
@@ -41,26 +42,45 @@ struct Rectangle {
   }
 };
 
+/// An element of the drawing: its tag's attributes, and the text that it holds.
+struct Element {
+  std::string tag, text;
+
+  double number(const std::string& attribute) const {
+    const std::string key = " " + attribute + "='";
+    return std::stod(tag.substr(tag.find(key) + key.size()));
+  }
+};
+
+/// The drawing's elements whose tag starts so.
+std::vector<Element> elements(const std::string& svg, const std::string& start) {
+  std::vector<Element> found;
+  for (std::size_t at = svg.find(start); at != std::string::npos; at = svg.find(start, at + 1)) {
+    const std::size_t tag_end = svg.find('>', at);
+    const std::size_t text_end = svg.find('<', tag_end);
+    found.push_back(
+        {svg.substr(at, tag_end - at), svg.substr(tag_end + 1, text_end - tag_end - 1)});
+  }
+  return found;
+}
+
 /// What the names of a chart's lines cover, with letters of 6 by 11 pixels.
 std::vector<Rectangle> names_in(const std::string& svg) {
-  const std::regex name("<text class='name( end)? c[0-7]' x='([0-9.]+)' y='([0-9.]+)'>([^<]*)<");
   std::vector<Rectangle> found;
-  for (std::sregex_iterator at(svg.begin(), svg.end(), name), end; at != end; ++at) {
-    const double x = std::stod((*at)[2]);
-    const double y = std::stod((*at)[3]);
-    const double width = 6.0 * static_cast<double>((*at)[4].length());
-    const double left = (*at)[1].matched ? x - width : x;
-    found.push_back({left, y - 10, left + width, y + 1});
+  for (const Element& name : elements(svg, "<text class='name")) {
+    const double width = 6.0 * static_cast<double>(name.text.size());
+    const double left =
+        name.number("x") - (name.tag.find("name end") != std::string::npos ? width : 0);
+    found.push_back({left, name.number("y") - 10, left + width, name.number("y") + 1});
   }
   return found;
 }
 
 std::vector<Rectangle> points_in(const std::string& svg) {
-  const std::regex point("<circle [^>]*cx='([0-9.]+)' cy='([0-9.]+)'");
   std::vector<Rectangle> found;
-  for (std::sregex_iterator at(svg.begin(), svg.end(), point), end; at != end; ++at) {
-    const double x = std::stod((*at)[1]);
-    const double y = std::stod((*at)[2]);
+  for (const Element& point : elements(svg, "<circle")) {
+    const double x = point.number("cx");
+    const double y = point.number("cy");
     found.push_back({x - 3, y - 3, x + 3, y + 3});
   }
   return found;
