@@ -8,7 +8,7 @@
 # Seen: the default decides the type, int here, and a value that is no int without loss counts as
 # absent. So 59.94 gives 60. A default of 60.0 takes whole numbers too, but only those that a double
 # holds. A setting is ignored, and nothing tells it from one that is absent.
-# Flinch: database/import/toml_reader.cpp reads by type, and names the line of what it cannot take.
+# Flinch: database/files/toml_reader.cpp reads by type, and names the line of what it cannot take.
 set -eu
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT

@@ -5,7 +5,7 @@
 
 #include "database/annotate/contact_sheet.h"
 #include "database/annotate/draft_toml.h"
-#include "database/import/file_io.h"
+#include "database/files/file_io.h"
 #include "motion/error.h"
 #include "program/bvh_options.h"
 #include "program/command.h"

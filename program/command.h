@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "database/import/output_check.h"
+#include "database/files/output_check.h"
 #include "program/document.h"
 #include "program/options.h"
 #include "train/objective/cost.h"

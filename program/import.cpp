@@ -5,7 +5,7 @@
 #include <memory>
 #include <optional>
 
-#include "database/import/library_writer.h"
+#include "database/files/library_writer.h"
 #include "database/import/manifest.h"
 #include "program/bvh_options.h"
 #include "program/command.h"

@@ -3,8 +3,8 @@
 #include <iostream>
 #include <memory>
 
+#include "database/files/library_writer.h"
 #include "database/import/import.h"
-#include "database/import/library_writer.h"
 #include "motion/error.h"
 #include "motion/rotation.h"
 #include "program/bvh_options.h"

@@ -3,8 +3,8 @@
 
 #include <span>
 
-#include "database/import/file_io.h"
-#include "database/import/file_kind.h"
+#include "database/files/file_io.h"
+#include "database/files/file_kind.h"
 #include "motion/error.h"
 
 namespace flinch::program {

@@ -4,7 +4,7 @@
 #include <iostream>
 #include <memory>
 
-#include "database/import/library_writer.h"
+#include "database/files/library_writer.h"
 #include "program/command.h"
 #include "program/printable.h"
 #include "train/store/store.h"

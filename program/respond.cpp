@@ -7,7 +7,7 @@
 #include "database/export/bvh_writer.h"
 #include "database/export/filmstrip.h"
 #include "database/export/gltf_writer.h"
-#include "database/import/file_io.h"
+#include "database/files/file_io.h"
 #include "motion/error.h"
 #include "motion/rotation.h"
 #include "program/command.h"

@@ -9,7 +9,7 @@
 #include <optional>
 #include <thread>
 
-#include "database/import/library_writer.h"
+#include "database/files/library_writer.h"
 #include "motion/error.h"
 #include "program/clock.h"
 #include "program/command.h"

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "database/import/toml_string.h"
+#include "database/files/toml_string.h"
 #include "motion/rotation.h"
 
 namespace flinch::database {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "database/import/toml_reader.h"
+#include "database/files/toml_reader.h"
 #include "motion/default_character.h"
 #include "motion/error.h"
 #include "motion/foot.h"

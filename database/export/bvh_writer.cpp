@@ -7,7 +7,7 @@
 #include "database/export/euler_angles.h"
 #include "database/export/export_check.h"
 #include "database/export/y_up.h"
-#include "database/import/file_io.h"
+#include "database/files/file_io.h"
 #include "motion/rotation.h"
 
 namespace flinch::database {

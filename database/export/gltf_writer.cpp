@@ -8,7 +8,7 @@
 #include "database/export/glb.h"
 #include "database/export/solid_mesh.h"
 #include "database/export/y_up.h"
-#include "database/import/file_io.h"
+#include "database/files/file_io.h"
 #include "motion/error.h"
 #include "motion/skin/figure_skin.h"
 

@@ -7,10 +7,10 @@
 #include <set>
 #include <utility>
 
+#include "database/files/file_io.h"
+#include "database/files/text_encoding.h"
 #include "database/import/bvh_lexer.h"
 #include "database/import/bvh_motion.h"
-#include "database/import/file_io.h"
-#include "database/import/text_encoding.h"
 
 namespace flinch::database {
 namespace {

@@ -7,7 +7,7 @@
 #include <system_error>
 #include <utility>
 
-#include "database/import/text_encoding.h"
+#include "database/files/text_encoding.h"
 #include "motion/error.h"
 
 namespace flinch::database {
@@ -83,15 +83,6 @@ std::string quoted(std::string_view word) {
   text += printable_text(start);
   text += word.size() > kLongest ? "...`" : "`";
   return text;
-}
-
-bool opens_as_bvh(std::string_view text) {
-  try {
-    const std::string_view before_zero = text.substr(0, text.find('\0'));
-    return equals_ignoring_case(BvhLexer(before_zero, "").next_word(), "HIERARCHY");
-  } catch (const Error&) {
-    return false;
-  }
 }
 
 BvhLexer::BvhLexer(std::string_view text, std::string path)

@@ -54,10 +54,6 @@ class BvhLexer {
   std::size_t line_ = 1;
 };
 
-/// Returns whether a text begins as BVH does: with HIERARCHY, after at most a byte-order mark,
-/// blank lines and comments.
-bool opens_as_bvh(std::string_view text);
-
 /// Returns whether two words are equal when the case of ASCII letters is ignored.
 bool equals_ignoring_case(std::string_view one, std::string_view other);
 

@@ -10,10 +10,10 @@
 #include <set>
 #include <utility>
 
+#include "database/files/text_encoding.h"
 #include "database/import/manifest.h"
 #include "database/import/plausibility.h"
 #include "database/import/source_file.h"
-#include "database/import/text_encoding.h"
 #include "motion/error.h"
 #include "motion/mirror.h"
 

@@ -6,8 +6,8 @@
 #include <cstdio>
 #include <map>
 
+#include "database/files/toml_reader.h"
 #include "database/import/role_overrides.h"
-#include "database/import/toml_reader.h"
 #include "motion/error.h"
 #include "motion/rotation.h"
 

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "database/files/toml_string.h"
 #include "database/import/role_guess.h"
-#include "database/import/toml_string.h"
 
 namespace flinch::database {
 namespace {

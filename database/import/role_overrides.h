@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "database/files/toml_reader.h"
 #include "database/import/role_map.h"
-#include "database/import/toml_reader.h"
 
 namespace flinch::database {
 

@@ -18,8 +18,8 @@
 #include <string_view>
 #include <utility>
 
-#include "database/import/file_io.h"
-#include "database/import/text_encoding.h"
+#include "database/files/file_io.h"
+#include "database/files/text_encoding.h"
 #include "motion/error.h"
 
 namespace flinch::database {

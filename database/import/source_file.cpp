@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "database/import/source_file.h"
 
-#include "database/import/file_io.h"
-#include "database/import/file_kind.h"
+#include "database/files/file_io.h"
+#include "database/files/file_kind.h"
 #include "database/import/scene_motion.h"
 
 namespace flinch::database {

@@ -27,7 +27,7 @@ RUN_TIME = True
 OFFLINE = False
 SIM = ["motion", "features", "sim"]
 ENCOUNTER = [*SIM, "sim/collision", "sim/figure", "sim/contact", "sim/tree", "sim/encounter"]
-TRAIN = ["motion", "features", "database/library", "database/import", "models", "models/fit",
+TRAIN = ["motion", "features", "database/library", "database/files", "models", "models/fit",
          "runtime", "runtime/response"]
 # In order: a folder uses only folders above it, and of those only the ones that it names.
 MAP = {
@@ -36,14 +36,17 @@ MAP = {
     "features": Folder(RUN_TIME, ["motion"], ["Eigen/"]),
     "database/library": Folder(RUN_TIME, ["motion"], ["Eigen/", "flatbuffers/"]),
     "database/quality": Folder(OFFLINE, ["motion", "database/library"], ["Eigen/"]),
-    "database/import": Folder(OFFLINE, ["motion", "database/library", "database/quality"],
-                              ["Eigen/", "assimp/", "flatbuffers/", "toml++/"]),
+    "database/files": Folder(OFFLINE, ["motion", "database/library"],
+                             ["Eigen/", "flatbuffers/", "toml++/"]),
+    "database/import": Folder(OFFLINE, ["motion", "database/library", "database/quality",
+                                        "database/files"], ["Eigen/", "assimp/"]),
     "database/author": Folder(OFFLINE, ["motion", "features", "database/library",
-                                        "database/import"], ["Eigen/", "lbfgs.h"]),
+                                        "database/files"], ["Eigen/", "lbfgs.h"]),
     "database/export": Folder(OFFLINE, ["motion", "motion/skin", "features", "database/library",
-                                        "database/import"], ["Eigen/", "nlohmann/"]),
+                                        "database/files"], ["Eigen/", "nlohmann/"]),
     "database/annotate": Folder(OFFLINE, ["motion", "database/library", "database/quality",
-                                          "database/import", "database/export"], ["Eigen/"]),
+                                          "database/files", "database/import",
+                                          "database/export"], ["Eigen/"]),
     "models": Folder(RUN_TIME, ["motion", "features"], ["Eigen/"]),
     "models/fit": Folder(OFFLINE, ["motion", "features", "models"],
                          ["Eigen/", "libsvm/", "flann/", "omp.h"]),

@@ -18,7 +18,7 @@
 #include <sstream>
 
 #include "database/annotate/draft.h"
-#include "database/import/file_io.h"
+#include "database/files/file_io.h"
 #include "database/import/manifest.h"
 #include "motion/error.h"
 #include "motion/rotation.h"

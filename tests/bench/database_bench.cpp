@@ -5,8 +5,8 @@
 #include <span>
 #include <string>
 
+#include "database/files/library_writer.h"
 #include "database/import/bvh.h"
-#include "database/import/library_writer.h"
 #include "database/library/library_file.h"
 #include "tests/database/library/random_library.h"
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "database/import/library_writer.h"
+#include "database/files/library_writer.h"
 #include "features/impact_prediction.h"
 #include "runtime/perception.h"
 #include "tests/bench/measures.h"

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "database/import/library_writer.h"
+#include "database/files/library_writer.h"
 #include "motion/rotation.h"
 #include "reaction/reaction_clips.h"
 #include "tests/bench/measures.h"

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "database/import/library_writer.h"
+#include "database/files/library_writer.h"
 #include "runtime/response/response.h"
 #include "tests/bench/measures.h"
 #include "tests/bench/study.h"

@@ -9,7 +9,7 @@
 #include <random>
 #include <vector>
 
-#include "database/import/library_writer.h"
+#include "database/files/library_writer.h"
 #include "runtime/response/prepared_library.h"
 #include "tests/bench/measures.h"
 #include "tests/bench/study.h"

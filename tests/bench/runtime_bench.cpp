@@ -5,7 +5,7 @@
 
 #include <array>
 
-#include "database/import/file_io.h"
+#include "database/files/file_io.h"
 #include "runtime/library.h"
 #include "runtime/response/prepared_library.h"
 #include "runtime/selection.h"

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "database/import/library_writer.h"
+#include "database/files/library_writer.h"
 #include "sim/ode/ode_simulator.h"
 #include "tests/bench/measures.h"
 #include "tests/bench/study.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "database/import/library_writer.h"
+#include "database/files/library_writer.h"
 #include "tests/bench/study.h"
 #include "tests/scenes/synthetic_library.h"
 

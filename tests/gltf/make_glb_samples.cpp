@@ -7,7 +7,7 @@
 #include <filesystem>
 
 #include "database/export/gltf_writer.h"
-#include "database/import/file_io.h"
+#include "database/files/file_io.h"
 #include "motion/error.h"
 #include "tests/bench/study.h"
 #include "tests/scenes/synthetic_library.h"

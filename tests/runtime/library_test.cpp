@@ -6,7 +6,7 @@
 #include <functional>
 #include <random>
 
-#include "database/import/file_io.h"
+#include "database/files/file_io.h"
 #include "motion/error.h"
 #include "runtime/response/prepared_library.h"
 #include "runtime/selection.h"

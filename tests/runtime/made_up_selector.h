@@ -4,7 +4,7 @@
 #include <span>
 #include <string>
 
-#include "database/import/library_writer.h"
+#include "database/files/library_writer.h"
 #include "database/library/file_header.h"
 #include "models/fit/knn_fit.h"
 #include "models/fit/network_fit.h"

@@ -9,7 +9,7 @@
 #include <random>
 #include <type_traits>
 
-#include "database/import/file_io.h"
+#include "database/files/file_io.h"
 #include "database/library/file_header.h"
 #include "tests/models/training_sets.h"
 #include "tests/runtime/selector_samples.h"

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "database/import/file_io.h"
+#include "database/files/file_io.h"
 #include "motion/error.h"
 #include "runtime/selector_file.h"
 #include "selector_generated.h"

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "database/import/file_io.h"
+#include "database/files/file_io.h"
 #include "motion/error.h"
 #include "train/report/csv.h"
 #include "train/report/report_page.h"

@@ -7,7 +7,7 @@
 #include <optional>
 #include <span>
 
-#include "database/import/library_writer.h"
+#include "database/files/library_writer.h"
 #include "database/library/content_hash.h"
 #include "database/library/file_header.h"
 #include "motion/error.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "train/store/file_opening.h"
 
-#include "database/import/file_io.h"
+#include "database/files/file_io.h"
 
 namespace flinch::train {
 

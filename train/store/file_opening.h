@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "database/import/file_kind.h"
+#include "database/files/file_kind.h"
 
 namespace flinch::train {
 

@@ -4,7 +4,7 @@
 #include <span>
 #include <string>
 
-#include "database/import/output_check.h"
+#include "database/files/output_check.h"
 
 namespace flinch::train {
 

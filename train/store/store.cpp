@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <optional>
 
-#include "database/import/file_io.h"
+#include "database/files/file_io.h"
 #include "database/library/library_file.h"
 #include "features/feature_vector.h"
 #include "motion/error.h"

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "database/import/output_check.h"
+#include "database/files/output_check.h"
 #include "models/selector.h"
 #include "train/objective/observation.h"
 #include "train/scenario/scenario_sampling.h"

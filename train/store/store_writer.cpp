@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <optional>
 
-#include "database/import/partial_file.h"
+#include "database/files/partial_file.h"
 #include "motion/error.h"
 #include "train/store/file_opening.h"
 #include "train/store/sqlite.h"

@@ -9,7 +9,7 @@
 
 #include "author_scene.h"
 #include "database/author/character_toml.h"
-#include "database/import/library_writer.h"
+#include "database/files/library_writer.h"
 #include "database/quality/quality.h"
 #include "motion/body_distance.h"
 #include "tests/scenes/sample_count.h"

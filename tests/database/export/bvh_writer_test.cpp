@@ -7,8 +7,8 @@
 #include <limits>
 
 #include "database/export/euler_angles.h"
+#include "database/files/file_io.h"
 #include "database/import/bvh.h"
-#include "database/import/file_io.h"
 #include "database/import/import.h"
 #include "motion/default_character.h"
 #include "tests/motion/random_motion.h"

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "database/import/file_io.h"
+#include "database/files/file_io.h"
 #include "glb_reader.h"
 #include "motion/default_character.h"
 #include "motion/skin/figure_skin.h"

@@ -6,7 +6,7 @@
 
 #include <functional>
 
-#include "database/import/library_writer.h"
+#include "database/files/library_writer.h"
 #include "database/library/library_bounds.h"
 #include "database/library/library_file.h"
 #include "database/library/library_layout.h"

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <functional>
 
-#include "database/import/library_writer.h"
+#include "database/files/library_writer.h"
 #include "tests/database/library/random_library.h"
 #include "tests/scenes/error_of.h"
 #include "tests/scenes/file_damage.h"

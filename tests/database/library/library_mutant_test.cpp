@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
-#include "database/import/library_writer.h"
+#include "database/files/library_writer.h"
 #include "database/library/library_file.h"
 #include "tests/database/library/random_library.h"
 #include "tests/scenes/file_damage.h"

@@ -5,8 +5,8 @@
 #include <span>
 #include <string>
 
-#include "database/import/file_io.h"
-#include "database/import/library_writer.h"
+#include "database/files/file_io.h"
+#include "database/files/library_writer.h"
 #include "database/library/file_header.h"
 #include "features/random.h"
 #include "tests/scenes/synthetic_library.h"

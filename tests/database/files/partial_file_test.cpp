@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "database/import/partial_file.h"
+#include "database/files/partial_file.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,7 +7,7 @@
 
 #include <filesystem>
 
-#include "database/import/file_io.h"
+#include "database/files/file_io.h"
 #include "tests/scenes/error_of.h"
 #include "tests/scenes/temporary_folder.h"
 

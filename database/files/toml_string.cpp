@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "database/import/toml_string.h"
+#include "database/files/toml_string.h"
 
 #include <array>
 #include <cstdio>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "database/import/output_check.h"
+#include "database/files/output_check.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "database/import/output_check.h"
+#include "database/files/output_check.h"
 
 #include <sys/stat.h>
 #include <unistd.h>
@@ -10,7 +10,7 @@
 #include <optional>
 #include <vector>
 
-#include "database/import/partial_file.h"
+#include "database/files/partial_file.h"
 #include "database/library/input_file.h"
 #include "motion/error.h"
 

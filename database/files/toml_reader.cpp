@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "database/import/toml_reader.h"
+#include "database/files/toml_reader.h"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "database/import/file_io.h"
+#include "database/files/file_io.h"
 #include "motion/error.h"
 
 namespace flinch::database {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "database/import/text_encoding.h"
+#include "database/files/text_encoding.h"
 
 #include <gtest/gtest.h>
 

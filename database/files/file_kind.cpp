@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "database/import/file_kind.h"
+#include "database/files/file_kind.h"
 
 #include <algorithm>
 #include <utility>
 
-#include "database/import/bvh_lexer.h"
 #include "motion/enum_array.h"
 
 namespace flinch::database {
@@ -32,6 +31,26 @@ constexpr std::array kSignatures{
 bool is_text_byte(char c) {
   const auto byte = static_cast<unsigned char>(c);
   return byte >= 0x20 || (byte >= '\t' && byte <= '\r');
+}
+
+// A text whose first word, after at most a byte-order mark, blank lines and comments, is HIERARCHY
+// in any case.
+bool opens_as_bvh(std::string_view text) {
+  constexpr std::string_view kBlanks = " \t\v\f\r\n";
+  constexpr std::string_view kWord = "HIERARCHY";
+  const auto skip_to = [&](std::size_t position) {
+    text.remove_prefix(std::min(position, text.size()));
+  };
+  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+  skip_to(text.find_first_not_of(kBlanks));
+  while (text.starts_with('#') || text.starts_with("//")) {
+    skip_to(text.find_first_of("\r\n"));
+    skip_to(text.find_first_not_of(kBlanks));
+  }
+  const std::size_t end = text.find_first_of(std::string_view(" \t\v\f\r\n{}\0", 9));
+  const std::string_view word = text.substr(0, end);
+  return std::equal(word.begin(), word.end(), kWord.begin(), kWord.end(),
+                    [](char a, char b) { return (a & ~0x20) == b; });
 }
 
 // A document of JSON with the member that glTF demands.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "database/import/partial_file.h"
+#include "database/files/partial_file.h"
 
 #include <fcntl.h>
 #include <sys/file.h>

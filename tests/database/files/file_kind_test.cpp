@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "database/import/file_kind.h"
+#include "database/files/file_kind.h"
 
 #include <gtest/gtest.h>
 

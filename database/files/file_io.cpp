@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "database/import/file_io.h"
+#include "database/files/file_io.h"
 
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
 #include <system_error>
 
-#include "database/import/partial_file.h"
+#include "database/files/partial_file.h"
 #include "database/library/input_file.h"
 #include "motion/error.h"
 

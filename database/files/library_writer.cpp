@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "database/import/library_writer.h"
+#include "database/files/library_writer.h"
 
 #include <algorithm>
 #include <span>
 #include <vector>
 
-#include "database/import/file_io.h"
-#include "database/import/file_kind.h"
-#include "database/import/text_encoding.h"
+#include "database/files/file_io.h"
+#include "database/files/file_kind.h"
+#include "database/files/text_encoding.h"
 #include "database/library/library_file.h"
 #include "database/library/library_layout.h"
 #include "library_generated.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "database/import/file_io.h"
+#include "database/files/file_io.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "database/import/file_kind.h"
+#include "database/files/file_kind.h"
 
 namespace flinch::database {
 
