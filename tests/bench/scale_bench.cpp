@@ -23,12 +23,15 @@ Scene& scene() {
 }
 
 /// All of `flinch simulate` except reading the library: scenarios, rehearsals, simulations, the
-/// store.
+/// store. SSE2 has 2 lanes, AVX2 4, AVX-512 8.
 void simulate_scenarios(benchmark::State& state) {
+  const auto lanes = static_cast<std::size_t>(state.range(2));
+  if (lanes > sim::widest_lanes()) return state.SkipWithError("not on this processor");
   const SimulationSetup& setup = scene().setup;
   SimulationRun run;
   run.wanted = {0, static_cast<std::uint64_t>(state.range(0))};
   run.batch.threads = static_cast<int>(state.range(1));
+  run.batch.lanes = lanes;
   run.batch.cpu_s = bench::thread_cpu_s;
   run.memory = plan_memory(setup, std::uint64_t{1} << 30, run.batch.threads);
   SimulationProgress last;
@@ -47,10 +50,12 @@ void simulate_scenarios(benchmark::State& state) {
   state.counters["peak_megabytes"] = bench::peak_memory_mib();
 }
 BENCHMARK(simulate_scenarios)
-    ->ArgNames({"scenarios", "threads"})
-    ->Args({1000, 1})
-    ->Args({1000, 2})
-    ->Args({8200, 1})
+    ->ArgNames({"scenarios", "threads", "lanes"})
+    ->Args({1000, 1, 2})
+    ->Args({1000, 2, 2})
+    ->Args({8200, 1, 2})
+    ->Args({8200, 1, 4})
+    ->Args({8200, 1, 8})
     ->Iterations(1)
     ->UseRealTime()
     ->Unit(benchmark::kSecond);
