@@ -41,11 +41,6 @@ double time_to_cover(double distance_m, const features::Ball& ball, double idles
   return std::clamp(time_s, 0.0, kMaxAhead_s);
 }
 
-/// What a ball hits on its way to another body. Guards of hand and arm are made for that.
-constexpr sim::BodySet kArms = sim::set_of(Body::left_upper_arm) | sim::set_of(Body::left_forearm) |
-                               sim::set_of(Body::left_hand) | sim::set_of(Body::right_upper_arm) |
-                               sim::set_of(Body::right_forearm) | sim::set_of(Body::right_hand);
-
 int count_of_hit(const motion::PerBody<double>& impulse) {
   return static_cast<int>(std::ranges::count_if(impulse, [](double ns) { return ns > 0; }));
 }
@@ -60,42 +55,40 @@ ResponseTrial::ResponseTrial(const sim::FigureModel& figure_model, double reach_
       encounter_(figure_model, options_, 0, figure_model, motion::PerBody<sim::BodyState>{},
                  nullptr, options_.gravity_mps2) {}
 
-/// The body within `distance_m` of which a ball, as it is `since_s` after a frame, comes first
-/// before the next frame. Parts move straight from frame to frame.
-std::optional<Body> ResponseTrial::first_near(const features::Ball& ball, std::size_t frame,
-                                              double since_s, double distance_m) {
+/// Whether a ball, as it is `since_s` after a frame, comes within `distance_m` of one of these
+/// bodies before the next frame. Parts move straight from frame to frame.
+bool ResponseTrial::comes_near(const features::Ball& ball, std::size_t frame, double since_s,
+                               double distance_m, sim::BodySet bodies) {
   const double rate_hz = reference_.rate_hz();
-  double horizon_s = 1 / rate_hz - since_s;
+  const double horizon_s = 1 / rate_hz - since_s;
   const motion::PerBody<sim::BodyState>& from = reference_.places_at_frame(frame);
   const motion::PerBody<sim::BodyState>& to = reference_.places_at_frame(frame + 1);
-  std::optional<Body> first;
-  for (const Body body : motion::kBodies) {
+  return std::ranges::any_of(motion::kBodies, [&](Body body) {
+    if (!(bodies & sim::set_of(body))) return false;
     sim::BodyState part = from[body];
     part.velocity = rate_hz * (to[body].position - part.position);
     part.angular_velocity.setZero();
     // The sphere about its centre contains a part however it turns.
     if (!may_reach(moved_on(part, since_s), figure_model_.radius[body], ball, horizon_s,
                    distance_m)) {
-      continue;
+      return false;
     }
     part.angular_velocity =
         rate_hz * motion::rotation_vector(to[body].orientation * part.orientation.conjugate());
     const sim::MovingShape there =
         placed_shape(figure_model_.outline[body], moved_on(part, since_s));
-    const auto near_s = time_of_contact(ball, there, horizon_s, distance_m, 0);
-    if (!near_s) continue;
-    horizon_s = *near_s;
-    first = body;
-  }
-  return first;
+    return time_of_contact(ball, there, horizon_s, distance_m, 0).has_value();
+  });
 }
 
-/// For how many frames a ball, as it is `since_s` after a frame, stays `distance_m` clear of all
-/// parts, however they move: 0 if it may come near before the next one.
-std::size_t ResponseTrial::clear_frames(const features::Ball& ball, std::size_t frame,
-                                        double since_s, double distance_m) {
+/// For how many frames a ball, as it is `since_s` after a frame, stays clear of all parts, however
+/// they move; and if it may come near before the next frame, of which parts.
+ResponseTrial::Clear ResponseTrial::clear_of_parts(const features::Ball& ball, std::size_t frame,
+                                                   double since_s, double distance_m) {
   const motion::PerBody<sim::BodyState>& places = reference_.places_at_frame(frame);
+  const double frame_s = 1 / reference_.rate_hz();
   double clear_s = kMaxAhead_s;
+  Clear clear;
   for (const Body body : motion::kBodies) {
     const Eigen::Vector3d from_part = ball.position - places[body].position;
     const double gap = from_part.norm() - figure_model_.radius[body] - ball.radius - distance_m -
@@ -104,28 +97,31 @@ std::size_t ResponseTrial::clear_frames(const features::Ball& ball, std::size_t 
     const double speed =
         kMaxPartSpeed_mps + ball.gravity_mps2 * kMaxAhead_s + (leaves ? 0 : ball.velocity.norm());
     clear_s = std::min(clear_s, gap / speed);
+    if (gap / speed + since_s < frame_s) clear.threatened |= sim::set_of(body);
   }
-  return static_cast<std::size_t>(std::max(clear_s + since_s, 0.0) * reference_.rate_hz());
+  clear.frames = static_cast<std::size_t>(std::max(clear_s + since_s, 0.0) / frame_s);
+  return clear;
 }
 
-/// What a ball, as it is `since_s` after a frame, does next.
-ResponseTrial::Ahead ResponseTrial::look(const features::Ball& ball, std::size_t frame,
-                                         double since_s, double distance_m) {
+/// For how many frames a ball, as it is `since_s` after a frame, stays clear of the response: 0 if
+/// it comes near before the next one.
+std::size_t ResponseTrial::clear_frames(const features::Ball& ball, std::size_t frame,
+                                        double since_s, double distance_m) {
   const double reach_m = (ball.position - reference_.pelvis_at(frame)).norm() - reach_m_ -
                          ball.radius - distance_m - kMaxPelvisSpeed_mps * since_s;
   const double time_s = static_cast<double>(frame) / reference_.rate_hz();
   const double idles_s = std::max(reference_.idles_until_s() - time_s, 0.0);
   const double cover_s = time_to_cover(reach_m, ball, idles_s);
-  Ahead ahead{static_cast<std::size_t>(cover_s * reference_.rate_hz()), std::nullopt};
-  if (ahead.frames == 0) ahead.frames = clear_frames(ball, frame, since_s, distance_m);
-  if (ahead.frames == 0) ahead = {1, first_near(ball, frame, since_s, distance_m)};
-  return ahead;
+  const auto frames = static_cast<std::size_t>(cover_s * reference_.rate_hz());
+  if (frames > 0) return frames;
+  const Clear clear = clear_of_parts(ball, frame, since_s, distance_m);
+  if (clear.frames > 0) return clear.frames;
+  return comes_near(ball, frame, since_s, distance_m, clear.threatened) ? 0 : 1;
 }
 
 /// The first frame after which the ball may come near the figure before the next, also after a
 /// bounce.
-std::optional<ResponseTrial::Near> ResponseTrial::find_near(const features::Ball& ball,
-                                                            double until_s) {
+std::optional<std::size_t> ResponseTrial::find_near(const features::Ball& ball, double until_s) {
   const double rate_hz = reference_.rate_hz();
   const auto bounce_s = features::time_of_bounce(ball, until_s, sim::kContactDistance_m);
   const std::size_t bounce_frame =
@@ -139,11 +135,11 @@ std::optional<ResponseTrial::Near> ResponseTrial::find_near(const features::Ball
       const bool leaves = from_pelvis.head<2>().dot(there.velocity.head<2>()) > 0;
       const bool is_far = from_pelvis.norm() - reach_m_ - ball.radius > kNearDistance_m;
       if (is_far && leaves) return std::nullopt;
-      return Near{frame, std::nullopt};
+      return frame;
     }
-    const Ahead ahead = look(ball.at(time_s), frame, 0, kNearDistance_m);
-    if (ahead.near) return Near{frame, ahead.near};
-    frame = std::min(frame + ahead.frames, std::max(bounce_frame, frame + 1));
+    const std::size_t frames = clear_frames(ball.at(time_s), frame, 0, kNearDistance_m);
+    if (frames == 0) return frame;
+    frame = std::min(frame + frames, std::max(bounce_frame, frame + 1));
   }
   return std::nullopt;
 }
@@ -156,9 +152,9 @@ bool ResponseTrial::stays_clear(const features::Ball& ball, double now_s, double
   auto frame = static_cast<std::size_t>(time_s * rate_hz);
   double since_s = std::max(time_s - static_cast<double>(frame) / rate_hz, 0.0);
   for (; time_s < until_s; time_s = static_cast<double>(frame) / rate_hz, since_s = 0) {
-    const Ahead ahead = look(bouncing.at(time_s), frame, since_s, kClearDistance_m);
-    if (ahead.near) return false;
-    frame += ahead.frames;
+    const std::size_t frames = clear_frames(bouncing.at(time_s), frame, since_s, kClearDistance_m);
+    if (frames == 0) return false;
+    frame += frames;
   }
   return true;
 }
@@ -174,45 +170,54 @@ motion::PerBody<sim::BodyState> ResponseTrial::start_at(double time_s,
       step_s, options_.gravity_mps2);
 }
 
-// A hit after the first one depends on a fraction of a millimetre of that, so it is simulated from
-// further back: at once if an arm is in the way, and else when there is a second hit.
+// A hit after the first one depends on a fraction of a millimetre of that, so where there is one,
+// all is simulated again from further back.
 TrialResult ResponseTrial::meet(const features::Ball& ball, double until_s,
                                 const models::ResponseCosts& costs, double max_damage_ns) {
   const auto near = find_near(ball, until_s);
   if (!near) return {};
-  const double near_s = static_cast<double>(near->frame) / reference_.rate_hz();
-  const double near_step = std::floor(near_s / options_.free_step_s + kRounding);
-  const auto begin_s = [&](int settling) {
-    return std::max(near_step - settling, 0.0) * options_.free_step_s;
-  };
-  int steps = 0;
-  if (!near->body || !(sim::set_of(*near->body) & kArms)) {
-    const TrialResult first =
-        run(ball, begin_s(kSettlingSteps), until_s, costs, max_damage_ns, true);
-    if (first.is_cut || count_of_hit(first.impulse) < 2) return first;
-    steps = first.steps;
-  }
-  TrialResult result = run(ball, begin_s(kLongSettlingSteps), until_s, costs, max_damage_ns, false);
-  result.steps += steps;
+  const double near_s = static_cast<double>(*near) / reference_.rate_hz();
+  const int near_step = static_cast<int>(near_s / options_.free_step_s + kRounding);
+  const Conditions conditions{ball, until_s, costs, max_damage_ns};
+  const TrialResult first = run(near_step, std::min(kSettlingSteps, near_step), conditions, true);
+  if (first.is_cut || count_of_hit(first.impulse) < 2) return first;
+  TrialResult result = run(near_step, std::min(kLongSettlingSteps, near_step), conditions, false);
+  result.steps += first.steps;
   return result;
 }
 
-/// Simulates from `begin_s` on, until `until_s` or until nothing can touch any more; or until the
-/// damage exceeds `max_damage_ns`; or, if only the `first_hit` is wanted, until a second body is
-/// hit.
-TrialResult ResponseTrial::run(const features::Ball& ball, double begin_s, double until_s,
-                               const models::ResponseCosts& costs, double max_damage_ns,
+/// Takes the figure alone to the beginning of a step: it starts `steps` before, or at perception.
+void ResponseTrial::settle(int near_step, int steps) {
+  const int first = near_step - steps;
+  const auto begin_s = [&](int step) { return step * options_.free_step_s; };
+  sim::ReferenceState now = reference_.at(begin_s(first));
+  encounter_.restart(begin_s(first), start_at(begin_s(first), now), nullptr);
+  for (int step = first; step < near_step; ++step) {
+    const double step_s = encounter_.begin_step(now, options_.free_step_s);
+    const sim::ReferenceState target = reference_.at(begin_s(step + 1));
+    encounter_.end_step(now, target, step_s);
+    now = target;
+  }
+}
+
+/// Simulates the ball from the beginning of a step on and the figure from `settling` steps before,
+/// until nothing can touch any more or until the damage exceeds the limit; or, if only the
+/// `first_hit` is wanted, until a second body is hit.
+TrialResult ResponseTrial::run(int near_step, int settling, const Conditions& conditions,
                                bool first_hit) {
+  settle(near_step, settling);
   TrialResult result;
-  const features::Ball then = ball.at(begin_s);
+  result.steps = settling;
+  const double begin_s = near_step * options_.free_step_s;
+  const features::Ball then = conditions.ball.at(begin_s);
+  encounter_.restart(begin_s, encounter_.scene().bodies(), &then);
   sim::ReferenceState now = reference_.at(begin_s);
-  encounter_.restart(begin_s, start_at(begin_s, now), &then);
-  while (encounter_.time_s() < until_s) {
+  while (encounter_.time_s() < conditions.until_s) {
     const double time_s = encounter_.time_s();
-    const double step_s = encounter_.begin_step(now, until_s - time_s);
+    const double step_s = encounter_.begin_step(now, conditions.until_s - time_s);
     if (step_s >= options_.free_step_s && !encounter_.may_collide_again() &&
         !encounter_.may_touch(step_s) &&
-        stays_clear(*encounter_.scene().flight(), time_s, time_s + step_s, until_s)) {
+        stays_clear(*encounter_.scene().flight(), time_s, time_s + step_s, conditions.until_s)) {
       break;
     }
     const sim::ReferenceState target = reference_.at(time_s + step_s);
@@ -221,8 +226,8 @@ TrialResult ResponseTrial::run(const features::Ball& ball, double begin_s, doubl
     ++result.steps;
     if (std::isinf(encounter_.first_contact_s())) continue;
     if (first_hit && count_of_hit(encounter_.impulse()) > 1) break;
-    result.damage_ns = damage_ns(costs, encounter_.impulse());
-    if (result.damage_ns > max_damage_ns) {
+    result.damage_ns = damage_ns(conditions.costs, encounter_.impulse());
+    if (result.damage_ns > conditions.max_damage_ns) {
       result.is_cut = true;
       break;
     }

@@ -25,7 +25,7 @@ struct TrialResult {
 /// steps and the laws of training. What training takes from an undisturbed run of the whole
 /// response is approximated here: the figure starts kSettlingSteps before the contact where it is
 /// if it has followed the response for a while (FigureLag), and its motors settle in these steps.
-/// Where an arm or more than one body is hit, it starts kLongSettlingSteps before.
+/// Where more than one body is hit, it starts kLongSettlingSteps before.
 ///
 /// Allocates when it is made and never after. A trial leaves nothing behind: equal calls give equal
 /// bits.
@@ -48,28 +48,28 @@ class ResponseTrial {
   static constexpr int kLongSettlingSteps = 10;
 
  private:
-  /// Where a ball first comes near: the frame before, and the body, if it is known.
-  struct Near {
-    std::size_t frame = 0;
-    std::optional<motion::Body> body;
+  struct Conditions {
+    const features::Ball& ball;  ///< at perception
+    double until_s = 0;
+    const models::ResponseCosts& costs;
+    double max_damage_ns = 0;
   };
-  /// The body that a ball comes near before the next frame, or the number of frames after which to
-  /// look again.
-  struct Ahead {
+  struct Clear {
     std::size_t frames = 0;
-    std::optional<motion::Body> near;
+    sim::BodySet threatened = 0;  ///< the parts that a ball may come near before the next frame
   };
 
-  std::optional<Near> find_near(const features::Ball& ball, double until_s);
+  std::optional<std::size_t> find_near(const features::Ball& ball, double until_s);
   bool stays_clear(const features::Ball& ball, double now_s, double time_s, double until_s);
-  Ahead look(const features::Ball& ball, std::size_t frame, double since_s, double distance_m);
   std::size_t clear_frames(const features::Ball& ball, std::size_t frame, double since_s,
                            double distance_m);
-  std::optional<motion::Body> first_near(const features::Ball& ball, std::size_t frame,
-                                         double since_s, double distance_m);
+  Clear clear_of_parts(const features::Ball& ball, std::size_t frame, double since_s,
+                       double distance_m);
+  bool comes_near(const features::Ball& ball, std::size_t frame, double since_s, double distance_m,
+                  sim::BodySet bodies);
   motion::PerBody<sim::BodyState> start_at(double time_s, const sim::ReferenceState& now);
-  TrialResult run(const features::Ball& ball, double begin_s, double until_s,
-                  const models::ResponseCosts& costs, double max_damage_ns, bool first_hit);
+  void settle(int near_step, int steps);
+  TrialResult run(int near_step, int settling, const Conditions& conditions, bool first_hit);
 
   sim::SimulationOptions options_;
   const sim::FigureModel& figure_model_;
