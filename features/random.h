@@ -21,7 +21,9 @@ enum class RandomStream : std::uint32_t {
   cross_validation,
   perception,
   fitting,
-  noise
+  noise,
+  evolution,
+  threat_grid
 };
 
 /// The random numbers of one (seed, stream, substream), in order. Scenarios use their number as the

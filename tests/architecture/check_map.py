@@ -86,6 +86,7 @@ MAP = {
                                        "train/store", "train/fit"], ["Eigen/"]),
     "train/report": Folder(OFFLINE, [*TRAIN, "train/scenario", "train/objective", "train/store",
                                      "train/fit", "train/evaluate"], ["Eigen/", "nlohmann/"]),
+    "evolve/genetic": Folder(OFFLINE, ["motion", "features"], []),
     "program": Folder(OFFLINE, ["motion", "features", "database/", "models", "models/fit", "sim",
                                 "sim/", "runtime", "runtime/response", "reaction", "lookahead",
                                 "train/"],
