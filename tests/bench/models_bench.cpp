@@ -42,7 +42,8 @@ Selector selector_with(Model model) {
     const int c = clip / 2;
     const motion::Target upper = c % 2 == 0 ? motion::Target::head : motion::Target::trunk;
     const motion::Target target = c % 20 < 7 ? upper : motion::Target::legs;
-    selector.clips.push_back({"clip", motion::Annotation{.target = target}});
+    selector.clips.push_back(
+        {"clip", motion::Annotation{.target = target, .peak_s = 0.2F, .end_s = 0.5F}});
   }
   selector.layout = features::feature_set_named("paper")->layout;
   selector.scaling.min.assign(features::kFeatureCount, -1);
