@@ -139,9 +139,6 @@ class ImpactSearch {
     double step_s = kInfinity;
     double sum = 0;
     const auto look_at = [&](Body body) {
-      sum += static_cast<double>(frames_.orientation[role_of(body)].squaredNorm());
-      const double min_gap = min_gap_to(body, centre);
-      if (min_gap > kContactTolerance_m + max_way_in(step_s, max_closing_mps)) return;
       const motion::Clearance near = clearance(
           centre, ball_.radius, motion::collision_shape_of(*figure_.model, frames_, body));
       sum += near.gap;
@@ -159,16 +156,19 @@ class ImpactSearch {
     // The body that was the nearest is likely to be so again: others are then seen to be farther.
     const Body likely = nearest_body_;
     look_at(likely);
+    const double max_gap = kContactTolerance_m + max_way_in(step_s, max_closing_mps);
     for (Body body : motion::kBodies) {
-      if (body != likely) look_at(body);
+      sum += static_cast<double>(frames_.orientation[role_of(body)].squaredNorm());
+      if (body != likely && !is_farther_than(body, centre, max_gap)) look_at(body);
     }
     return std::isfinite(sum) ? step_s : std::numeric_limits<double>::quiet_NaN();
   }
 
-  /// A lower bound of the gap to a body, whatever its orientation.
-  double min_gap_to(Body body, const Eigen::Vector3d& centre) const {
+  /// Whether the gap to a body is greater than this, whatever its orientation.
+  bool is_farther_than(Body body, const Eigen::Vector3d& centre, double gap) const {
     const Eigen::Vector3d joint = frames_.position[role_of(body)].cast<double>();
-    return (centre - joint).norm() - ball_.radius - static_cast<double>(figure_.body_reach_m[body]);
+    const double distance = gap + ball_.radius + static_cast<double>(figure_.body_reach_m[body]);
+    return (centre - joint).squaredNorm() > distance * distance;
   }
 
   /// By how much a gap closes at most in this time: the inverse of safe_step.
