@@ -158,6 +158,23 @@ function(flinch_use_schema target owner)
     $<TARGET_PROPERTY:flatbuffers::flatbuffers,INTERFACE_INCLUDE_DIRECTORIES>)
 endfunction()
 
+# flinch_embed(TARGET FOLDER VARIABLE file...)
+# Generates the header `<FOLDER>_embedded.h` for TARGET's own sources: VARIABLE, an array of the texts
+# of these files of FOLDER.
+function(flinch_embed target folder variable)
+  set(texts "")
+  foreach(file IN LISTS ARGN)
+    set(path ${CMAKE_CURRENT_SOURCE_DIR}/${folder}/${file})
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${path})
+    file(READ ${path} text)
+    string(APPEND texts "R\"file(${text})file\",\n")
+  endforeach()
+  set(directory ${CMAKE_CURRENT_BINARY_DIR}/embedded)
+  file(GENERATE OUTPUT ${directory}/${folder}_embedded.h CONTENT
+    "#pragma once\n#include <string_view>\ninline constexpr std::string_view ${variable}[]{\n${texts}};\n")
+  target_include_directories(${target} PRIVATE ${directory})
+endfunction()
+
 # flinch_test(NAME SOURCES file... DEPENDS target... [LONG])
 # A GoogleTest program; every test of it is a CTest test named NAME.Suite.Test. Under sanitizers the
 # program is one test: what its tests share is then made once, which takes seconds there. LONG says

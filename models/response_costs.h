@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "motion/body.h"
@@ -20,6 +21,8 @@ struct ResponseCosts {
   int time_count = 1;
   float min_time_s = 0;
   float time_step_s = 1;
+  /// The name of the vulnerability table; empty for the trainer's default.
+  std::string vulnerability_name;
 };
 
 /// Returns the work of a clip's response to an impact in `time_s`, J, interpolated between the

@@ -40,14 +40,18 @@ std::vector<std::string> method_names() {
 std::vector<Option> cost_options(CostOptions& options) {
   std::vector<std::string> names;
   for (const train::VulnerabilityProfile& profile : train::vulnerability_profiles())
-    names.emplace_back(profile.name);
+    names.push_back(profile.name);
   return {{"--brawn", "weight of work against damage, from 0 to 1", &options.brawn, Range{0, 1}},
           {"--vulnerability", "table of how much an impulse on each body hurts",
-           &options.vulnerability, OneOf{names}}};
+           &options.vulnerability, OneOfOrFile{names, ".toml"}}};
 }
 
-const train::Vulnerability& vulnerability_of(const CostOptions& options) {
-  return train::vulnerability_profile_named(options.vulnerability)->vulnerability;
+std::string vulnerability_file(const CostOptions& options) {
+  return train::is_vulnerability_file(options.vulnerability) ? options.vulnerability : "";
+}
+
+train::VulnerabilityProfile vulnerability_of(const CostOptions& options) {
+  return train::find_vulnerability(options.vulnerability);
 }
 
 }  // namespace flinch::program

@@ -41,9 +41,12 @@ std::vector<std::string> method_names();
 /// How to label scenarios, as given by options.
 struct CostOptions {
   double brawn = train::CostModel{}.brawn;
-  std::string vulnerability{train::vulnerability_profiles()[0].name};
+  std::string vulnerability{train::vulnerability_profiles()[0].name};  ///< or a file
 };
 std::vector<Option> cost_options(CostOptions& options);
-const train::Vulnerability& vulnerability_of(const CostOptions& options);
+/// Returns the file that the options name, or an empty path.
+std::string vulnerability_file(const CostOptions& options);
+/// Returns the vulnerability table that the options name. Throws Error.
+train::VulnerabilityProfile vulnerability_of(const CostOptions& options);
 
 }  // namespace flinch::program

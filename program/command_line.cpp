@@ -74,6 +74,18 @@ CLI::Validator natural_number_with_unit() {
   return {refusal, ""};
 }
 
+CLI::Validator one_of_or_file(const OneOfOrFile& accepted) {
+  std::string text;
+  for (const std::string& name : accepted.names) text += name + ", ";
+  text += "FILE" + accepted.extension;
+  const auto refusal = [accepted, text](const std::string& input) {
+    const bool is_accepted = input.ends_with(accepted.extension) ||
+                             std::ranges::find(accepted.names, input) != accepted.names.end();
+    return is_accepted ? std::string() : input + " is none of " + text;
+  };
+  return {refusal, "{" + text + "}"};
+}
+
 /// Returns the number with the largest unit that leaves no remainder: 1G.
 std::string byte_text(std::uint64_t bytes) {
   constexpr std::array kUnits{"", "K", "M", "G"};
@@ -100,6 +112,8 @@ CLI::Option* add_option(CLI::App& command, const Option& option, Value* value) {
     added->check(number_in<Number>(*range));
   } else if (const auto* one_of = std::get_if<OneOf>(&option.accepted)) {
     added->check(CLI::IsMember(one_of->names));
+  } else if (const auto* named = std::get_if<OneOfOrFile>(&option.accepted)) {
+    added->check(one_of_or_file(*named));
   } else if (std::holds_alternative<ByteCount>(option.accepted)) {
     added->transform(CLI::AsSizeValue(false));
     added->transform(natural_number_with_unit());  // the last transform is called first

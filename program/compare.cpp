@@ -64,16 +64,18 @@ void check_report(const CompareOptions& options) {
   std::vector<database::Output> files;
   for (const std::string& name : train::report_file_names())
     files.push_back({name, database::FileKind::text, ""});
-  database::check_output_folder(options.report, files, {options.store, options.test},
+  database::check_output_folder(options.report, files,
+                                {options.store, options.test, vulnerability_file(options.cost)},
                                 overwrite_of(options.force));
 }
 
 void run_compare(const CompareOptions& options) {
   check_report(options);
+  const train::VulnerabilityProfile vulnerability = vulnerability_of(options.cost);
   train::Store store = read_with_features(options.store, options.features);
   const std::uint64_t seed = store.header.seed;
   const train::CostModel cost_model =
-      make_cost_model(store.header, vulnerability_of(options.cost), options.cost.brawn);
+      make_cost_model(store.header, vulnerability, options.cost.brawn);
   train::Report report;
   report.prevention = train::prevention_rows(store, train::label(store.observations, cost_model));
   const train::TrainTestSplit split = read_split(options, std::move(store));

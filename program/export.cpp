@@ -40,12 +40,14 @@ void run_export(const ExportOptions& options) {
     throw Error(options.file, "unknown kind of file; use a name that ends in .libsvm or .csv");
   database::check_outputs(
       {{options.file, database::FileKind::text, libsvm ? " 1:" : "number,target,"}},
-      {options.store, options.scaling}, overwrite_of(options.force));
+      {options.store, options.scaling, vulnerability_file(options.cost)},
+      overwrite_of(options.force));
   const features::Layout& layout = features::feature_set_named(options.features)->layout;
+  const train::VulnerabilityProfile vulnerability = vulnerability_of(options.cost);
   train::Store store = train::read_store(options.store);
   derive_features(layout, store);
   const train::CostModel cost_model =
-      make_cost_model(store.header, vulnerability_of(options.cost), options.cost.brawn);
+      make_cost_model(store.header, vulnerability, options.cost.brawn);
   const train::Labels labels = train::label(store.observations, cost_model);
   database::write_file_atomically(
       options.file, libsvm ? train::libsvm_text(store, labels, scaling_for(options, store))

@@ -13,6 +13,7 @@
 #include "program/printable.h"
 #include "program/quality.h"
 #include "program/table.h"
+#include "train/objective/vulnerability.h"
 #include "train/store/file_opening.h"
 #include "train/store/store.h"
 #include "train/store/store_schema.h"
@@ -209,6 +210,13 @@ Json model_document(const models::PairwiseModel& pairwise) {
           {"machines", pairwise.weights.size() / pairwise.row_size()}};
 }
 
+/// The name of a selector's vulnerability table. Files written before it was stored have none.
+std::string vulnerability_name(const models::ResponseCosts& costs) {
+  if (!costs.vulnerability_name.empty()) return costs.vulnerability_name;
+  const std::string_view shipped = train::shipped_name_of(costs.vulnerability);
+  return shipped.empty() ? "unnamed" : std::string(shipped);
+}
+
 Json selector_document(const runtime::SelectorFile& file) {
   const models::Selector& selector = file.selector;
   Json clips = Json::array();
@@ -218,6 +226,11 @@ Json selector_document(const runtime::SelectorFile& file) {
                 {"library_hash", database::hash_text(selector.library_hash)},
                 {"brawn", selector.brawn},
                 {"features", selector.layout.names()}};
+  if (selector.costs) {
+    document["vulnerability_name"] = vulnerability_name(*selector.costs);
+    for (const motion::Body body : motion::kBodies)
+      document["vulnerability"][std::string(name_of(body))] = selector.costs->vulnerability[body];
+  }
   document.update(
       std::visit([](const auto& model) { return model_document(model); }, selector.model));
   document["idle"] = selector.clips[static_cast<std::size_t>(selector.idle)].name;
@@ -234,7 +247,7 @@ void print_selector(const runtime::SelectorFile& file) {
   const Json document = selector_document(file);
   std::cout << "selector for library " << document["library_hash"].get<std::string>();
   for (const char* key : {"model", "classes", "support_vectors", "k", "observations", "members",
-                          "hidden", "machines", "brawn"})
+                          "hidden", "machines", "brawn", "vulnerability_name"})
     if (document.contains(key))
       std::cout << '\n'
                 << key << ": "

@@ -27,12 +27,18 @@ struct OneOf {
   std::vector<std::string> names;
 };
 
+/// Accepts one of these names, or that of a file with this extension (".toml").
+struct OneOfOrFile {
+  std::vector<std::string> names;
+  std::string extension;
+};
+
 /// Accepts a number of bytes, which may have a unit: 512M, 2G.
 struct ByteCount {};
 
 /// Restricts the values that an option accepts; monostate: every value that its destination can
 /// hold.
-using Accepted = std::variant<std::monostate, Range, OneOf, ByteCount>;
+using Accepted = std::variant<std::monostate, Range, OneOf, OneOfOrFile, ByteCount>;
 
 /// An option or argument. A name without dashes is that of an argument, which is recognised by its
 /// position. The destination's value before parsing is the default; help shows it unless it is

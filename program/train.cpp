@@ -33,7 +33,7 @@ Json parameters_of(const train::Training& training) {
 }
 
 Json summary_of(const TrainOptions& options, const train::Store& store,
-                const train::Training& training) {
+                const std::string& vulnerability, const train::Training& training) {
   Json summary{{"kind", "selector"},
                {"file", options.selector},
                {"model", options.model},
@@ -41,7 +41,7 @@ Json summary_of(const TrainOptions& options, const train::Store& store,
                {"library_hash", database::hash_text(store.header.library_hash)},
                {"scenarios", store.observations.size()},
                {"brawn", options.cost.brawn},
-               {"vulnerability", options.cost.vulnerability},
+               {"vulnerability", vulnerability},
                {"parameters", parameters_of(training)},
                {"cross_validated_regret_ns", training.cross_validated_regret_ns}};
   if (const auto* svm = std::get_if<models::SvmModel>(&training.selector.model)) {
@@ -52,17 +52,19 @@ Json summary_of(const TrainOptions& options, const train::Store& store,
 }
 
 void run_train(const TrainOptions& options) {
-  database::check_outputs({{options.selector, database::FileKind::selector, ""}}, {options.store},
+  database::check_outputs({{options.selector, database::FileKind::selector, ""}},
+                          {options.store, vulnerability_file(options.cost)},
                           overwrite_of(options.force));
+  const train::VulnerabilityProfile vulnerability = vulnerability_of(options.cost);
   train::Store store = train::read_store(options.store);
   derive_features(features::feature_set_named(options.features)->layout, store);
   const train::CostModel cost_model =
-      make_cost_model(store.header, vulnerability_of(options.cost), options.cost.brawn);
+      make_cost_model(store.header, vulnerability, options.cost.brawn);
   const train::Training training =
       train::train_selector(store.header, store.observations, cost_model,
                             *train::method_named(options.model), store.header.seed);
   train::write_selector(training.selector, store.header.library_file, options.selector);
-  const Json summary = summary_of(options, store, training);
+  const Json summary = summary_of(options, store, vulnerability.name, training);
   if (options.json) {
     print(summary);
     return;

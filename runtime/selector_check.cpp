@@ -184,7 +184,9 @@ bool is_part_sound(const models::ResponseCosts& costs, std::size_t clip_count) {
          std::all_of(costs.work_j.begin(), costs.work_j.end(),
                      [&](float work) { return is_amount(double{work}); }) &&
          std::isfinite(costs.min_time_s) && std::isfinite(costs.time_step_s) &&
-         costs.time_step_s > 0;
+         costs.time_step_s > 0 &&
+         (costs.vulnerability_name.empty() ||
+          database::fault_of_name(costs.vulnerability_name) == nullptr);
 }
 
 }  // namespace

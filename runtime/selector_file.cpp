@@ -121,7 +121,8 @@ bool has_bounded_size(const schema::Selector& stored, std::size_t content_size) 
   for (const schema::Clip* clip : *stored.clips()) unfolded.add(clip->name());
   for (const flatbuffers::String* name : *stored.feature_names()) unfolded.add(name);
   unfolded.add(stored.least()).add(stored.most()).add(stored.library());
-  if (stored.costs()) unfolded.add(stored.costs()->vulnerability()).add(stored.costs()->work_j());
+  if (const schema::ResponseCosts* costs = stored.costs())
+    unfolded.add(costs->vulnerability()).add(costs->work_j()).add(costs->vulnerability_name());
   if (const schema::Svm* svm = stored.model_as_Svm()) {
     add_vectors(*svm, unfolded);
   } else if (const schema::Knn* knn = stored.model_as_Knn()) {
@@ -147,6 +148,8 @@ std::optional<models::ResponseCosts> read_costs(const schema::ResponseCosts& sto
   costs.time_count = stored.time_count();
   costs.min_time_s = stored.min_time_s();
   costs.time_step_s = stored.time_step_s();
+  if (stored.vulnerability_name() != nullptr)
+    costs.vulnerability_name = stored.vulnerability_name()->str();
   return costs;
 }
 

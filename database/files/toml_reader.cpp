@@ -11,7 +11,10 @@
 namespace flinch::database {
 
 toml::table read_toml(const std::string& path) {
-  const std::string text = read_file(path);
+  return parse_toml(read_file(path), path);
+}
+
+toml::table parse_toml(std::string_view text, const std::string& path) {
   try {
     return toml::parse(text, path);
   } catch (const toml::parse_error& error) {

@@ -12,6 +12,8 @@ namespace flinch::database {
 
 /// Parses a TOML file. Throws Error "FILE:LINE: …".
 toml::table read_toml(const std::string& path);
+/// Parses the text of a TOML file; `path` is for messages. Throws Error as read_toml does.
+toml::table parse_toml(std::string_view text, const std::string& path);
 
 /// Reads a TOML table with known keys of known types. All errors are thrown as Error "FILE:LINE:
 /// …".

@@ -74,7 +74,8 @@ MAP = {
                                      "runtime", "runtime/response", "reaction", "lookahead",
                                      "lookahead/oracle", "runtime/c"], ["Eigen/"]),
     "train/scenario": Folder(OFFLINE, ["motion", "features", "database/library"], ["Eigen/"]),
-    "train/objective": Folder(OFFLINE, ["motion", "features"], ["Eigen/"]),
+    "train/objective": Folder(OFFLINE, ["motion", "features", "database/library",
+                                        "database/files"], ["Eigen/", "toml++/"]),
     "train/store": Folder(OFFLINE, [*TRAIN, "train/scenario", "train/objective"],
                           ["Eigen/", "sqlite3.h"]),
     "train/simulate": Folder(OFFLINE, [*TRAIN, "sim", "sim/", "lookahead/oracle", "train/scenario",
@@ -179,6 +180,10 @@ class Checker:
             if any(is_usable(folder, maker) for maker in makers):
                 return None
             return f'"{included}" is made from no schema that {folder}/ may use'
+        if included.endswith("_embedded.h"):
+            if (self.root / folder / included.removesuffix("_embedded.h")).is_dir():
+                return None
+            return f'"{included}" is made from no folder of {folder}/'
         if included not in self.texts:
             return f'"{included}" is no header of a room: include by ROOM/FILE'
         other = folder_of(included)

@@ -145,7 +145,7 @@ void run(const bench::StudyArguments& arguments) {
   const runtime::PreparedLibrary prepared = runtime::prepare(library);
   const sim::FigureModel figure_model(library.character);
   const train::CostModel model =
-      make_cost_model(tested.header, train::CostModel{}.vulnerability, 0.1);
+      make_cost_model(tested.header, train::vulnerability_profiles()[0], 0.1);
   const models::ResponseCosts costs = response_costs(fitted.header, fitted.observations, model);
   lookahead::ResponseTrial trial(figure_model, double{prepared.reach_m});
   const float period_s = 2 * prepared.idle().duration_s();

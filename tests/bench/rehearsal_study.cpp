@@ -192,8 +192,9 @@ void run(const bench::StudyArguments& arguments) {
   const database::ClipLibrary library = database::load_library(arguments.text(0));
   const auto scenarios = arguments.number_or<std::uint64_t>(1, 200);
   const train::SimulationSetup setup(library, {});
-  const train::CostModel model = train::make_cost_model(
-      train::make_store_header(setup), train::CostModel{}.vulnerability, train::CostModel{}.brawn);
+  const train::CostModel model =
+      train::make_cost_model(train::make_store_header(setup), train::vulnerability_profiles()[0],
+                             train::CostModel{}.brawn);
   Study study;
   for (std::uint64_t number = 0; number < scenarios; ++number) {
     compare_scenario(setup, model, number, study);

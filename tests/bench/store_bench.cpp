@@ -135,8 +135,7 @@ BENCHMARK(read_stored)
 /// From the file to new labels, for another brawn and vulnerability.
 void relabel_store(benchmark::State& state) {
   const Made& store = made(state.range(0));
-  const CostModel model =
-      make_cost_model(store.header, vulnerability_profiles()[1].vulnerability, 0.3);
+  const CostModel model = make_cost_model(store.header, vulnerability_profiles()[1], 0.3);
   double clips = 0;
   for (auto _ : state) {
     StoreReader reader(store.path);

@@ -210,7 +210,8 @@ class BadInput(ProgramTest):
                 ("--time-to-impact", ["select", self.selector, "--time-to-impact", -1]),
                 ("--brawn", ["train", self.store, "--out", self.out, "--brawn", 2]),
                 (["svm", "knn"], ["train", self.store, "--out", self.out, "--model", "oracle"]),
-                ("--vulnerability", ["compare", self.store, "--vulnerability", "none"]),
+                (["--vulnerability", "blunt", "FILE.toml"],
+                 ["compare", self.store, "--vulnerability", "none"]),
                 ("--out", ["simulate", self.library, "-n", 2]),
                 ("-n", ["simulate", self.library, "--out", self.out, "-n", 0]),
                 ("--out", ["merge", self.store]),
@@ -219,6 +220,24 @@ class BadInput(ProgramTest):
         ]:
             with self.subTest(command=command):
                 self.refuse(2, words, *command)
+
+    def test_vulnerability_tables(self):
+        self.make_store_and_selector()
+        tables = {
+            "syntax": ("name = \n", ":1"),
+            "body": ('name = "a"\n[bodies]\nnose = 1\n', [":3", '"nose"', "head", "hand"]),
+            "range": ('name = "a"\n[bodies]\nhead = 2\n', [":3", "from 0 to 1"]),
+            "missing": ('name = "a"\n[bodies]\nhead = 1\n', [":2", "no value for"]),
+        }
+        for name, (text, words) in tables.items():
+            path = self.file(f"{name}.toml", text)
+            for command in (["train", self.store, "--out", self.out], ["compare", self.store],
+                            ["export", self.store, "--out", f"{self.out}.csv"]):
+                with self.subTest(table=name, command=command[0]):
+                    self.refuse(1, [str(path), *([words] if isinstance(words, str) else words)],
+                                *command, "--vulnerability", path)
+        table = self.file("table.toml", 'name = "a"\n')
+        self.refuse(1, "is an input", "train", self.store, "--out", table, "--vulnerability", table)
 
     def test_places_that_cannot_be_written(self):
         self.make_store_and_selector()

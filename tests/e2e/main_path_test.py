@@ -165,6 +165,31 @@ class MainPath(ProgramTest):
         self.assertEqual(idle[1], SCENARIOS)
         self.assertLess(idle[0], SCENARIOS)
 
+    def test_a_table_of_ones_own_says_what_hurts(self):
+        self.simulate()
+        table = self.folder / "armour.toml"
+        # As in docs/cost.md: a breastplate and a helmet.
+        table.write_text('name = "armour"\n\n[bodies]\nhead = 0.3\nneck = 1\nchest = 0.1\n'
+                         'abdomen = 0.7\npelvis = 0.7\nthigh = 0.4\nshin = 0.4\nfoot = 0.4\n'
+                         'upper_arm = 0.3\nforearm = 0.25\nhand = 0.2\nleft_hand = 0.1\n')
+        trained = self.document("train", self.store, "--out", self.selector, "--model", "knn",
+                                "--vulnerability", table)
+        self.assertEqual(trained["vulnerability"], "armour")
+        selector = self.document("info", self.selector)
+        self.assertEqual(selector["vulnerability_name"], "armour")
+        self.assertEqual([selector["vulnerability"][body] for body in
+                          ("head", "chest", "left_hand", "right_hand", "left_foot", "right_foot")],
+                         [0.3, 0.1, 0.1, 0.2, 0.4, 0.4])
+        self.assertIn("vulnerability_name: armour", self.succeed("info", self.selector).stdout)
+        model = self.document("compare", self.store, "--models", "knn", "--vulnerability",
+                              table)["cost_model"]
+        self.assertEqual(model["vulnerability_name"], "armour")
+        self.assertEqual(model["vulnerability"], selector["vulnerability"])
+        for name in ("default", "uniform", "blade", "blunt"):
+            self.succeed("train", self.store, "--out", self.selector, "--model", "knn",
+                         "--vulnerability", name)
+            self.assertEqual(self.document("info", self.selector)["vulnerability_name"], name)
+
     def test_training_again_gives_the_same_bytes(self):
         self.simulate()
         once, again = self.folder / "once", self.folder / "again"

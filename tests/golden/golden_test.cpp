@@ -88,7 +88,7 @@ std::uint64_t hash_of(std::span<const train::Observation> observations) {
 /// A selector's file, fitted by as many threads as OpenMP is given.
 std::string selector_file(const train::Store& store, train::Method method) {
   const train::CostModel cost_model =
-      train::make_cost_model(store.header, train::vulnerability_profiles()[0].vulnerability, 0.1);
+      train::make_cost_model(store.header, train::vulnerability_profiles()[0], 0.1);
   const train::Training training =
       train_selector(store.header, store.observations, cost_model, method, store.header.seed);
   return train::selector_bytes(training.selector,

@@ -18,8 +18,8 @@ runtime::Perception perceived(const features::Scenario& scenario) {
 
 TEST(Oracle, MeasuresWhatTrainingMeasuresAndChoosesItsLabel) {
   const Oracle oracle(trained().library);
-  const train::CostModel model = train::make_cost_model(
-      make_store_header(trained().setup), train::vulnerability_profiles()[0].vulnerability, 0.5);
+  const train::CostModel model = train::make_cost_model(make_store_header(trained().setup),
+                                                        train::vulnerability_profiles()[0], 0.5);
   for (std::size_t i = 0; i < 12; ++i) {
     const train::Observation& observation = trained().observations[i];
     const runtime::Character character = tests::character_of(trained(), observation.scenario);

@@ -25,7 +25,7 @@ struct TrainedLibrary {
     observations = std::move(batch.observations);
     const train::StoreHeader header = make_store_header(setup);
     const train::CostModel model =
-        make_cost_model(header, train::vulnerability_profiles()[0].vulnerability, brawn);
+        make_cost_model(header, train::vulnerability_profiles()[0], brawn);
     const train::Training training =
         train_selector(header, observations, model, train::Method::knn_cost, 1);
     const std::string file =

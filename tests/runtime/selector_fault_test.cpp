@@ -72,7 +72,8 @@ TEST(SelectorFault, OfCostsIsNotWritten) {
        [](Selector& s) { s.costs->phase_count = 0, s.costs->work_j.clear(); },
        [](Selector& s) { s.costs->time_count = -3, s.costs->phase_count = -2; },
        [](Selector& s) { s.costs->min_time_s = kNan; },
-       [](Selector& s) { s.costs->time_step_s = 0; }});
+       [](Selector& s) { s.costs->time_step_s = 0; },
+       [](Selector& s) { s.costs->vulnerability_name = "bell\a"; }});
 }
 
 TEST(SelectorFault, OfAnSvmIsNotWritten) {

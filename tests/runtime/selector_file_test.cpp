@@ -125,6 +125,7 @@ void expect_same(const Selector& a, const Selector& b) {
   EXPECT_EQ(a.costs->time_count, b.costs->time_count);
   EXPECT_EQ(a.costs->min_time_s, b.costs->min_time_s);
   EXPECT_EQ(a.costs->time_step_s, b.costs->time_step_s);
+  EXPECT_EQ(a.costs->vulnerability_name, b.costs->vulnerability_name);
   ASSERT_EQ(a.model.index(), b.model.index());
   std::visit(
       [&](const auto& model) {

@@ -53,6 +53,7 @@ Selector selector_without_model() {
   costs.time_count = 3;
   costs.min_time_s = 0.25F;
   costs.time_step_s = 1.0F / 30;
+  costs.vulnerability_name = "armour";
   for (std::size_t i = 0; i < 6 * selector.clips.size(); ++i)
     costs.work_j.push_back(static_cast<float>(i) / 3);
   return selector;

@@ -6,10 +6,11 @@
 
 namespace flinch::train {
 
-CostModel make_cost_model(const StoreHeader& header, const Vulnerability& vulnerability,
+CostModel make_cost_model(const StoreHeader& header, const VulnerabilityProfile& profile,
                           double brawn) {
-  return {vulnerability, brawn, reference_damage_ns(vulnerability, header.reference_impulse_ns),
-          header.reference_work_j};
+  return {profile.vulnerability, brawn,
+          reference_damage_ns(profile.vulnerability, header.reference_impulse_ns),
+          header.reference_work_j, profile.name};
 }
 
 Labels label(std::span<const Observation> observations, const CostModel& model) {

@@ -12,7 +12,7 @@
 namespace flinch::train {
 
 /// Returns the cost model for a store's impulses and work.
-CostModel make_cost_model(const StoreHeader& header, const Vulnerability& vulnerability,
+CostModel make_cost_model(const StoreHeader& header, const VulnerabilityProfile& profile,
                           double brawn);
 
 /// The cost of every trial of a store, and the best clip. Other cost models need no new simulation.

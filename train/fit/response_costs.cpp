@@ -69,6 +69,8 @@ models::ResponseCosts response_costs(const StoreHeader& header,
   costs.vulnerability = model.vulnerability;
   costs.reference_damage_ns = model.reference_damage_ns;
   costs.reference_work_j = model.reference_work_j;
+  if (model.vulnerability_name != vulnerability_profiles()[0].name)
+    costs.vulnerability_name = model.vulnerability_name;
   costs.phase_count = kWorkPhases;
   costs.time_step_s = kWorkTimeStep_s;
   const auto time_of = [](const Observation& observation) {

@@ -97,9 +97,11 @@ Offset<schema::ResponseCosts> store(FlatBufferBuilder& builder,
   const auto vulnerability =
       builder.CreateVector(costs.vulnerability.data(), costs.vulnerability.size());
   const auto work = builder.CreateVector(costs.work_j);
+  Offset<flatbuffers::String> name;
+  if (!costs.vulnerability_name.empty()) name = builder.CreateString(costs.vulnerability_name);
   return schema::CreateResponseCosts(builder, vulnerability, costs.reference_damage_ns,
                                      costs.reference_work_j, work, costs.phase_count,
-                                     costs.time_count, costs.min_time_s, costs.time_step_s);
+                                     costs.time_count, costs.min_time_s, costs.time_step_s, name);
 }
 
 // Stores the library at a multiple of 16 bytes, so that it can be read in place.

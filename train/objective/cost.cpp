@@ -11,44 +11,10 @@ namespace {
 
 using motion::Body;
 
-constexpr Vulnerability default_vulnerability() {
-  Vulnerability v;
-  v[Body::head] = v[Body::neck] = 1;
-  v[Body::chest] = v[Body::abdomen] = v[Body::pelvis] = 0.7;
-  v[Body::left_thigh] = v[Body::right_thigh] = 0.4;
-  v[Body::left_shin] = v[Body::right_shin] = 0.4;
-  v[Body::left_foot] = v[Body::right_foot] = 0.4;
-  v[Body::left_upper_arm] = v[Body::right_upper_arm] = 0.3;
-  v[Body::left_forearm] = v[Body::right_forearm] = 0.25;
-  v[Body::left_hand] = v[Body::right_hand] = 0.2;
-  return v;
-}
-
-constexpr Vulnerability uniform_vulnerability() {
-  Vulnerability v;
-  for (double& value : v) value = 1;
-  return v;
-}
-
-constexpr std::array<VulnerabilityProfile, 2> kProfiles{{
-    {"default", default_vulnerability()},
-    {"uniform", uniform_vulnerability()},
-}};
-
 // Costs within this share of the lowest count as equal to it.
 constexpr double kTieTolerance = 0.01;
 
 }  // namespace
-
-std::span<const VulnerabilityProfile> vulnerability_profiles() {
-  return kProfiles;
-}
-
-const VulnerabilityProfile* vulnerability_profile_named(std::string_view name) {
-  for (const VulnerabilityProfile& profile : kProfiles)
-    if (profile.name == name) return &profile;
-  return nullptr;
-}
 
 double reference_damage_ns(const Vulnerability& vulnerability, double reference_impulse_ns) {
   return *std::max_element(vulnerability.begin(), vulnerability.end()) * reference_impulse_ns;

@@ -1,28 +1,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <optional>
 #include <span>
-#include <string_view>
+#include <string>
 #include <vector>
 
 #include "motion/body.h"
 #include "train/objective/observation.h"
+#include "train/objective/vulnerability.h"
 
 namespace flinch::train {
-
-/// How much an impulse on each body hurts, relative to the most vulnerable body.
-using Vulnerability = motion::PerBody<double>;
-
-/// A named vulnerability table; docs/cost.md gives the reasons for its values.
-struct VulnerabilityProfile {
-  std::string_view name;
-  Vulnerability vulnerability;
-};
-
-/// Returns the shipped profiles; the first is the default.
-std::span<const VulnerabilityProfile> vulnerability_profiles();
-const VulnerabilityProfile* vulnerability_profile_named(std::string_view name);
 
 /// Parameters that turn impulses and work into a cost.
 struct CostModel {
@@ -30,6 +17,7 @@ struct CostModel {
   double brawn = 0.5;              ///< in [0, 1]: weight of work against damage
   double reference_damage_ns = 1;  ///< D*
   double reference_work_j = 1;     ///< W*, positive
+  std::string vulnerability_name = vulnerability_profiles()[0].name;
 };
 
 /// Returns D*: the largest vulnerability times the largest impulse of a threat in the distribution,

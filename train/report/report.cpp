@@ -34,6 +34,7 @@ Json cost_model_document(const CostModel& model) {
   return {{"brawn", model.brawn},
           {"reference_damage_ns", model.reference_damage_ns},
           {"reference_work_j", model.reference_work_j},
+          {"vulnerability_name", model.vulnerability_name},
           {"vulnerability", vulnerability}};
 }
 

@@ -20,7 +20,7 @@ inline Store made_up_store(std::uint64_t count, std::uint64_t seed = 5) {
 }
 
 inline CostModel default_cost(const StoreHeader& header) {
-  return make_cost_model(header, vulnerability_profiles()[0].vulnerability, 0.1);
+  return make_cost_model(header, vulnerability_profiles()[0], 0.1);
 }
 
 /// Inputs of a comparison. Its clock advances by `tick_s` per call.

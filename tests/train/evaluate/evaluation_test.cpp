@@ -192,9 +192,8 @@ TEST(Reliability, BinsHoldEveryScenarioOnceByRisingConfidence) {
 TEST(Relabelling, MoreBrawnLabelsIdleMoreOften) {
   const Store store = made_up_store(200);
   const auto idling = [&](double brawn) {
-    const Labels labels =
-        label(store.observations,
-              make_cost_model(store.header, vulnerability_profiles()[0].vulnerability, brawn));
+    const Labels labels = label(store.observations,
+                                make_cost_model(store.header, vulnerability_profiles()[0], brawn));
     return std::ranges::count(labels.clip, store.header.idle);
   };
   EXPECT_LT(idling(0.1), idling(0.5));

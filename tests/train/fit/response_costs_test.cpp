@@ -32,6 +32,14 @@ TEST(ResponseCosts, HoldTheConstantsOfTheCostModel) {
   EXPECT_EQ(costs.reference_work_j, 400);
 }
 
+// So a file keeps the bytes that it had before tables had names in it.
+TEST(ResponseCosts, NameEveryVulnerabilityTableButTheDefault) {
+  CostModel model;
+  EXPECT_EQ(response_costs(three_clips(), {}, model).vulnerability_name, "");
+  model.vulnerability_name = "armour";
+  EXPECT_EQ(response_costs(three_clips(), {}, model).vulnerability_name, "armour");
+}
+
 TEST(ResponseCosts, WorkIsThatOfTheObservationsElseOfTheNearestTimeElseOfTheReference) {
   const std::vector<Observation> observations{observed(0.5F, 100), observed(0.25F, 160),
                                               observed(0.25F, 140)};
