@@ -47,4 +47,9 @@ install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
 if(TARGET flinch)
   install(TARGETS flinch RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+  # Where `flinch view` finds the page (program/page.cpp).
+  if(TARGET flinch_page)
+    install(FILES ${FLINCH_PAGE} DESTINATION ${CMAKE_INSTALL_BINDIR}/../share/flinch
+      RENAME page.html)
+  endif()
 endif()

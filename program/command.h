@@ -23,6 +23,7 @@ Command compare_command();
 Command export_command();
 Command select_command();
 Command respond_command();
+Command view_command();
 
 /// The option --json, for all commands except simulate.
 Option json_option(bool& json);

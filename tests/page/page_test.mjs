@@ -1,23 +1,23 @@
 // SPDX-License-Identifier: MIT
-// The page in a real browser: usage: node page_test.mjs PAGE VIEWER_FOLDER PACKAGE SELECTOR [SHOTS]
-// PAGE is what scripts/page built, into which SELECTOR is put here. With SHOTS writes pictures of all views into that
+// The page in a real browser: usage: node page_test.mjs FLINCH VIEWER_FOLDER PACKAGE SELECTOR [SHOTS]
+// FLINCH is the program, which writes the page with SELECTOR. With SHOTS writes pictures of all views into that
 // folder. Drawing is done in software here, so frames are small and few.
 import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
 import { mkdirSync } from "node:fs";
-import { mkdtemp, readFile, rm, writeFile } from "node:fs/promises";
+import { mkdtemp, readFile, rm } from "node:fs/promises";
 import { createServer } from "node:http";
 import { createRequire } from "node:module";
 import { tmpdir } from "node:os";
 import { pathToFileURL } from "node:url";
 
-const [built, viewer, packageFolder, selector_file, shots] = process.argv.slice(2);
+const [program, viewer, packageFolder, selector_file, shots] = process.argv.slice(2);
 const { chromium } = createRequire(`${viewer}/package.json`)("playwright-core");
 const { loadFlinch } = await import(pathToFileURL(`${packageFolder}/flinch.js`));
 const selector = await readFile(selector_file);
 const folder = await mkdtemp(`${tmpdir()}/flinch-page-`);
-const page_file = `${folder}/flinch.html`;
-const data = `<script type="application/octet-stream" data-selector="default">${selector.toString("base64")}</script>`;
-await writeFile(page_file, (await readFile(built, "utf8")).replace("<!-- selectors -->", () => data));
+const page_file = `${folder}/index.html`;
+execFileSync(program, ["view", selector_file, "--out", folder]);
 const address = pathToFileURL(page_file).href;
 
 const browser = await chromium.launch({

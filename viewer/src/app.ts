@@ -104,7 +104,7 @@ export class App {
     this.restore();
     requestAnimationFrame((now) => this.frame(now));
     if (this.selectors.length === 0)
-      showMessage("Drop selector files (.flinch) onto the page, or make it with them by scripts/page.");
+      showMessage("Drop selector files (.flinch) onto the page, or make it with them: flinch view.");
   }
 
   /** Shows what the link says. */

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What scripts/page puts into the page: flinch.wasm and selectors, in base64.
+// What the page carries: flinch.wasm and selectors, in base64.
 import type { SelectorFile } from "./worker";
 
 function bytesOf(element: Element): Uint8Array {
@@ -11,7 +11,7 @@ function bytesOf(element: Element): Uint8Array {
 
 export function embeddedModule(): Promise<WebAssembly.Module> {
   const element = document.getElementById("flinch-wasm");
-  if (!element) throw new Error("This page was built without flinch.wasm: run scripts/page.");
+  if (!element) throw new Error("This page was built without flinch.wasm: build it again with scripts/page.");
   if (typeof WebAssembly === "undefined")
     throw new Error("This browser does not run WebAssembly, or it is switched off.");
   return WebAssembly.compile(bytesOf(element) as BufferSource);

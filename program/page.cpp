@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#include "program/page.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <filesystem>
+#include <system_error>
+
+#include "database/import/file_io.h"
+#include "motion/error.h"
+
+namespace flinch::program {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view kPlaceOfFiles = "<!-- selectors -->";  // as in viewer/vite.config.ts
+
+bool is_plain(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+         std::string_view("._- ").find(c) != std::string_view::npos;
+}
+
+}  // namespace
+
+std::string read_page() {
+  std::error_code error;
+  const fs::path program = fs::read_symlink("/proc/self/exe", error).parent_path();
+  for (const fs::path& page :
+       {program / "page/index.html", program.parent_path() / "share/flinch/page.html"}) {
+    if (fs::exists(page, error)) return database::read_file(page.string());
+  }
+  throw Error("",
+              "there is no page beside this program; scripts/page builds it, and "
+              "build/release/flinch finds it");
+}
+
+std::string page_with(const std::string& page, std::span<const PageFile> files) {
+  const std::size_t place = page.find(kPlaceOfFiles);
+  if (place == std::string::npos || page.find(kPageMark) == std::string::npos)
+    throw Error("", "the page beside this program is damaged: build it again with scripts/page");
+  std::string data;
+  for (const PageFile& file : files) {
+    std::string name = file.name;
+    std::replace_if(
+        name.begin(), name.end(), [](char c) { return !is_plain(c); }, '_');
+    data += "<script type=\"application/octet-stream\" data-selector=\"" + name + "\">" +
+            base64(file.bytes) + "</script>\n";
+  }
+  std::string filled = page;
+  return filled.replace(place, kPlaceOfFiles.size(), data);
+}
+
+std::string base64(std::string_view bytes) {
+  constexpr std::string_view kDigits =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  text.reserve((bytes.size() + 2) / 3 * 4);
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    // Three bytes are four digits of 6 bits; "=" stands for digits beyond the end.
+    std::uint32_t bits = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto byte = i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0U;
+      bits = bits << 8 | byte;
+    }
+    for (std::size_t k = 0; k < 4; ++k)
+      text += i + k <= bytes.size() ? kDigits[bits >> (18 - 6 * k) & 63] : '=';
+  }
+  return text;
+}
+
+}  // namespace flinch::program
