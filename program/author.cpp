@@ -44,9 +44,7 @@ bool is_drawn(const motion::Clip& clip) {
 }
 
 void draw_gallery(const database::ClipLibrary& library, const std::string& folder) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) throw Error(folder, "cannot create this folder: " + error.message());
+  create_folder(folder);
   const motion::Figure figure = motion::make_figure(library.character);
   std::string index = std::string(kGalleryTitle) + "\n\nOne filmstrip per clip, of the " +
                       std::to_string(library.clips.size()) +

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "program/command.h"
 
+#include <filesystem>
+
 #include "features/feature_layout.h"
+#include "motion/error.h"
 #include "train/fit/training.h"
 
 namespace flinch::program {
@@ -17,6 +20,12 @@ Option force_option(bool& force) {
 
 database::Overwrite overwrite_of(bool force) {
   return force ? database::Overwrite::force : database::Overwrite::refuse;
+}
+
+void create_folder(const std::string& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) throw Error(folder, "cannot create this folder: " + error.message());
 }
 
 Option features_option(std::string& set) {

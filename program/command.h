@@ -33,6 +33,9 @@ Option force_option(bool& force);
 /// What --force means for existing files.
 database::Overwrite overwrite_of(bool force);
 
+/// Creates a folder, and those above it that are missing. Throws Error.
+void create_folder(const std::string& folder);
+
 /// The option that selects the features of selectors; `set` becomes the default.
 Option features_option(std::string& set);
 

@@ -71,12 +71,29 @@ void write_filmstrip(const runtime::Library& library, const ResponseRecording& r
       database::filmstrip_svg(motion::make_figure(library.clip_library().character), clip));
 }
 
+const std::string& clip_name(const runtime::Library& library, int clip) {
+  return library.clip_library().clip(clip).name;
+}
+
+database::MotionFacts facts_of(const runtime::Library& library,
+                               const ResponseRecording& recording) {
+  database::MotionFacts facts{.clip = clip_name(library, recording.clip),
+                              .impact_s = recording.impact_s};
+  if (std::isfinite(recording.contact_s)) {
+    facts.contact_s = recording.contact_s;
+    facts.hit_body = recording.hit_body;
+    facts.impulse_ns = recording.impulse_ns;
+  }
+  return facts;
+}
+
 void write(const runtime::Library& library, const ResponseRecording& recording,
            const RespondOptions& options) {
   const motion::Physique& character = library.clip_library().character;
   switch (kind_of(options.out)) {
     case Kind::glb:
-      database::write_glb(options.out, character, recording.motion, recording.ball);
+      database::write_glb(options.out, character, recording.motion, recording.ball,
+                          facts_of(library, recording));
       break;
     case Kind::bvh:
       database::write_bvh(options.out, character, recording.motion);
@@ -85,10 +102,6 @@ void write(const runtime::Library& library, const ResponseRecording& recording,
       write_filmstrip(library, recording, options);
       break;
   }
-}
-
-const std::string& clip_name(const runtime::Library& library, int clip) {
-  return library.clip_library().clip(clip).name;
 }
 
 void run_respond(const RespondOptions& options) {
@@ -120,6 +133,7 @@ void run_respond(const RespondOptions& options) {
     if (hits) {
       document["contact_s"] = shortest(recording.contact_s);
       document["impulse_ns"] = shortest(recording.impulse_ns);
+      document["hit_body"] = motion::name_of(recording.hit_body);
     }
     print(document);
     return;

@@ -90,8 +90,10 @@ ResponseRecording record_response(const runtime::Library& library, const feature
       ends_s = std::min(ends_s, time_s + kIdleTail_s);
   }
   recording.contact_s = reaction_begin_s + static_cast<float>(character.reaction().contact_s());
-  for (const double part : character.reaction().impulse()) {
-    recording.impulse_ns += static_cast<float>(part);
+  const motion::PerBody<double> impulse = character.reaction().impulse();
+  for (const motion::Body body : motion::kBodies) {
+    recording.impulse_ns += static_cast<float>(impulse[body]);
+    if (impulse[body] > impulse[recording.hit_body]) recording.hit_body = body;
   }
   return recording;
 }

@@ -20,7 +20,8 @@ struct ResponseRecording {
   std::optional<int> reaction_clip;  ///< clip that takes over after the blow
   float impact_s = 0;                ///< predicted
   float contact_s = 0;               ///< of ball and body; infinite if the ball hits nothing
-  float impulse_ns = 0;              ///< on the body
+  float impulse_ns = 0;              ///< on all bodies
+  motion::Body hit_body{};           ///< the one with the largest impulse, if the ball hits
   bool knocked_over = false;
 };
 

@@ -25,12 +25,6 @@ struct ViewOptions {
   bool json = false;
 };
 
-void create_folder(const std::string& folder) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) throw Error(folder, "cannot create this folder: " + error.message());
-}
-
 void run_view(const ViewOptions& options) {
   if (options.selectors.size() > kMaxSelectors)
     throw UsageError("view takes at most " + std::to_string(kMaxSelectors) + " selectors, " +

@@ -10,6 +10,7 @@
 #include "database/export/y_up.h"
 #include "database/files/file_io.h"
 #include "motion/error.h"
+#include "motion/rotation.h"
 #include "motion/skin/figure_skin.h"
 
 namespace flinch::database {
@@ -188,8 +189,10 @@ class Animation {
                          {"interpolation", interpolation}});
   }
 
-  Json json() const {
-    return {{"name", "motion"}, {"channels", channels_}, {"samplers", samplers_}};
+  Json json(const std::string& name, const Json& extras) const {
+    Json animation{{"name", name}, {"channels", channels_}, {"samplers", samplers_}};
+    if (!extras.empty()) animation["extras"] = extras;
+    return animation;
   }
 
  private:
@@ -261,50 +264,113 @@ void check(const BallTrack& ball, std::size_t pose_count) {
   }
 }
 
+// A float's decimal digits, without those that come from its conversion to double.
+double decimal(float number) {
+  return std::round(double{number} * 1e5) / 1e5;
+}
+
+Json extras_of(const MotionFacts& facts) {
+  Json extras = Json::object();
+  if (!facts.clip.empty()) extras["clip"] = facts.clip;
+  if (const auto& annotation = facts.annotation) {
+    extras["target"] = motion::name_of(annotation->target);
+    extras["direction_degrees"] = std::lround(motion::degrees(annotation->direction));
+    extras["degree"] = motion::name_of(annotation->degree);
+    extras["onset_s"] = decimal(annotation->onset_s);
+    extras["peak_s"] = decimal(annotation->peak_s);
+    extras["end_s"] = decimal(annotation->end_s);
+  }
+  if (facts.impact_s) extras["impact_s"] = decimal(*facts.impact_s);
+  if (facts.contact_s) extras["contact_s"] = decimal(*facts.contact_s);
+  if (facts.hit_body) extras["hit_body"] = motion::name_of(*facts.hit_body);
+  if (facts.impulse_ns) extras["impulse_ns"] = decimal(*facts.impulse_ns);
+  return extras;
+}
+
+// --- The file ---
+
+// What a file holds beside its animations.
+struct Scene {
+  GltfBuffer buffer;
+  Json meshes = Json::array();
+  Json materials = Json::array();
+  Json roots = Json::array({int{kFigureNode}, node_of(Role::pelvis)});
+  int bind = 0;
+};
+
+Scene scene_of(const motion::Physique& character) {
+  Scene scene;
+  scene.meshes.push_back(figure_mesh(motion::make_figure_skin(character), scene.buffer));
+  for (const Material& material : kMaterials) scene.materials.push_back(json_of(material));
+  scene.bind = inverse_bind_matrices(character.skeleton, scene.buffer);
+  return scene;
+}
+
+std::vector<std::byte> file_of(const motion::Skeleton& skeleton, const std::vector<Vector3f>& ball,
+                               Scene scene, Json animations) {
+  Json joints = Json::array();
+  for (const Role role : kRoles) joints.push_back(node_of(role));
+  return scene.buffer.file(
+      {{"asset", {{"version", "2.0"}, {"generator", "Flinch " FLINCH_VERSION}}},
+       {"scene", 0},
+       {"scenes", Json::array({{{"name", "scene"}, {"nodes", std::move(scene.roots)}}})},
+       {"nodes", nodes_of(skeleton, ball)},
+       {"meshes", std::move(scene.meshes)},
+       {"materials", std::move(scene.materials)},
+       {"skins", Json::array({{{"name", "figure"},
+                               {"inverseBindMatrices", scene.bind},
+                               {"skeleton", node_of(Role::pelvis)},
+                               {"joints", std::move(joints)}}})},
+       {"animations", std::move(animations)}});
+}
+
+void write_bytes(const std::string& path, const std::vector<std::byte>& bytes) {
+  write_file_atomically(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+}
+
 }  // namespace
 
 std::vector<std::byte> make_glb(const motion::Physique& character, const motion::Motion& motion,
-                                const std::optional<BallTrack>& ball) {
+                                const std::optional<BallTrack>& ball, const MotionFacts& facts) {
   check_exportable(character, motion);
   if (ball) check(*ball, motion.poses.size());
-  const motion::Skeleton& skeleton = character.skeleton;
   const std::vector<Vector3f> places = ball ? places_of(*ball) : std::vector<Vector3f>();
-
-  GltfBuffer buffer;
-  Json meshes = Json::array({figure_mesh(motion::make_figure_skin(character), buffer)});
-  Json materials = Json::array();
-  for (const Material& material : kMaterials) materials.push_back(json_of(material));
-  Json joints = Json::array();
-  for (const Role role : kRoles) joints.push_back(node_of(role));
-  const int bind = inverse_bind_matrices(skeleton, buffer);
-
-  Animation animation(motion, buffer);
+  Scene scene = scene_of(character);
+  Animation animation(motion, scene.buffer);
   animate_figure(motion, animation);
-  Json roots = Json::array({int{kFigureNode}, node_of(Role::pelvis)});
   if (ball) {
-    meshes.push_back(ball_mesh(ball->radius, buffer));
-    materials.push_back(json_of(kBallMaterial));
-    roots.push_back(int{kBallNode});
+    scene.meshes.push_back(ball_mesh(ball->radius, scene.buffer));
+    scene.materials.push_back(json_of(kBallMaterial));
+    scene.roots.push_back(int{kBallNode});
     animate_ball(*ball, places, animation);
   }
+  Json animations = Json::array({animation.json("motion", extras_of(facts))});
+  return file_of(character.skeleton, places, std::move(scene), std::move(animations));
+}
 
-  return buffer.file({{"asset", {{"version", "2.0"}, {"generator", "Flinch " FLINCH_VERSION}}},
-                      {"scene", 0},
-                      {"scenes", Json::array({{{"name", "scene"}, {"nodes", std::move(roots)}}})},
-                      {"nodes", nodes_of(skeleton, places)},
-                      {"meshes", std::move(meshes)},
-                      {"materials", std::move(materials)},
-                      {"skins", Json::array({{{"name", "figure"},
-                                              {"inverseBindMatrices", bind},
-                                              {"skeleton", node_of(Role::pelvis)},
-                                              {"joints", std::move(joints)}}})},
-                      {"animations", Json::array({animation.json()})}});
+std::vector<std::byte> make_glb(const motion::Physique& character,
+                                std::span<const NamedMotion> motions) {
+  if (motions.empty()) throw Error("", "there are no motions to write");
+  for (const NamedMotion& one : motions) check_exportable(character, one.motion);
+  Scene scene = scene_of(character);
+  Json animations = Json::array();
+  for (const NamedMotion& one : motions) {
+    Animation animation(one.motion, scene.buffer);
+    animate_figure(one.motion, animation);
+    animations.push_back(animation.json(one.name, extras_of(one.facts)));
+  }
+  return file_of(character.skeleton, {}, std::move(scene), std::move(animations));
 }
 
 void write_glb(const std::string& path, const motion::Physique& character,
-               const motion::Motion& motion, const std::optional<BallTrack>& ball) {
-  const std::vector<std::byte> bytes = make_glb(character, motion, ball);
-  write_file_atomically(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+               const motion::Motion& motion, const std::optional<BallTrack>& ball,
+               const MotionFacts& facts) {
+  write_bytes(path, make_glb(character, motion, ball, facts));
+}
+
+void write_glb(const std::string& path, const motion::Physique& character,
+               std::span<const NamedMotion> motions) {
+  write_bytes(path, make_glb(character, motions));
 }
 
 }  // namespace flinch::database

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: MIT
 """The animation that answers a threat, in every format, from one selector file."""
 
+import json
 import os
 import pathlib
 import subprocess
@@ -70,6 +71,19 @@ class Respond(ProgramTest):
         self.assertTrue(heavy["hits"])
         self.assertTrue(heavy["knocked_over"])
         self.assertGreater(heavy["impulse_ns"], 50)
+
+    def test_the_animation_tells_its_clip_and_its_hit(self):
+        out, document = self.respond("hit.glb", "--target", "trunk", "--speed", 12,
+                                     "--time-to-impact", 0.2)
+        data = out.read_bytes()
+        size = int.from_bytes(data[12:16], "little")
+        extras = json.loads(data[20:20 + size])["animations"][0]["extras"]
+        self.assertTrue(document["hits"])
+        for key in ("clip", "hit_body"):
+            self.assertEqual(extras[key], document[key])
+        for key in ("contact_s", "impulse_ns"):
+            self.assertAlmostEqual(extras[key], document[key], places=4)
+        self.assertEqual(extras["impact_s"], 0.2)
 
     def test_bvh_is_read_back_by_our_own_reader(self):
         out, document = self.respond("hit.bvh")

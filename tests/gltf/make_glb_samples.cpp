@@ -6,6 +6,7 @@
 #include <cstring>
 #include <filesystem>
 
+#include "database/export/clip_export.h"
 #include "database/export/gltf_writer.h"
 #include "database/files/file_io.h"
 #include "motion/error.h"
@@ -44,6 +45,8 @@ void write_samples(const std::string& folder) {
   database::write_glb(folder + "/one_pose.glb", character, still);
   database::write_glb(folder + "/unseen_ball.glb", character, still,
                       database::BallTrack{0.2F, {std::nullopt}});
+
+  database::write_glb(folder + "/all_clips.glb", character, database::exported_clips(library));
 
   motion::Physique child = character;
   child.mass_kg = 20;

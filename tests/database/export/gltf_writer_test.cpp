@@ -6,6 +6,8 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
+#include <span>
 
 #include "database/files/file_io.h"
 #include "glb_reader.h"
@@ -234,6 +236,60 @@ TEST(GltfWriter, KeepsToWhatEveryImporterReads) {
   }
   const std::string generator = glb.document["asset"]["generator"];
   EXPECT_THAT(generator, testing::MatchesRegex("Flinch [0-9]+[.][0-9]+[.][0-9]+"));
+}
+
+// The joints of each motion, by the file's own nodes, where its keys are its poses.
+TEST(GltfWriter, SeveralMotionsAreAnAnimationEach) {
+  std::mt19937 random(14);
+  const motion::Physique character = crooked_character(random);
+  std::vector<NamedMotion> motions;
+  for (const int count : {3, 1, 5}) {
+    motions.push_back({"motion_" + std::to_string(count), random_motion(random, count), {}});
+    motions.back().motion.rate_hz = static_cast<float>(10 * count);
+  }
+  Glb glb = tests::read_glb(make_glb(character, motions));
+  const auto animations = glb.document["animations"];
+  ASSERT_EQ(animations.size(), 3U);
+  for (std::size_t i = 0; i < motions.size(); ++i) {
+    EXPECT_EQ(animations[i]["name"], motions[i].name);
+    EXPECT_FALSE(animations[i].contains("extras"));
+    glb.document["animations"] = nlohmann::json::array({animations[i]});
+    for (std::size_t k = 0; k < motions[i].motion.poses.size(); ++k) {
+      expect_joints(character.skeleton, motions[i].motion.poses[k], glb,
+                    static_cast<double>(k) / double{motions[i].motion.rate_hz});
+    }
+  }
+  EXPECT_THAT(error_of([&] { make_glb(character, std::span<const NamedMotion>()); }),
+              HasSubstr("no motions"));
+  motions[1].motion.poses.clear();
+  EXPECT_THAT(error_of([&] { make_glb(character, motions); }), HasSubstr("no poses"));
+}
+
+TEST(GltfWriter, ExtrasTellWhatIsKnown) {
+  std::mt19937 random(15);
+  const motion::Motion motion = random_motion(random, 2);
+  const motion::Physique character = motion::default_character();
+  const auto extras_of = [&](const MotionFacts& facts) {
+    const Glb glb = tests::read_glb(make_glb(character, motion, std::nullopt, facts));
+    return glb.document["animations"][0].value("extras", nlohmann::json());
+  };
+  EXPECT_TRUE(extras_of({}).is_null());
+  const motion::Annotation annotation{motion::Target::pelvis,
+                                      static_cast<float>(-std::numbers::pi / 4),
+                                      motion::Degree::exaggerated,
+                                      0.1F,
+                                      0.35F,
+                                      1.25F};
+  EXPECT_EQ(extras_of({.clip = "Duck", .annotation = annotation}),
+            nlohmann::json::parse(R"({"clip": "Duck", "target": "pelvis", "direction_degrees": -45,
+              "degree": "exaggerated", "onset_s": 0.1, "peak_s": 0.35, "end_s": 1.25})"));
+  EXPECT_EQ(extras_of({.clip = "Duck",
+                       .impact_s = 0.5F,
+                       .contact_s = 0.48F,
+                       .hit_body = motion::Body::left_forearm,
+                       .impulse_ns = 3.2F}),
+            nlohmann::json::parse(R"({"clip": "Duck", "impact_s": 0.5, "contact_s": 0.48,
+              "hit_body": "left_forearm", "impulse_ns": 3.2})"));
 }
 
 TEST(GltfWriter, BallFollowsItsTrackAndHasZeroScaleWhileAbsent) {
