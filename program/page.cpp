@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <system_error>
 
-#include "database/import/file_io.h"
+#include "database/files/file_io.h"
 #include "motion/error.h"
 
 namespace flinch::program {

@@ -3,7 +3,7 @@
 #include <iostream>
 #include <memory>
 
-#include "database/import/file_io.h"
+#include "database/files/file_io.h"
 #include "motion/error.h"
 #include "program/command.h"
 #include "program/command_line.h"

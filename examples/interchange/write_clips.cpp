@@ -8,7 +8,7 @@
 
 #include "database/export/clip_export.h"
 #include "database/export/y_up.h"
-#include "database/import/file_io.h"
+#include "database/files/file_io.h"
 #include "motion/error.h"
 #include "runtime/library.h"
 
