@@ -51,8 +51,8 @@ struct NamedMotion {
 /// The one animation, "motion", has one linear key per pose: the pelvis' translation; each joint's
 /// rotation (quaternions in one hemisphere from key to key, so that no joint takes the longer arc);
 /// the ball's translation; and, as steps, the ball's scale, 1 if visible or 0. Its `extras` hold
-/// the facts: `clip`; of the annotation `target`, `direction_degrees`, `degree`, `onset_s`, `peak_s`
-/// and `end_s`; `impact_s`, `contact_s`, `hit_body` and `impulse_ns`.
+/// the facts: `clip`; of the annotation `target`, `direction_degrees`, `degree`, `onset_s`,
+/// `peak_s` and `end_s`; `impact_s`, `contact_s`, `hit_body` and `impulse_ns`.
 ///
 /// The same input gives the same bytes. Throws Error when the motion cannot be written (see
 /// export_check.h), when the ball's radius is not above 0, when its positions are not finite, or

@@ -147,7 +147,7 @@ class MainPath(ProgramTest):
     def test_every_command_has_help_with_an_example(self):
         for command in COMMANDS:
             text = self.succeed(command, "--help").stdout
-            self.assertIn(f"Example:\n  flinch {command} ", text)
+            self.assertRegex(text, rf"Examples?:\n  flinch {command} ")
             self.assertIn("--json", text)
         text = self.succeed("--help").stdout
         for command in COMMANDS:
