@@ -1,16 +1,16 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# R boot 1.3-28.1 (Debian r-cran-boot 1.3-28.1-1) and SciPy 1.10.1 (Debian python3-scipy 1.10.1-2): of 10
-# successes in 20 trials, boot's BCa interval leans to failure and SciPy's does not.
+# R boot 1.3-28.1 (Debian r-cran-boot 1.3-28.1-1) and SciPy 1.10.1 (Debian python3-scipy 1.10.1-2):
+# of 10 successes in 20 trials, boot's BCa interval leans to failure and SciPy's does not.
 #
-# Expected: a sample of ten zeros and ten ones is its own mirror image about 1/2, and so is a confidence
-# interval of its mean, by whichever method. BCa is a better percentile interval, and two tools agree
-# on it but for their draws.
-# Seen: boot.ci has (0.3, 0.7) by percentiles and (0.25, 0.65) by BCa, of the same replicates. Its bias
-# correction counts the replicates that are below the mean; 18 % are at the mean, so it takes the
-# ties for a bias. SciPy counts half of the ties, and has (0.3, 0.7) by both. So whether a rate of 0.7 is
-# excluded depends on the tool, and success rates, whose replicates always tie, lean to the smaller one in
-# boot. Neither manual speaks of ties.
+# Expected: a sample of ten zeros and ten ones is its own mirror image about 1/2, and so is a
+# confidence interval of its mean, by whichever method. BCa is a better percentile interval, and two
+# tools agree on it but for their draws.
+# Seen: boot.ci has (0.3, 0.7) by percentiles and (0.25, 0.65) by BCa, of the same replicates. Its
+# bias correction counts the replicates that are below the mean; 18 % are at the mean, so it takes
+# the ties for a bias. SciPy counts half of the ties, and has (0.3, 0.7) by both. So whether a rate
+# of 0.7 is excluded depends on the tool, and success rates, whose replicates always tie, lean to
+# the smaller one in boot. Neither manual speaks of ties.
 # Flinch: its intervals of a selector's success are by percentiles.
 set -eu
 folder=$(mktemp -d)
@@ -24,7 +24,7 @@ for package in *.deb; do dpkg-deb -x "$package" .; done
 R_HOME=$PWD/usr/lib/R
 triplet=$PWD/usr/lib/x86_64-linux-gnu
 LD_LIBRARY_PATH=$R_HOME/lib:$triplet:$triplet/blas:$triplet/lapack
-EDITOR=vi
+EDITOR="vi"
 export R_HOME LD_LIBRARY_PATH EDITOR
 rm -f "$R_HOME/etc/Renviron"
 : >"$R_HOME/etc/Renviron"

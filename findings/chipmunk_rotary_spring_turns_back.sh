@@ -1,13 +1,13 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Chipmunk 7.0.3 (Debian libchipmunk-dev 7.0.3-5): of the joints for two bodies, the rotary spring and
-# the motor count the angle the other way than the limits and the gear.
+# Chipmunk 7.0.3 (Debian libchipmunk-dev 7.0.3-5): of the joints for two bodies, the rotary spring
+# and the motor count the angle the other way than the limits and the gear.
 #
-# Expected: all joints of a library mean by "relative angle" the same one. A spring with a rest angle of
-# 0.5 rests where a limit joint of [0.5, 0.5] or a gear of phase 0.5 holds the body.
-# Seen: limits and gear hold b at a + 0.5, counterclockwise. cpDampedRotarySpring rests at a - 0.5, and
-# cpSimpleMotor with a rate of 0.5 turns b by -0.5 rad/s. So a spring with a rest angle inside its
-# joint's limits pushes against one of them for good. The manual calls all of them the relative
+# Expected: all joints of a library mean by "relative angle" the same one. A spring with a rest
+# angle of 0.5 rests where a limit joint of [0.5, 0.5] or a gear of phase 0.5 holds the body.
+# Seen: limits and gear hold b at a + 0.5, counterclockwise. cpDampedRotarySpring rests at a - 0.5,
+# and cpSimpleMotor with a rate of 0.5 turns b by -0.5 rad/s. So a spring with a rest angle inside
+# its joint's limits pushes against one of them for good. The manual calls all of them the relative
 # angle or rotation of the two bodies, without a sign.
 # Flinch: does not use it. Who does negates rest angles and rates, or exchanges the bodies.
 set -eu

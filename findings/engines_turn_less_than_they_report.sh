@@ -1,16 +1,16 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# ODE 0.16.2 (Debian libode-dev 2:0.16.2-1), Bullet (npm ammojs-typed 1.1.0) and cannon-es 0.20.0 (npm): a
-# body that spins fast turns by less than its angular velocity says.
+# ODE 0.16.2 (Debian libode-dev 2:0.16.2-1), Bullet (npm ammojs-typed 1.1.0) and cannon-es 0.20.0
+# (npm): a body that spins fast turns by less than its angular velocity says.
 #
-# Expected: with no torque and no damping the pose is the integral of the velocity that a body reports. An
-# engine that cannot follow a fast spin limits the velocity, as Rapier does at 47 rad/s.
-# Seen: at 100 rad/s (16 turns a second) and 60 steps a second, a ball turns by 83.4 rad in a second in
-# ODE and cannon-es and by 86.5 rad in Bullet, and all three go on to report 100 rad/s. ODE and
-# cannon-es add the derivative to the quaternion and normalize, which turns by 2 atan(angle / 2) a step.
-# Bullet is exact up to an eighth of a turn a step and stays behind beyond. So the speed of a
-# point on the body is not that of the picture. ODE's manual says of its finite rotation mode
-# that it is more accurate for fast bodies, not that the other is slow; the others' manuals have nothing.
+# Expected: with no torque and no damping the pose is the integral of the velocity that a body
+# reports. An engine that cannot follow a fast spin limits the velocity, as Rapier does at 47 rad/s.
+# Seen: at 100 rad/s (16 turns a second) and 60 steps a second, a ball turns by 83.4 rad in a second
+# in ODE and cannon-es and by 86.5 rad in Bullet, and all three go on to report 100 rad/s. ODE and
+# cannon-es add the derivative to the quaternion and normalize, which turns by 2 atan(angle / 2) a
+# step. Bullet is exact up to an eighth of a turn a step and stays behind beyond. So the speed of a
+# point on the body is not that of the picture. ODE's manual says of its finite rotation mode that
+# it is more accurate for fast bodies, not that the other is slow; the others' manuals have nothing.
 # Flinch: has ODE's way too. A limb at 10 rad/s turns by 0.2 % less in its longest steps, 1/60 s.
 set -eu
 folder=$(mktemp -d)

@@ -1,15 +1,15 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# FANN 2.2.0 (Debian libfann-dev 2.2.0+ds-8): the mean square error is a quarter of it where the output
-# is symmetric.
+# FANN 2.2.0 (Debian libfann-dev 2.2.0+ds-8): the mean square error is a quarter of it where the
+# output is symmetric.
 #
 # Expected: fann_get_MSE is the mean of the squared differences between outputs and targets, so two
 # networks that are off by as much have the same error, whatever their output activation.
-# Seen: for the activations between -1 and 1 (SIGMOID_SYMMETRIC, ELLIOT_SYMMETRIC, LINEAR_PIECE_SYMMETRIC,
-# GAUSSIAN_SYMMETRIC, SIN_SYMMETRIC) the difference is halved first, so the error is a quarter. Training
-# stops by it too: with a desired error of 0.01 a tanh network stops at a true 0.04. So a choice of
-# the output activation by the least error takes a symmetric one that is up to twice as far off. The
-# manual's pages on fann_get_MSE and on the activations do not say so.
+# Seen: for the activations between -1 and 1 (SIGMOID_SYMMETRIC, ELLIOT_SYMMETRIC,
+# LINEAR_PIECE_SYMMETRIC, GAUSSIAN_SYMMETRIC, SIN_SYMMETRIC) the difference is halved first, so the
+# error is a quarter. Training stops by it too: with a desired error of 0.01 a tanh network stops at
+# a true 0.04. So a choice of the output activation by the least error takes a symmetric one that is
+# up to twice as far off. The manual's pages on fann_get_MSE and on the activations do not say so.
 # Flinch: does not use it. Its own networks' errors are computed from outputs and targets.
 set -eu
 folder=$(mktemp -d)

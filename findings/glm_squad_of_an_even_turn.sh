@@ -1,16 +1,16 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# GLM 0.9.9.8 (Debian libglm-dev 0.9.9.8+ds-6): the smoother the keys, the worse squad() is, as exp() of
-# the zero quaternion is the zero quaternion.
+# GLM 0.9.9.8 (Debian libglm-dev 0.9.9.8+ds-6): the smoother the keys, the worse squad() is, as
+# exp() of the zero quaternion is the zero quaternion.
 #
-# Expected: exp(0) = 1. Of keys that turn evenly about one axis, intermediate() is the key itself, and
-# squad() is slerp.
-# Seen: exp() gives (0, 0, 0, 0) where the vector part is below the type's epsilon, which is what
-# intermediate() asks it for wherever a motion is even or at rest. So its control point has length 0,
-# and halfway between keys of 0.5 and 1 rad squad() has length 0.71 and an angle of 1.71 rad, which
-# 0.75 is expected of. A key that is off by 1e-6 rad is enough to have 0.75 again. At the keys all is
-# right, and normalize() afterwards does not mend the angle.
-# Flinch: blends by slerp of its own, motion/rotation.h.
+# Expected: exp(0) = 1. Of keys that turn evenly about one axis, intermediate() is the key itself,
+# and squad() is slerp.
+# Seen: exp() gives (0, 0, 0, 0) where the vector part is shorter than the type's epsilon. That is
+# what intermediate() asks it for wherever a motion is even or at rest, so its control point has
+# length 0. Halfway between keys of 0.5 and 1 rad, squad() has length 0.71 and an angle of 1.71 rad
+# instead of 0.75. If the keys around are off by 1e-6 rad, it has 0.75 again. At the keys themselves
+# all is right, and normalize() does not mend what is between.
+# Flinch: blends by a slerp of its own, motion/interpolation.h.
 set -eu
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT

@@ -1,16 +1,17 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# hnswlib 0.6.2 (Debian libhnswlib-dev 0.6.2-2+deb12u1): 200 equal points hide most of a thousand others.
+# hnswlib 0.6.2 (Debian libhnswlib-dev 0.6.2-2+deb12u1): 200 equal points hide most of a thousand
+# others.
 #
-# Expected: an approximate index misses a neighbour now and then, and a point that is stored is found by
-# itself, as all of 1000 random points of 8 numbers are with M = 16 and ef = 50. Equal points among them,
-# such as a rest pose that is held, cost memory.
-# Seen: with 200 copies of one point stored before them, 768 of the 1000 are not found by themselves:
-# the answer is another point, with its true distance. Links go to the nearest points first, so copies
-# link each other, and a search that comes to them finds nothing better to go on with. It
-# does not matter much whether the copies come first or last, and 50 of them are enough for a few. With
-# ef = 1000, a search of most of the index, 2 are missed. Issue 263 of the project has a case of it; the
-# README, which treats ef as the choice between time and recall, has not.
+# Expected: an approximate index misses a neighbour now and then, and a point that is stored is
+# found by itself, as all of 1000 random points of 8 numbers are with M = 16 and ef = 50. Equal
+# points among them, such as a rest pose that is held, cost memory.
+# Seen: with 200 copies of one point stored before them, 768 of the 1000 are not found by
+# themselves: the answer is another point, with its true distance. Links go to the nearest points
+# first, so copies link each other, and a search that comes to them finds nothing better to go on
+# with. It does not matter much whether the copies come first or last, and 50 of them are enough for
+# a few. With ef = 1000, a search of most of the index, 2 are missed. Issue 263 of the project has a
+# case of it; the README, which treats ef as the choice between time and recall, has not.
 # Flinch: has no approximate index. Its neighbours are searched exactly.
 set -eu
 folder=$(mktemp -d)

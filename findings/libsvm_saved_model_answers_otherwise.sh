@@ -1,15 +1,16 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# libsvm 3.24 (Debian libsvm-dev 3.24+ds-6): a saved model gives other answers than the model that was
-# saved.
+# libsvm 3.24 (Debian libsvm-dev 3.24+ds-6): a saved model gives other answers than the model that
+# was saved.
 #
-# Expected: svm_save_model writes numbers that read back as they were, at least those of floats, as it
-# does for the coefficients with 17 digits.
+# Expected: svm_save_model writes numbers that read back as they were, at least those of floats, as
+# it does for the coefficients with 17 digits.
 # Seen: the support vectors are written with 8 digits, fewer than a float needs. For points around 0
 # the decision values differ by 1e-5. For positions in millimetres, 10000 +- 1, they differ by 0.1,
 # and of 20000 points 169 are of another class once the model is read back. So an accuracy that was
 # measured in memory, as by a cross-validation or from Python, is not that of the file.
-# Flinch: fits by libsvm in memory and stores the support vectors itself, every bit of them.
+# Flinch: fits by libsvm in memory and stores the support vectors itself, as the floats that they
+# are.
 set -eu
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT

@@ -1,15 +1,15 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# nanoflann 1.4.3 (Debian libnanoflann-dev 1.4.3+ds-2): of angles, the nearest neighbour is the one that
-# lies farthest clockwise, and a quaternion is not found by its negative.
+# nanoflann 1.4.3 (Debian libnanoflann-dev 1.4.3+ds-2): of angles, the nearest neighbour is the one
+# that lies farthest clockwise, and a quaternion is not found by its negative.
 #
-# Expected: metric_SO2 is for angles in [-pi, pi], its README calls it the absolute angular difference,
-# so the neighbour of an angle is the one with the shortest way to it. metric_SO3 is for unit
-# quaternions, where q and -q are one rotation.
-# Seen: SO2_Adaptor's distance is signed, the stored angle less the asked one. The least distance is the
-# most negative one: of eight angles around the circle, 2.90, 2.98 and 2.50 rad away are the
-# "nearest", each nearly a half turn, and the distance that comes with it is negative. SO3_Adaptor is
-# the Euclidean distance of the four numbers, which its comment says, so of 100 rotations none is
+# Expected: metric_SO2 is for angles in [-pi, pi], its README calls it the absolute angular
+# difference, so the neighbour of an angle is the one with the shortest way to it. metric_SO3 is for
+# unit quaternions, where q and -q are one rotation.
+# Seen: SO2_Adaptor's distance is signed, the stored angle less the asked one. The least distance is
+# the most negative one: of eight angles around the circle, 2.90, 2.98 and 2.50 rad away are the
+# "nearest", each nearly a half turn, and the distance that comes with it is negative. SO3_Adaptor
+# is the Euclidean distance of the four numbers, which its comment says, so of 100 rotations none is
 # found by its negative.
 # Flinch: compares rotations by their angle, and searches numbers only by FLANN.
 set -eu

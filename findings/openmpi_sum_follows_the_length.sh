@@ -1,16 +1,16 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Open MPI 4.1.4 (Debian openmpi-bin and libopenmpi-dev 4.1.4-3+b1): the sum of the first numbers of the ranks
-# depends on how many other numbers are summed in the same call.
+# Open MPI 4.1.4 (Debian openmpi-bin and libopenmpi-dev 4.1.4-3+b1): the sum of the first numbers of
+# the ranks depends on how many other numbers are summed in the same call.
 #
-# Expected: MPI_Reduce adds in an order of its own, which the number of ranks decides. With the same ranks
-# on one machine, an element's sum is the same bits, however many elements the call has, as
+# Expected: MPI_Reduce adds in an order of its own, which the number of ranks decides. With the same
+# ranks on one machine, an element's sum is the same bits, however many elements the call has, as
 # elements have nothing to do with each other.
-# Seen: the algorithm is chosen by the length of the message, and each adds in another order. Of five ranks,
-# the first sum has three different values for lengths of 1, 1024 and 16384 doubles. MPI_Allreduce
-# differs from MPI_Reduce too. So a program that sums one more quantity in a call, or a larger
-# table, gives other last bits in all that it summed before. The standard's advice on equal results speaks
-# of equal arguments.
+# Seen: the algorithm is chosen by the length of the message, and each adds in another order. Of
+# five ranks, the first sum has three different values for lengths of 1, 1024 and 16384 doubles.
+# MPI_Allreduce differs from MPI_Reduce too. So a program that sums one more quantity in a call, or
+# a larger table, gives other last bits in all that it summed before. The standard's advice on equal
+# results speaks of equal arguments.
 # Flinch: sends rows between ranks and lets none of them sum.
 set -eu
 folder=$(mktemp -d)
@@ -19,7 +19,8 @@ cd "$folder"
 version=$(dpkg-query -W -f '${Version}' libopenmpi-dev 2>/dev/null || true)
 if [ "$version" != 4.1.4-3+b1 ]; then
   # mpirun is not relocatable: it is installed.
-  apt-get install -q -y --no-install-recommends openmpi-bin=4.1.4-3+b1 libopenmpi-dev=4.1.4-3+b1 >/dev/null
+  apt-get install -q -y --no-install-recommends openmpi-bin=4.1.4-3+b1 \
+    libopenmpi-dev=4.1.4-3+b1 >/dev/null
 fi
 cat >sum.c <<'C'
 #include <mpi.h>

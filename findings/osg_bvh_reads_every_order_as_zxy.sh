@@ -3,12 +3,13 @@
 # OpenSceneGraph 3.6.5 (Debian openscenegraph 3.6.5+dfsg1-8+b2): its .bvh reader takes the rotation
 # channels of every joint for Z, X, Y, whatever the file says.
 #
-# Expected: CHANNELS names the channels in the order in which their values stand and their rotations are
-# applied, so "Xrotation Yrotation Zrotation" with 10 20 30 turns by 10 about X, 20 about Y and 30 about Z.
-# Seen: the names do not matter. The first value turns about Z, the second about X and the third about
-# Y, so the same values give the same quaternions under any order of names. A file of another order
-# than ZXY loads without a word, and its joints bend about the wrong axes. three.js and Assimp go
-# by the names.
+# Expected: CHANNELS names the channels in the order in which their values stand and their rotations
+# are applied, so "Xrotation Yrotation Zrotation" with 10 20 30 turns by 10 about X, 20 about Y and
+# 30 about Z.
+# Seen: the names do not matter. The first value turns about Z, the second about X and the third
+# about Y, so the same values give the same quaternions under any order of names. A file of another
+# order than ZXY loads without a word, and its joints bend about the wrong axes. three.js and Assimp
+# go by the names.
 # Flinch: applies each joint's rotation channels in the file's order.
 set -eu
 folder=$(mktemp -d)

@@ -2,12 +2,12 @@
 # SPDX-License-Identifier: MIT
 # papaparse 5.7.1 (npm): with dynamicTyping, a number above 2^53 stays text among numbers.
 #
-# Expected: dynamicTyping makes a number of what is one, as its manual says, and a double holds 1e16 as
-# well as 1e15. A column of costs is a column of numbers.
-# Seen: a value that is not between -2^53 and 2^53 stays a string, and errors is empty. That keeps the
-# digits of long ids, but it takes floats as well: 1e16 and -2e20 are text. So the sum of 1, 2, 1e16 and 3 is
-# "31e163", and of two such costs the greater is the one whose text is, 9e16 rather than 1e17. A leading
-# plus, as C's printf("%+g") writes it, leaves text too.
+# Expected: dynamicTyping makes a number of what is one, as its manual says, and a double holds 1e16
+# as well as 1e15. A column of costs is a column of numbers.
+# Seen: a value that is not between -2^53 and 2^53 stays a string, and errors is empty. That keeps
+# the digits of long ids, but it takes floats as well: 1e16 and -2e20 are text. So the sum of 1, 2,
+# 1e16 and 3 is "31e163", and of two such costs the greater is the one whose text is, 9e16 rather
+# than 1e17. A leading plus, as C's printf("%+g") writes it, leaves text too.
 # Flinch: does not use it. The costs that it writes are far below 2^53.
 set -eu
 folder=$(mktemp -d)

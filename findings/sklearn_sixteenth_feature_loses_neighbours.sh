@@ -3,14 +3,15 @@
 # scikit-learn 1.2.1 (Debian python3-sklearn 1.2.1+dfsg-1): with one feature more, the exact nearest
 # neighbours are others, at a distance of 0.
 #
-# Expected: NearestNeighbors with its defaults is exact, whichever algorithm "auto" takes. A column that is
-# the same in all rows, such as a recording's time in seconds since 1970, does not change a distance.
-# Seen: to 15 features "auto" takes a k-d tree, and the neighbours are right. From 16 on it takes brute
-# force, which expands |a - b|^2 into |a|^2 - 2 a.b + |b|^2. With a column of 1.7e9 these are 3e18, of which a
-# double keeps steps of 512: 199 of 200 neighbours are wrong and their distances 0. A classifier
-# or regressor does the same. The manual says of euclidean_distances that it is not the most precise
-# way; of the neighbours it says that all algorithms but for time are alike.
-# Flinch: standardizes features before it searches, and sums squared differences.
+# Expected: NearestNeighbors with its defaults is exact, whichever algorithm "auto" takes. A column
+# that is the same in all rows, such as a recording's time in seconds since 1970, does not change a
+# distance.
+# Seen: to 15 features "auto" takes a k-d tree, and the neighbours are right. From 16 on it takes
+# brute force, which expands |a - b|^2 into |a|^2 - 2 a.b + |b|^2. With a column of 1.7e9 these are
+# 3e18, of which a double keeps steps of 512: 199 of 200 neighbours are wrong and their distances 0.
+# A classifier or regressor does the same. The manual says of euclidean_distances that it is not the
+# most precise way; where it compares the neighbours' algorithms, it speaks of their speed.
+# Flinch: searches scaled features by FLANN, which sums squared differences.
 set -eu
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
