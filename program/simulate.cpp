@@ -64,8 +64,9 @@ void print_plan(const train::SimulationRun& run) {
   std::cerr << "memory: at most " << mebibytes(memory.max_bytes)
             << (run.messenger->size() > 1 ? " per process" : "") << "; " << memory.response_count
             << " different responses need about " << mebibytes(memory.all_response_bytes)
-            << ", of which " << (memory.keeps_all() ? "all" : mebibytes(memory.response_bytes()))
-            << " is kept" << std::endl;
+            << ", of which " << (memory.keeps_all() ? "all" : mebibytes(memory.response_bytes))
+            << " is kept for all batches of up to " << memory.batch_size << " scenarios per thread"
+            << std::endl;
 }
 
 Json summary_document(const SimulateOptions& options, const train::StoreSummary& store,

@@ -41,6 +41,8 @@ struct TrialTask {
   std::size_t trial = 0;
 };
 
+static_assert(sizeof(Trial) + 2 * sizeof(TrialTask) <= kBatchBytesPerTrial);
+
 /// Tasks that one thread does together.
 using TaskGroup = std::span<const TrialTask>;
 

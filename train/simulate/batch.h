@@ -55,6 +55,10 @@ struct Batch {
   PhaseTimes cpu;
 };
 
+/// Memory that a trial of a batch takes, bytes: the trial, and twice, while they are sorted, what
+/// tells the response that it shares.
+inline constexpr std::size_t kBatchBytesPerTrial = 144;
+
 /// Simulates the scenarios of a range. Runs all trials of one response in a row, so that its
 /// rehearsal stays in the processor's cache, and distributes the responses over the threads. The
 /// observations do not depend on the number of threads, on what `rehearsals` holds, or on which

@@ -21,11 +21,18 @@ namespace flinch::train {
 
 namespace {
 
-/// Scenarios per thread that are simulated before a commit: about a second of work.
-constexpr RangeSizes kBatches{128};
-/// The same if responses must be rehearsed again for every batch: few and large ones, so that the
-/// rehearsals pay, after a first that soon tells the rate.
-constexpr RangeSizes kUncachedBatches{1024, 64};
+/// Scenarios per thread that are simulated before a commit: about a quarter of a second of work.
+constexpr std::uint64_t kBatchSize = 128;
+/// The same if responses must be rehearsed again for every batch. A batch that ends is in the
+/// store, so the largest is of some twenty seconds of work.
+constexpr std::uint64_t kMinUncachedBatchSize = 1024;
+constexpr std::uint64_t kMaxUncachedBatchSize = 8192;
+
+/// Batches double in size, unless responses are rehearsed again for every batch: then a first one
+/// that soon tells the rate is followed by few and large ones.
+RangeSizes range_sizes(const MemoryPlan& memory) {
+  return {memory.batch_size, memory.keeps_all() ? 1 : kMaxUncachedBatchSize};
+}
 
 std::string describe(const ScenarioDistribution& distribution) {
   return nlohmann::ordered_json{
@@ -64,6 +71,15 @@ std::uint64_t bytes_of_all_responses(const SimulationSetup& setup) {
   }
   return static_cast<std::uint64_t>(seconds / idle.rehearsal.duration_s() *
                                     static_cast<double>(idle.byte_count()));
+}
+
+/// Returns about how much memory a scenario of a batch takes: the mean of the first few.
+std::uint64_t scenario_bytes(const SimulationSetup& setup) {
+  constexpr std::uint64_t kCount = 64;
+  std::size_t trials = 0;
+  for (std::uint64_t number = 0; number < kCount; ++number)
+    trials += make_observation(setup, number).trials.size();
+  return sizeof(Observation) + (trials * kBatchBytesPerTrial) / kCount;
 }
 
 /// Returns a hash of everything that must be the same in all processes of a run.
@@ -167,17 +183,29 @@ MemoryPlan plan_memory(const SimulationSetup& setup, std::uint64_t max_bytes, in
   constexpr std::uint64_t kProgramMebibytes = 64;
   constexpr std::uint64_t kThreadMebibytes = 16;
   constexpr int kMebibyteShift = 20;
-  MemoryPlan plan;
-  plan.max_bytes = max_bytes;
-  plan.reserved_bytes = (kProgramMebibytes + kThreadMebibytes * static_cast<std::uint64_t>(threads))
-                        << kMebibyteShift;
-  if (max_bytes < plan.reserved_bytes)
+  const auto each = static_cast<std::uint64_t>(threads);
+  const std::uint64_t reserved_bytes = (kProgramMebibytes + kThreadMebibytes * each)
+                                       << kMebibyteShift;
+  if (max_bytes < reserved_bytes)
     throw Error("", std::to_string(max_bytes >> kMebibyteShift) +
                         " MiB of memory are too little for " + std::to_string(threads) +
                         " threads; give at least --memory " +
-                        std::to_string(plan.reserved_bytes >> kMebibyteShift) + "M");
+                        std::to_string(reserved_bytes >> kMebibyteShift) + "M");
+  MemoryPlan plan;
+  plan.max_bytes = max_bytes;
   plan.response_count = setup.responses.count();
   plan.all_response_bytes = bytes_of_all_responses(setup);
+  plan.response_bytes = max_bytes - reserved_bytes;
+  plan.batch_size = kBatchSize;
+  if (plan.keeps_all()) return plan;
+  // With R bytes of responses, of which c are kept, and batches of b bytes, N scenarios of s bytes
+  // each cost N s / b times the rehearsing of R - c. For a given sum M of b and c that is
+  // proportional to (R - M + b) / b, which falls as b rises: memory is worth most in batches.
+  const std::uint64_t batch_bytes = each * scenario_bytes(setup);
+  const std::uint64_t more =
+      std::min(plan.response_bytes / batch_bytes, kMaxUncachedBatchSize - kMinUncachedBatchSize);
+  plan.batch_size = kMinUncachedBatchSize + more;
+  plan.response_bytes -= more * batch_bytes;
   return plan;
 }
 
@@ -194,15 +222,14 @@ bool simulate_store(const SimulationSetup& setup, const std::string& path,
     writer.emplace(path, header, run.wanted, run.overwrite);
     missing = writer->missing();
   }
-  ScenarioScheduler ranges(missing, messenger.size(),
-                           run.memory.keeps_all() ? kBatches : kUncachedBatches);
+  ScenarioScheduler ranges(missing, messenger.size(), range_sizes(run.memory));
   ResultWriter result_writer(setup, writer ? &*writer : nullptr, run);
   WorkerPool pool(messenger,
                   {[&](int threads) { return ranges.next(threads); },
                    [&](const RangeResult& done) { result_writer.take(done); },
                    [&](ScenarioRange range) { ranges.put_back(range); }},
                   hash_of_run(header));
-  RehearsalCache rehearsals(run.memory.response_bytes());
+  RehearsalCache rehearsals(run.memory.response_bytes);
   BatchContext context = run.batch;
   context.poll = [&pool] { pool.poll(); };
   for (;;) {
@@ -223,7 +250,7 @@ bool simulate_store(const SimulationSetup& setup, const std::string& path,
 }
 
 void run_simulation_worker(const SimulationSetup& setup, const SimulationRun& run) {
-  RehearsalCache rehearsals(run.memory.response_bytes());
+  RehearsalCache rehearsals(run.memory.response_bytes);
   const auto simulate = [&](ScenarioRange range) -> std::optional<RangeResult> {
     Batch batch;
     if (!simulate_batch(setup, rehearsals, range, run.batch, batch)) return std::nullopt;

@@ -17,15 +17,15 @@ namespace flinch::train {
 /// the library breaks its invariants.
 StoreHeader make_store_header(const SimulationSetup& setup);
 
-/// Memory that a run may use, bytes.
+/// How a run divides its memory between rehearsed responses and the scenarios of a batch.
 struct MemoryPlan {
-  std::uint64_t max_bytes = std::uint64_t{1} << 30;  ///< for the whole process
-  std::uint64_t reserved_bytes = 0;      ///< of these, for everything except rehearsed responses
+  std::uint64_t max_bytes = std::uint64_t{1} << 30;  ///< of the whole process
   std::uint64_t all_response_bytes = 0;  ///< approximate size of all rehearsed responses
   std::size_t response_count = 0;
+  std::uint64_t response_bytes = std::uint64_t{1} << 30;  ///< for those that are kept
+  std::uint64_t batch_size = 128;                         ///< scenarios per thread
 
-  std::uint64_t response_bytes() const { return max_bytes - reserved_bytes; }
-  bool keeps_all() const { return all_response_bytes <= response_bytes(); }
+  bool keeps_all() const { return all_response_bytes <= response_bytes; }
 };
 
 /// Throws Error, with the minimum that is enough, if `max_bytes` bytes are too few for the program

@@ -154,6 +154,23 @@ TEST(MemoryPlan, RejectsTooLittleMemoryNamingTheMinimum) {
   EXPECT_NO_THROW(plan_memory(setup, 96 << 20, 2));
 }
 
+TEST(MemoryPlan, WithoutMemoryForAllResponsesThereAreFewAndLargeBatches) {
+  const database::ClipLibrary library = scenes::synthetic_library();
+  const SimulationSetup setup(library, {});
+  const std::uint64_t all_bytes = plan_memory(setup, std::uint64_t{1} << 30, 1).all_response_bytes;
+  const std::uint64_t program_bytes = 80 << 20;
+  const MemoryPlan enough = plan_memory(setup, program_bytes + all_bytes, 1);
+  const MemoryPlan scarce = plan_memory(setup, program_bytes + all_bytes / 2, 1);
+  const MemoryPlan none = plan_memory(setup, program_bytes, 1);
+  EXPECT_TRUE(enough.keeps_all());
+  EXPECT_FALSE(scarce.keeps_all());
+  EXPECT_FALSE(none.keeps_all());
+  EXPECT_LT(enough.batch_size, none.batch_size);
+  EXPECT_LT(none.batch_size, scarce.batch_size);
+  EXPECT_EQ(none.response_bytes, 0U);
+  EXPECT_LT(scarce.response_bytes, all_bytes / 2);
+}
+
 /// The sum of the bodies' differences, divided by the total of both.
 double difference(const Trial& a, const Trial& b) {
   double whole = 0;
