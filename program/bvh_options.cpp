@@ -53,7 +53,7 @@ Json source_document(const database::SourceReport& source) {
         {"joint", joint.empty() ? Json() : Json(joint)},
         {"found_by", database::name_of(source.joint_source[role])}};
   }
-  return {{"kind", "bvh"},
+  return {{"kind", database::word_of(source.kind)},
           {"file", source.path},
           {"joint_count", source.joint_count},
           {"first_frame", source.first_frame},

@@ -2,6 +2,7 @@
 #include <chrono>
 #include <iostream>
 #include <memory>
+#include <set>
 
 #include "program/command.h"
 #include "program/comparison_table.h"
@@ -59,6 +60,15 @@ std::vector<train::Method> methods_of(const CompareOptions& options) {
   return chosen;
 }
 
+void check_models(const CompareOptions& options) {
+  std::set<std::string> seen;
+  for (const std::string& model : options.models) {
+    if (!seen.insert(model).second) {
+      throw UsageError("--models names " + model + " twice; name each model once");
+    }
+  }
+}
+
 void check_report(const CompareOptions& options) {
   if (options.report.empty()) return;
   std::vector<database::Output> files;
@@ -70,6 +80,7 @@ void check_report(const CompareOptions& options) {
 }
 
 void run_compare(const CompareOptions& options) {
+  check_models(options);
   check_report(options);
   const train::VulnerabilityProfile vulnerability = vulnerability_of(options.cost);
   train::Store store = read_with_features(options.store, options.features);

@@ -7,6 +7,7 @@
 
 #include "database/files/library_writer.h"
 #include "database/import/manifest.h"
+#include "database/library/library_bounds.h"
 #include "program/bvh_options.h"
 #include "program/command.h"
 #include "program/printable.h"
@@ -167,27 +168,28 @@ void run_import(const ImportOptions& options) {
 
 Command import_command() {
   auto options = std::make_shared<ImportOptions>();
-  return {.name = "import",
-          .summary = "Make a library from motion capture",
-          .required = {{"PATH", "BVH, FBX or glTF files, or folders of them", &options->paths},
-                       {"--out", "library file to write", &options->library}},
-          .optional =
-              join({{{"--manifest",
-                      "TOML file that lists the clips to take and what they protect "
-                      "against",
-                      &options->manifest},
-                     {"--rate", "frame rate of the library, Hz (default: the manifest's, else 60)",
-                      &options->rate_hz, Range{database::kMinRate_hz, database::kMaxRate_hz}},
-                     {"--skeleton", "file whose skeleton to use if there is no manifest",
-                      &options->skeleton}},
-                    bvh_options(options->bvh),
-                    {{"--verbose", "print details of each file and clip", &options->verbose},
-                     force_option(options->force),
-                     json_option(options->json)}}),
-          .notes =
-              "Example:\n  flinch import mocap --manifest mocap/manifest.toml --out "
-              "real.flinchlib",
-          .run = [options] { run_import(*options); }};
+  return {
+      .name = "import",
+      .summary = "Make a library from motion capture",
+      .required = {{"PATH", "BVH, FBX or glTF files, or folders of them", &options->paths},
+                   {"--out", "library file to write", &options->library}},
+      .optional = join(
+          {{{"--manifest",
+             "TOML file that lists the clips to take and what they protect "
+             "against",
+             &options->manifest},
+            {"--rate", "frame rate of the library, Hz (default: the manifest's, else 60)",
+             &options->rate_hz, Range{database::kMinImportRate_hz, double{database::kMaxRate_hz}}},
+            {"--skeleton", "file whose skeleton to use if there is no manifest",
+             &options->skeleton}},
+           bvh_options(options->bvh),
+           {{"--verbose", "print details of each file and clip", &options->verbose},
+            force_option(options->force),
+            json_option(options->json)}}),
+      .notes =
+          "Example:\n  flinch import mocap --manifest mocap/manifest.toml --out "
+          "real.flinchlib",
+      .run = [options] { run_import(*options); }};
 }
 
 }  // namespace flinch::program

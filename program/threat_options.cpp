@@ -7,9 +7,13 @@
 #include "motion/rotation.h"
 #include "program/document.h"
 #include "program/table.h"
+#include "reaction/reaction.h"
 
 namespace flinch::program {
 namespace {
+
+// A ball that falls is faster elsewhere than where it hits: by at most 100 m/s in 10 s.
+constexpr double kMaxSpeed_mps = 0.9 * reaction::kMaxBallSpeed_mps;
 
 std::vector<std::string> target_names() {
   std::vector<std::string> names;
@@ -27,12 +31,14 @@ std::vector<Option> threat_options(ThreatOptions& threat) {
        "angle above the horizontal at the impact, degrees (default: level, or "
        "as high as a falling ball must)",
        &threat.elevation, Range{-89, 89}},
-      {"--speed", "speed at the impact, m/s", &threat.speed_mps, Range{0.1, 1000}},
+      {"--speed", "speed at the impact, m/s", &threat.speed_mps, Range{0.1, kMaxSpeed_mps}},
       {"--target", "threatened part: head, trunk, pelvis or legs", &threat.target,
        OneOf{target_names()}},
       {"--time-to-impact", "time from perception, s", &threat.time_to_impact_s, Range{0.01, 10}},
-      {"--radius", "radius of the ball, m", &threat.radius_m, Range{0.001, 10}},
-      {"--mass", "mass of the ball, kg", &threat.mass_kg, Range{0.0001, 1000}}};
+      {"--radius", "radius of the ball, m", &threat.radius_m,
+       Range{reaction::kMinBallRadius_m, reaction::kMaxBallRadius_m}},
+      {"--mass", "mass of the ball, kg", &threat.mass_kg,
+       Range{reaction::kMinBallMass_kg, reaction::kMaxBallMass_kg}}};
 }
 
 features::ThreatDescription described(const ThreatOptions& options,

@@ -25,6 +25,18 @@ struct TrainOptions {
   bool json = false;
 };
 
+/// Below this number of scenarios, a selector's protection rises steeply with it: docs/selectors.md
+/// has figures.
+constexpr std::size_t kEnoughScenarios = 200;
+
+std::vector<std::string> warnings_on(const train::Store& store) {
+  const std::size_t count = store.observations.size();
+  if (count >= kEnoughScenarios) return {};
+  return {std::to_string(count) +
+          " scenarios are too few to trust the selector; simulate at least " +
+          std::to_string(kEnoughScenarios)};
+}
+
 Json parameters_of(const train::Training& training) {
   Json parameters;
   for (const train::NamedValue& parameter : training.parameter_values)
@@ -43,7 +55,8 @@ Json summary_of(const TrainOptions& options, const train::Store& store,
                {"brawn", options.cost.brawn},
                {"vulnerability", vulnerability},
                {"parameters", parameters_of(training)},
-               {"cross_validated_regret_ns", training.cross_validated_regret_ns}};
+               {"cross_validated_regret_ns", training.cross_validated_regret_ns},
+               {"warnings", warnings_on(store)}};
   if (const auto* svm = std::get_if<models::SvmModel>(&training.selector.model)) {
     summary["classes"] = svm->class_count();
     summary["support_vectors"] = svm->vector_count();
@@ -75,6 +88,7 @@ void run_train(const TrainOptions& options) {
   std::cout << "parameters, chosen by cross-validation: " << training.parameters
             << "\nmean regret in cross-validation: " << training.cross_validated_regret_ns
             << " N s\n";
+  for (const std::string& warning : warnings_on(store)) std::cout << "note: " << warning << '\n';
 }
 
 }  // namespace

@@ -23,10 +23,10 @@ bool is_frame_time(double dt_s) {
   return dt_s > 0 && dt_s <= kMaxReactionFrame_s;
 }
 
-// The solver fails for mass ratios that are too large; the other bounds exclude meaningless values.
 bool is_in_range(const features::Ball& ball) {
-  return ball.position.allFinite() && ball.velocity.norm() <= 1000 && ball.radius >= 1e-3 &&
-         ball.radius <= 10 && ball.mass_kg >= 1e-3 && ball.mass_kg <= 1000 &&
+  return ball.position.allFinite() && ball.velocity.norm() <= kMaxBallSpeed_mps &&
+         ball.radius >= kMinBallRadius_m && ball.radius <= kMaxBallRadius_m &&
+         ball.mass_kg >= kMinBallMass_kg && ball.mass_kg <= kMaxBallMass_kg &&
          ball.gravity_mps2 >= 0 && ball.gravity_mps2 <= 1000;
 }
 
@@ -141,7 +141,8 @@ const char* message_of(ReactionStatus status) noexcept {
     case ReactionStatus::bad_pose:
       return "a pose is not finite, or a rotation is not of unit length";
     case ReactionStatus::bad_ball:
-      return "the ball is not finite, or too small, large, light, heavy or fast";
+      return "the ball is not finite, or outside 1 mm to 10 m of radius, 1 g to 1000 kg and 1000 "
+             "m/s";
     case ReactionStatus::failed:
       break;
   }

@@ -23,6 +23,14 @@ std::shared_ptr<const sim::FigureModel> make_figure_model(
 /// The longest frame of a reaction, s.
 inline constexpr double kMaxReactionFrame_s = 0.1;
 
+/// Bounds of the balls that a reaction simulates. The solver fails for mass ratios that are too
+/// large; the other bounds exclude meaningless values.
+inline constexpr double kMinBallMass_kg = 1e-3;    ///< the lightest, kg
+inline constexpr double kMaxBallMass_kg = 1000;    ///< the heaviest, kg
+inline constexpr double kMinBallRadius_m = 1e-3;   ///< the smallest, m
+inline constexpr double kMaxBallRadius_m = 10;     ///< the largest, m
+inline constexpr double kMaxBallSpeed_mps = 1000;  ///< the fastest, m/s
+
 /// How a character takes a hit.
 struct ReactionOptions {
   RecoverySchedule schedule;  ///< its simulation_only_s from 0.05 to 0.5

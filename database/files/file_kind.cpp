@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "motion/enum_array.h"
+#include "motion/error.h"
 
 namespace flinch::database {
 namespace {
@@ -27,6 +28,13 @@ constexpr std::array kSignatures{
                   "7zXZ",
                   FileKind::archive},
 };
+
+// With a byte-order mark, as Windows' programs write it, or with the first character's zero byte.
+bool opens_as_utf16(std::string_view bytes) {
+  if (bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF")) return true;
+  return bytes.size() >= 4 && (bytes[0] == '\0') != (bytes[1] == '\0') &&
+         (bytes[0] == '\0') == (bytes[2] == '\0') && (bytes[1] == '\0') == (bytes[3] == '\0');
+}
 
 bool is_text_byte(char c) {
   const auto byte = static_cast<unsigned char>(c);
@@ -74,6 +82,7 @@ FileKind file_kind_of(std::string_view bytes) {
   if (opening != kSignatures.end()) return opening->kind;
   if (opens_as_bvh(bytes)) return FileKind::bvh;
   if (opens_as_gltf(bytes)) return FileKind::gltf;
+  if (opens_as_utf16(bytes)) return FileKind::utf16;
   const std::string_view start = bytes.substr(0, 512);
   return std::all_of(start.begin(), start.end(), is_text_byte) ? FileKind::text : FileKind::unknown;
 }
@@ -86,13 +95,32 @@ std::string refusal_of(LoadStatus status, const FileFormat& format, std::string_
 }
 
 std::string_view name_of(FileKind kind) {
-  constexpr motion::EnumArray<FileKind, std::string_view, 10> kNames{
-      "an empty file", "a library",
-      "a selector",    "a store or other SQLite database",
-      "a BVH file",    "an FBX file",
-      "a glTF file",   "an archive",
-      "a text file",   "no file that Flinch knows"};
+  constexpr motion::EnumArray<FileKind, std::string_view, 11> kNames{
+      "an empty file",
+      "a library",
+      "a selector",
+      "a store or other SQLite database",
+      "a BVH file",
+      "an FBX file",
+      "a glTF file",
+      "an archive",
+      "text in UTF-16",
+      "a text file",
+      "no file that Flinch knows"};
   return kNames[kind];
+}
+
+std::string_view word_of(FileKind kind) {
+  constexpr motion::EnumArray<FileKind, std::string_view, 11> kWords{
+      "empty", "library", "selector", "store", "bvh",    "fbx",
+      "gltf",  "archive", "utf16",    "text",  "unknown"};
+  return kWords[kind];
+}
+
+void require_not_utf16(std::string_view bytes, const std::string& path) {
+  if (file_kind_of(bytes) == FileKind::utf16) {
+    throw Error(path, "is " + std::string(name_of(FileKind::utf16)) + "; save it as UTF-8");
+  }
 }
 
 }  // namespace flinch::database

@@ -23,6 +23,7 @@ enum class FileKind : std::uint8_t {
   fbx,
   gltf,     ///< binary or text
   archive,  ///< zip, gzip or xz
+  utf16,    ///< text that no reader takes
   text,
   unknown,
 };
@@ -38,5 +39,11 @@ bool holds_motion(FileKind kind);
 
 /// Returns the kind with its article, such as "a library" or "a BVH file".
 std::string_view name_of(FileKind kind);
+
+/// Returns the kind as one word, such as "library" or "bvh".
+std::string_view word_of(FileKind kind);
+
+/// Throws Error for text in UTF-16, of a file that should be text.
+void require_not_utf16(std::string_view bytes, const std::string& path);
 
 }  // namespace flinch::database

@@ -6,12 +6,15 @@
 #include <utility>
 
 #include "database/files/file_io.h"
+#include "database/files/file_kind.h"
 #include "motion/error.h"
 
 namespace flinch::database {
 
 toml::table read_toml(const std::string& path) {
-  return parse_toml(read_file(path), path);
+  const std::string text = read_file(path);
+  require_not_utf16(text, path);
+  return parse_toml(text, path);
 }
 
 toml::table parse_toml(std::string_view text, const std::string& path) {

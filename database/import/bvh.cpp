@@ -151,9 +151,11 @@ class HierarchyParser {
     const std::size_t line = lexer_.line();
     std::vector<BvhChannel>& channels = joint().channels;
     while (const auto channel = channel_named(lexer_.peek_word())) {
-      if (is_position(*channel) &&
-          std::find(channels.begin(), channels.end(), *channel) != channels.end()) {
-        lexer_.fail(in_joint() + " has two channels " + quoted(lexer_.peek_word()));
+      if (std::find(channels.begin(), channels.end(), *channel) != channels.end()) {
+        const std::string what = in_joint() + " has two channels " + quoted(lexer_.peek_word());
+        if (is_position(*channel)) lexer_.fail(what);
+        bvh_.warnings.push_back(lexer_.where(line) + ": " + what +
+                                "; their turns follow each other in the order of the channels");
       }
       lexer_.next_word();
       channels.push_back(*channel);

@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "database/files/file_kind.h"
+
 namespace flinch::database {
 
 /// What one column of a BVH file's motion data changes. Rotations are about the joint's own axes.
@@ -32,12 +34,13 @@ struct BvhJoint {
 
 /// A validated BVH file: one tree of joints, and frames of finite numbers.
 struct Bvh {
-  std::string path;              ///< for messages
-  std::vector<BvhJoint> joints;  ///< parents first; the root is joint 0
-  double frame_time_s = 0;       ///< above 0
-  int frame_count = 0;           ///< at least 1
-  int first_frame = 0;           ///< frames of the file before these, see select_frames
-  int channel_count = 0;         ///< columns of a frame, at least 1
+  std::string path;               ///< for messages
+  FileKind kind = FileKind::bvh;  ///< of the file: bvh, fbx or gltf
+  std::vector<BvhJoint> joints;   ///< parents first; the root is joint 0
+  double frame_time_s = 0;        ///< above 0
+  int frame_count = 0;            ///< at least 1
+  int first_frame = 0;            ///< frames of the file before these, see select_frames
+  int channel_count = 0;          ///< columns of a frame, at least 1
   /// Frame after frame, frame_count * channel_count values: positions in the file's units,
   /// rotations in degrees.
   std::vector<double> values;

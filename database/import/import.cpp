@@ -14,6 +14,7 @@
 #include "database/import/manifest.h"
 #include "database/import/plausibility.h"
 #include "database/import/source_file.h"
+#include "database/library/library_check.h"
 #include "motion/error.h"
 #include "motion/mirror.h"
 
@@ -148,10 +149,11 @@ void add_clip(const ManifestEntry& entry, const LoadedSource& loaded, const moti
     clip.annotation =
         annotation_in(entry, loaded.motion.start_s + segment.start_s, clip.motion.duration_s());
   }
+  const JudgedClip judged{loaded.source, loaded.motion, segment, figure, clip};
+  require_near(entry.where, judged);
   result.report.clips.push_back(
       {clip.name, clip.purpose, clip.source, clip.motion.duration_s(), clip.annotation.has_value(),
-       measure_foot_drift(loaded.motion, skeleton, segment, clip.motion),
-       judge_motion({loaded.source, loaded.motion, segment, figure, clip})});
+       measure_foot_drift(loaded.motion, skeleton, segment, clip.motion), judge_motion(judged)});
   library.clips.push_back(clip);
   if (is_mirrored(entry)) library.clips.push_back(motion::mirrored(clip));
 }
@@ -168,6 +170,18 @@ void warn_of_unannotated(ImportReport& report) {
                             " clips are not annotated and will not answer threats: " + names);
 }
 
+// Paths in [source] tables are as entries write them; another spelling covers no file.
+void warn_of_unused_options(const Manifest& manifest, ImportReport& report) {
+  for (const ManifestSource& source : manifest.sources) {
+    const auto is_covered = [&](const ManifestEntry& entry) { return covers(source, entry.file); };
+    if (covers(source, manifest.skeleton) || std::ranges::any_of(manifest.entries, is_covered)) {
+      continue;
+    }
+    report.warnings.push_back(source.where + ": [source.\"" + printable_text(source.path) +
+                              "\"] is for none of the manifest's files; write its path as they do");
+  }
+}
+
 // The common part of both kinds of import. `paths[i]` is the path of entry i's file.
 ImportResult build(const Manifest& manifest, const std::vector<std::string>& paths,
                    const std::string& skeleton_path, const SourceSet& sources, float rate_hz) {
@@ -175,6 +189,10 @@ ImportResult build(const Manifest& manifest, const std::vector<std::string>& pat
   result.library.name = manifest.name;
   result.library.rate_hz = rate_hz;
   result.library.character = character_of(sources.at(skeleton_path).source, manifest.character);
+  if (const char* what = fault_of(result.library.character)) {
+    throw Error(skeleton_path, std::string(what) +
+                                   "; say the unit with --unit, or correct the roles with --roles");
+  }
   const motion::Figure figure = motion::make_figure(result.library.character);
   for (std::size_t i = 0; i < manifest.entries.size(); ++i) {
     add_clip(manifest.entries[i], sources.at(paths[i]), figure, result);
@@ -182,6 +200,7 @@ ImportResult build(const Manifest& manifest, const std::vector<std::string>& pat
   for (const LoadedSource& one : sources.all()) {
     result.report.sources.push_back(one.source.report);
   }
+  warn_of_unused_options(manifest, result.report);
   warn_of_unannotated(result.report);
   return result;
 }

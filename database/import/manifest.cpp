@@ -8,6 +8,7 @@
 
 #include "database/files/toml_reader.h"
 #include "database/import/role_overrides.h"
+#include "database/library/library_bounds.h"
 #include "motion/error.h"
 #include "motion/rotation.h"
 
@@ -195,7 +196,8 @@ void read_library(const toml::table& table, Manifest& manifest) {
   manifest.skeleton = reader.text("skeleton").value_or("");
   manifest.skeleton_where = reader.where("skeleton");
   if (!reader.has("rate")) return;
-  manifest.rate_hz = static_cast<float>(within(reader, "rate", kMinRate_hz, kMaxRate_hz));
+  manifest.rate_hz =
+      static_cast<float>(within(reader, "rate", kMinImportRate_hz, double{kMaxRate_hz}));
 }
 
 void read_character(const toml::table& table, Manifest& manifest) {
@@ -228,6 +230,7 @@ ManifestSource read_source(const std::string& path, const TomlReader& reader) {
   reader.expect_keys({"units", "up", "rest", "rate_of_file", "frames", "skip_first", "roles"});
   ManifestSource source;
   source.path = path;
+  source.where = reader.where();
   while (source.path.ends_with('/')) source.path.pop_back();
   if (reader.has("units")) {
     source.options.unit =
@@ -297,10 +300,14 @@ Manifest read_manifest(const std::string& path) {
   return manifest;
 }
 
+bool covers(const ManifestSource& source, const std::string& file) {
+  return source.path == file || file.starts_with(source.path + "/");
+}
+
 SourceOptions options_for(const Manifest& manifest, const std::string& file) {
   std::vector<const ManifestSource*> matching;
   for (const ManifestSource& source : manifest.sources) {
-    if (source.path == file || file.starts_with(source.path + "/")) matching.push_back(&source);
+    if (covers(source, file)) matching.push_back(&source);
   }
   std::stable_sort(matching.begin(), matching.end(),
                    [](const ManifestSource* one, const ManifestSource* other) {

@@ -11,9 +11,8 @@
 
 namespace flinch::database {
 
-/// Frame rates that a library may have, Hz.
-inline constexpr double kMinRate_hz = 10;
-inline constexpr double kMaxRate_hz = 1000;
+/// The lowest frame rate that a library of motion capture may have, Hz; the highest is kMaxRate_hz.
+inline constexpr double kMinImportRate_hz = 10;
 
 /// One [[idle]], [[clip]] or [[push]]. Times are seconds from the start of its file.
 struct ManifestEntry {
@@ -37,6 +36,7 @@ bool is_mirrored(const ManifestEntry& entry);
 struct ManifestSource {
   std::string path;  ///< a file, or a folder that holds it, as entries write it
   SourceOptions options;
+  std::string where;  ///< "FILE:LINE" of the manifest, for messages
 };
 
 /// Content of a manifest. Its format is documented in docs/importing.md.
@@ -54,6 +54,9 @@ struct Manifest {
 /// Reads and checks a manifest, but not the files that it names. Throws Error "FILE:LINE: …" for
 /// anything unknown, missing, repeated, of the wrong type or out of range.
 Manifest read_manifest(const std::string& path);
+
+/// Whether the options are for this file: it is the one that they name, or in that folder.
+bool covers(const ManifestSource& source, const std::string& file);
 
 /// Returns the manifest's options for a file. Where several [source] tables name it or a folder
 /// above it, the longest path wins.

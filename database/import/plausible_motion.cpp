@@ -2,10 +2,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <optional>
 
 #include "database/import/plausibility.h"
+#include "database/library/library_bounds.h"
 #include "database/quality/joint_positions.h"
 #include "database/quality/quality.h"
+#include "motion/error.h"
 
 namespace flinch::database {
 namespace {
@@ -18,8 +21,6 @@ using motion::Role;
 constexpr float kMaxUsualExcess_deg = 60;
 // How far a sole may slip while it stands, m.
 constexpr float kMaxSlip_m = 0.6F;
-// How many poses a second are judged.
-constexpr float kJudged_hz = 10;
 // Exporters put their pose into the first frames, not into the middle.
 constexpr double kMaxLeadIn_s = 0.5;
 
@@ -212,7 +213,36 @@ void judge_quality(const ClipQuality& quality, std::vector<std::string>& notes) 
   }
 }
 
+// The last frame of the source before the clip is too far away, from 0; nothing if it never is.
+std::optional<std::size_t> last_near_frame(const JudgedClip& judged) {
+  const std::vector<motion::Pose>& poses = judged.clip.motion.poses;
+  const auto far = std::ranges::find_if(poses, [](const motion::Pose& pose) {
+    return !((pose.root_position.array().abs() <= kMaxDistance_m).all());
+  });
+  if (far == poses.end()) return std::nullopt;
+  const double time_s =
+      judged.segment.start_s +
+      static_cast<double>(far - poses.begin()) / static_cast<double>(judged.clip.motion.rate_hz);
+  return static_cast<std::size_t>(
+      std::max(0.0, std::ceil(time_s / judged.motion.frame_time_s) - 1));
+}
+
 }  // namespace
+
+void require_near(const std::string& where, const JudgedClip& judged) {
+  const std::optional<std::size_t> last = last_near_frame(judged);
+  if (!last) return;
+  const std::vector<std::string> jumps =
+      FrameJudge(judged.source, judged.motion, part_of(judged.motion, judged.segment)).notes();
+  const auto first_number = static_cast<std::size_t>(judged.source.report.first_frame);
+  const std::string way = jumps.empty() ? "keep the frames before with --frames :" +
+                                              std::to_string(*last + first_number)
+                                        : jumps.front();
+  throw Error(where, "the clip \"" + judged.clip.name +
+                         "\" goes farther than 1 km from where it starts, the most that a library "
+                         "holds; " +
+                         way + ", or frames in a manifest");
+}
 
 std::vector<std::string> judge_motion(const JudgedClip& judged) {
   const Part part = part_of(judged.motion, judged.segment);

@@ -226,6 +226,7 @@ Source analyse_source(Bvh bvh, const SourceOptions& options) {
 
   SourceReport& report = source.report;
   report.path = source.bvh.path;
+  report.kind = source.bvh.kind;
   report.joint_count = static_cast<int>(source.bvh.joints.size());
   report.first_frame = source.bvh.first_frame + 1;
   report.frame_count = source.bvh.frame_count;
@@ -244,6 +245,7 @@ Source analyse_source(Bvh bvh, const SourceOptions& options) {
   find_reference(source, options);
   find_unit(source, options);
   std::ranges::copy(judge_figure(source), std::back_inserter(report.warnings));
+  std::ranges::copy(judge_angles(source, options), std::back_inserter(report.warnings));
   return source;
 }
 

@@ -70,6 +70,7 @@ struct SourceMotion {
 /// What was detected in a file.
 struct SourceReport {
   std::string path;
+  FileKind kind = FileKind::bvh;  ///< of the file: bvh, fbx or gltf
   int joint_count = 0;
   int first_frame = 1;  ///< of those used, as the file numbers them from 1
   int frame_count = 0;  ///< of those used

@@ -197,6 +197,19 @@ class BadInput(ProgramTest):
             with self.subTest(manifest=name):
                 self.refuse(1, words, "import", bvh, "--manifest", path, "--out", self.out)
 
+    def test_text_in_utf16(self):
+        for coding in ("utf-16", "utf-16-le", "utf-16-be"):
+            words = "is text in UTF-16"
+            bvh = self.file("a.bvh", BVH.encode(coding))
+            toml = self.file("a.toml", '[[idle]]\nname = "i"\nfile = "a.bvh"\n'.encode(coding))
+            for path, command in (
+                    (bvh, ["info", bvh]), (bvh, ["import", bvh, "--out", self.out]),
+                    (toml, ["import", bvh, "--manifest", toml, "--out", self.out]),
+                    (toml, ["import", bvh, "--roles", toml, "--out", self.out]),
+                    (toml, ["author", "--character", toml, "--out", self.out])):
+                with self.subTest(coding=coding, command=command):
+                    self.refuse(1, f"{path}: {words}", *command)
+
     def test_wrong_usage(self):
         self.make_store_and_selector()
         for words, command in [
@@ -217,6 +230,14 @@ class BadInput(ProgramTest):
                 ("--out", ["merge", self.store]),
                 ("STORE", ["merge", "--out", self.out]),
                 ("--threads", ["simulate", self.library, "--out", self.out, "-n", 2, "--threads", 0]),
+                ("knn twice", ["compare", self.store, "--models", "knn,svm,knn"]),
+                ("knn twice", ["compare", self.store, "--models", "knn", "knn"]),
+                *(([option, "not in range"], [command, self.selector, *out, option, value])
+                  for command, out in (("select", ()), ("respond", ("--out", f"{self.out}.bvh")))
+                  for option, value in (("--mass", 1e-4), ("--mass", 1001), ("--radius", 1e-4),
+                                        ("--radius", 11), ("--speed", 0.01), ("--speed", 1000),
+                                        ("--time-to-impact", 11), ("--elevation", 90),
+                                        ("--azimuth", 400))),
         ]:
             with self.subTest(command=command):
                 self.refuse(2, words, *command)
@@ -258,7 +279,17 @@ class BadInput(ProgramTest):
     def test_too_few_scenarios(self):
         self.succeed("simulate", self.library, "--out", self.store, "-n", 1)
         self.refuse(1, "at least 2", "train", self.store, "--out", self.out)
+        self.refuse(1, [str(self.store), "holds scenarios 0 to 0, 1 in all", "--first 5"],
+                    "simulate", self.library, "--out", self.store, "-n", 5, "--first", 5)
         self.refuse(1, "at least 8", "compare", self.store)
+
+    def test_every_threat_in_the_ranges_has_a_response(self):
+        self.make_store_and_selector()
+        balls = ((0.001, 0.1), (0.001, 900), (10, 900))  # a large one that is slow comes from below
+        for mass, (radius, speed) in itertools.product((0.001, 1000), balls):
+            with self.subTest(mass=mass, radius=radius, speed=speed):
+                self.succeed("respond", self.selector, "--out", f"{self.out}.bvh", "--mass", mass,
+                             "--radius", radius, "--speed", speed, "--time-to-impact", 0.01)
 
     def test_threats_from_below_the_ground(self):
         self.make_store_and_selector()

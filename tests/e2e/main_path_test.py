@@ -32,7 +32,9 @@ class MainPath(ProgramTest):
         done = self.lines("simulate", self.library, "--out", self.store, "-n", SCENARIOS)[-1]
         self.assertEqual(done["scenarios"], SCENARIOS)
         for model in ("knn", "svm", "knn_cost", "network", "pairwise_cost"):
-            self.document("train", self.store, "--out", self.selector, "--model", model)
+            made = self.document("train", self.store, "--out", self.selector, "--model", model)
+            self.assertEqual(made["warnings"],
+                             ["48 scenarios are too few to trust the selector; simulate at least 200"])
             self.check_description(self.document("info", self.selector), model, library)
             for target in ("head", "trunk", "pelvis", "legs"):
                 answer = self.document("select", self.selector, "--azimuth", 40, "--speed", 24,

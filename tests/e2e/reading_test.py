@@ -109,6 +109,37 @@ class Reading(ProgramTest):
             self.assertIn(f"note: {far}: clip far: {note}\n", done.stdout)
         self.assertEqual(self.document("info", far, "--skip-first")["warnings"], [])
 
+    def test_a_clip_that_goes_too_far_names_the_frames_to_keep(self):
+        rows = STANDING.splitlines(keepends=True)
+        rows[-20] = rows[-20].replace("0 90 0 ", "300000 90 0 ", 1)
+        path = self.file("far.bvh", "".join(rows))
+        out = self.folder / "out"
+        line = self.fail_with(1, "import", path, "--out", out)
+        self.assertIn(f"{path}: the clip \"far\" goes farther than 1 km", line)
+        self.assertIn("--frames 1:40, or frames in a manifest", line)
+        self.succeed("import", path, "--out", out, "--frames", "1:40")
+
+    def test_source_tables_that_are_for_no_file_are_told(self):
+        self.file("a.bvh", STANDING)
+        idle = '[[idle]]\nname = "a"\nfile = "a.bvh"\n'
+        out = self.folder / "out"
+        for path, is_used in (("a.bvh", True), ("A.bvh", False), ("./a.bvh", False)):
+            manifest = self.file("m.toml", f'{idle}[source."{path}"]\nskip_first = true\n')
+            made = self.document("import", self.folder, "--manifest", manifest, "--out", out)
+            note = (f'{manifest}:4: [source."{path}"] is for none of the manifest\'s files; '
+                    "write its path as they do")
+            self.assertEqual(made["warnings"], [] if is_used else [note])
+
+    def test_angles_in_radians_are_told(self):
+        head, rows = STANDING.split("Frame Time: 0.0333333\n")
+        radians = [row.split()[:3] + [str(float(angle) / 57.29578) for angle in row.split()[3:]]
+                   for row in rows.splitlines()]
+        path = self.file("radians.bvh", head + "Frame Time: 0.0333333\n"
+                         + "".join(" ".join(row) + "\n" for row in radians))
+        note = "no rotation is beyond 2, and the figure moves like a human if they are radians"
+        self.assertIn(note, self.succeed("info", path).stdout)
+        self.assertIn(note, self.succeed("import", path, "--out", self.folder / "out").stdout)
+
     def test_any_bytes_in_names_give_valid_json_and_printable_text(self):
         text = STANDING.encode().replace(b"RightHand", b"Rechte\xe4Hand\x1b")
         strange = self.folder / "stran\udce4ge"

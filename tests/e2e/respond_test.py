@@ -91,6 +91,12 @@ class Respond(ProgramTest):
         self.assertEqual(info["kind"], "bvh")
         self.assertAlmostEqual(info["duration_s"], document["duration_s"], delta=0.05)
 
+    def test_gltf_is_read_back_as_gltf(self):
+        out, _ = self.respond("hit.glb")
+        self.assertEqual(self.document("info", out)["kind"], "gltf")
+        made = self.document("import", out, "--out", self.folder / "hit.flinchlib")
+        self.assertEqual([source["kind"] for source in made["sources"]], ["gltf"])
+
     def test_gltf_validator_finds_nothing(self):
         self.respond("hit.glb")
         done = subprocess.run(["node", VALIDATE, NODE, self.folder], capture_output=True,

@@ -28,9 +28,15 @@ void require_sound(const ScenarioRange& wanted, const std::string& path) {
 
 void require_wanted(const ScenarioRange& there, const ScenarioRange& wanted,
                     const std::string& path) {
-  if (!contains(wanted, there))
-    throw Error(path, "holds " + text_of(there) + ", and not all are among the wanted " +
-                          text_of(wanted) + "; ask for these too, or choose another --out");
+  if (contains(wanted, there)) return;
+  const std::string held =
+      "holds " + text_of(there) + ", " + std::to_string(there.count) + " in all, ";
+  if (wanted.first >= there.end())
+    throw Error(path, held + "and --first " + std::to_string(wanted.first) +
+                          " is beyond its end; begin at " + std::to_string(there.first) +
+                          " to continue it, or choose another --out and merge both");
+  throw Error(path, held + "and not all are among the wanted " + text_of(wanted) +
+                        "; ask for these too, or choose another --out");
 }
 
 /// Writes the whole database anew, so that the bytes depend on its contents only and not on the

@@ -36,6 +36,24 @@ TEST(FileKind, FbxAndGltfAreKnownAsBinaryAndAsText) {
   EXPECT_EQ(file_kind_of("{ \"nodes\": []}"), FileKind::text);
 }
 
+TEST(FileKind, Utf16IsKnownWithAndWithoutItsMark) {
+  const auto utf16 = [](bool is_big_endian, const std::string& text) {
+    std::string bytes;
+    for (const char c : text) bytes += is_big_endian ? std::string{'\0', c} : std::string{c, '\0'};
+    return bytes;
+  };
+  for (const std::string text : {"HIERARCHY\n", "[[idle]]\n"}) {
+    for (const bool is_big_endian : {false, true}) {
+      const std::string bytes = utf16(is_big_endian, text);
+      const std::string mark = is_big_endian ? "\xFE\xFF" : "\xFF\xFE";
+      EXPECT_EQ(file_kind_of(bytes), FileKind::utf16);
+      EXPECT_EQ(file_kind_of(mark + bytes), FileKind::utf16);
+    }
+  }
+  EXPECT_EQ(file_kind_of(std::string(8, '\0')), FileKind::unknown);
+  EXPECT_EQ(file_kind_of("\xEF\xBB\xBF[[idle]]\n"), FileKind::text);
+}
+
 TEST(FileKind, TextThatIsNotBvhIsText) {
   for (const std::string text :
        {"Dear Sir,\n", "\n\n", "# HIERARCHY\n", "HIERARCHYS", "MOTION\n"}) {

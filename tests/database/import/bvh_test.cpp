@@ -7,6 +7,7 @@
 #include <cctype>
 #include <clocale>
 #include <locale>
+#include <numbers>
 
 #include "tests/database/import/bvh_samples.h"
 #include "tests/scenes/error_of.h"
@@ -210,6 +211,26 @@ TEST(Bvh, EveryJointHasItsOwnChannels) {
                      " -7 -8 -9 ", " "));
   EXPECT_THAT(fixed.joints[1].channels, testing::IsEmpty());
   EXPECT_EQ(fixed.joints[2].first_channel, 6);
+}
+
+// Z, X, Z as Euler's own angles have it: the turns follow each other.
+TEST(Bvh, ARotationNamedTwiceIsReadInTheOrderOfTheChannelsWithAWarning) {
+  const std::string plain = kPlainBvh;
+  const Bvh bvh = parse_bvh(
+      replaced(plain, "Zrotation Yrotation Xrotation", "Zrotation Xrotation zrotation"), "a.bvh");
+  EXPECT_THAT(bvh.warnings, testing::ElementsAre(
+                                "a.bvh:9: joint `Chest` has two channels `zrotation`; their turns "
+                                "follow each other in the order of the channels"));
+  const auto turn = [](double degrees, const Eigen::Vector3d& axis) {
+    return Eigen::AngleAxisd(degrees / 180 * std::numbers::pi, axis);
+  };
+  const Eigen::Vector3d x = Eigen::Vector3d::UnitX();
+  const Eigen::Vector3d y = Eigen::Vector3d::UnitY();
+  const Eigen::Vector3d z = Eigen::Vector3d::UnitZ();
+  const Eigen::Quaterniond expected =
+      turn(4, z) * turn(5, x) * turn(6, y) * turn(7, z) * turn(8, x) * turn(9, z);
+  EXPECT_LT(forward_kinematics(bvh, 0).orientation[1].angularDistance(expected), 1e-7);
+  EXPECT_THAT(parse_bvh(plain, "a.bvh").warnings, testing::IsEmpty());
 }
 
 TEST(Bvh, JointsOfTheSameNameGiveAWarning) {

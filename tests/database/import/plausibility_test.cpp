@@ -10,6 +10,7 @@
 #include "motion/default_character.h"
 #include "motion/rotation.h"
 #include "tests/database/import/synthetic_figure.h"
+#include "tests/scenes/error_of.h"
 
 namespace flinch::database {
 namespace {
@@ -25,6 +26,7 @@ using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using tests::error_of;
 using tests::synthetic_bvh;
 using tests::SyntheticRig;
 
@@ -131,6 +133,48 @@ TEST(Plausibility, TellsALeftHandedFile) {
   EXPECT_THAT(notes_on_motion(bvh, exchanged), IsEmpty());
 }
 
+void multiply_angles(Bvh& bvh, double factor) {
+  for (const BvhJoint& joint : bvh.joints) {
+    for (std::size_t i = 0; i < joint.channels.size(); ++i) {
+      if (joint.channels[i] < BvhChannel::x_rotation) continue;
+      const auto width = static_cast<std::size_t>(bvh.channel_count);
+      for (std::size_t at = static_cast<std::size_t>(joint.first_channel) + i;
+           at < bvh.values.size(); at += width) {
+        bvh.values[at] *= factor;
+      }
+    }
+  }
+}
+
+TEST(Plausibility, TellsAnglesInRadians) {
+  Bvh bvh = file_of(swaying());
+  multiply_angles(bvh, radians(1.0));
+  EXPECT_THAT(notes_on(bvh),
+              Contains(AllOf(HasSubstr("no rotation is beyond 4"), HasSubstr("by 57.2958"))));
+  multiply_angles(bvh, motion::degrees(1.0));
+  EXPECT_THAT(notes_on(bvh), IsEmpty());
+}
+
+// In degrees a figure that hardly moves has small angles too. As radians, no human has them.
+TEST(Plausibility, DoesNotTakeSomeoneWhoHardlyMovesForRadians) {
+  for (const float sway_deg : {0.2F, 2.0F, 6.0F}) {
+    std::vector<Pose> poses;
+    for (int k = 0; k < 120; ++k) {
+      Pose pose = motion::rest_pose(motion::default_character().skeleton);
+      const float sway = radians(sway_deg) * std::sin(0.07F * static_cast<float>(k));
+      for (const Role role : {Role::abdomen, Role::chest, Role::neck, Role::left_thigh,
+                              Role::right_thigh, Role::left_shin, Role::right_shin}) {
+        pose.rotation[role] = rotation_about(Vector3f::UnitY(), sway);
+      }
+      for (const Role role : {Role::left_upper_arm, Role::right_upper_arm}) {
+        pose.rotation[role] = rotation_about(Vector3f::UnitX(), sway);
+      }
+      poses.push_back(pose);
+    }
+    EXPECT_THAT(notes_on(file_of(poses)), IsEmpty()) << sway_deg;
+  }
+}
+
 TEST(Plausibility, TellsARateThatNoCaptureHas) {
   for (double frame_time_s : {1.0, 0.0001}) {
     Bvh bvh = file_of(swaying());
@@ -166,6 +210,30 @@ TEST(Plausibility, TellsFramesThatAreElsewhere) {
   EXPECT_THAT(notes_on_motion(file_of(poses)),
               ElementsAre(AllOf(HasSubstr("frames 41 to 42"), HasSubstr("2.5 km"),
                                 HasSubstr("--frames 43:90"))));
+}
+
+TEST(Plausibility, AClipThatGoesTooFarIsRefusedWithTheFramesToKeep) {
+  const auto refusal_of = [](const std::vector<Pose>& poses) {
+    const Source source = analyse_source(file_of(poses));
+    const SourceMotion motion = source_motion(source);
+    const motion::Figure figure = motion::make_figure(character_of(source));
+    const Segment whole{0, motion.duration_s(), 0};
+    motion::Clip clip;
+    clip.name = "take";
+    clip.motion = retarget(motion, figure.skeleton(), whole, 30);
+    return error_of([&] { require_near("a.bvh", {source, motion, whole, figure, clip}); });
+  };
+  std::vector<Pose> away = swaying(90);
+  EXPECT_EQ(refusal_of(away), "");
+  for (std::size_t k : {40U, 41U}) away[k].root_position.x() += 2500;
+  EXPECT_THAT(refusal_of(away), AllOf(HasSubstr("a.bvh: the clip \"take\" goes farther than 1 km"),
+                                      HasSubstr("--frames 43:90, or frames in a manifest")));
+  // On a train: 6 m/s, which is no jump, but over three minutes.
+  std::vector<Pose> train = swaying(6000);
+  for (std::size_t k = 0; k < train.size(); ++k) {
+    train[k].root_position.x() += 0.2F * static_cast<float>(k);
+  }
+  EXPECT_THAT(refusal_of(train), HasSubstr("--frames :5001, or"));
 }
 
 TEST(Plausibility, TellsAJumpForGood) {

@@ -334,6 +334,11 @@ TEST(Store, RejectsARangeThatOmitsStoredScenarios) {
                 StoreWriter(folder / "a", header, {10, 30});
               }),
               HasSubstr("a: holds scenarios 0 to 19"));
+  EXPECT_THAT(error_of([&] {
+                StoreWriter(folder / "a", header, {20, 30});
+              }),
+              HasSubstr("a: holds scenarios 0 to 19, 20 in all, and --first 20 is beyond its end; "
+                        "begin at 0"));
   EXPECT_FALSE(std::filesystem::exists(folder / "a.partial"));
   EXPECT_TRUE(read_file(folder / "a") == before);
   { StoreWriter(folder / "b", header, {0, 20}).append(made_up_observations(header, 0, 20)); }
