@@ -41,22 +41,25 @@ struct WeightedExample {
 };
 
 struct DescentOptions {
-  int pass_count = 30;     ///< maximum number of passes over the examples
-  float tolerance = 0.1F;  ///< on the range of projected gradients, maximum minus minimum
+  int pass_count = 30;  ///< maximum number of passes over the examples
+  /// Stops once the objective is shown to be at most this share above its minimum.
+  double tolerance = 0.02;
 };
 
 /// A linear machine u without offset, which votes for +1 where u.x > 0.
 struct LinearMachine {
   Eigen::VectorXf weights;         ///< u, one weight per column
   std::vector<float> multipliers;  ///< dual variable of each example, in [0, bound]
+  bool is_converged = false;       ///< false: the passes ended before the tolerance was reached
 };
 
 /// Returns the machine that minimises |u|^2 / 2 + sum of bound max(0, 1 - sign u.x): a support
 /// vector machine with one weight per example. Uses the dual coordinate descent of Hsieh, Chang,
 /// Lin, Keerthi and Sundararajan (2008), "A dual coordinate descent method for large-scale linear
 /// SVM", with their shrinking. Takes time and memory linear in the examples and features. The order
-/// of examples is drawn from `random`: same examples, same numbers, same bits, whatever the
-/// kernels. Rows must be finite and not zero.
+/// of examples is drawn from `random`; no pass lowers the dual objective, but for rounding, and a
+/// converged machine's objective is at most `tolerance` above the minimum, by its duality gap: same
+/// examples, same numbers, same bits, whatever the kernels. Rows must be finite and not zero.
 LinearMachine fit_weighted_svm(const FeatureRows& features,
                                std::span<const WeightedExample> examples,
                                const DescentOptions& limits, features::Random random,

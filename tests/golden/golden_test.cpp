@@ -25,7 +25,7 @@ namespace {
 constexpr std::uint64_t kScenarios = 40;
 constexpr std::uint64_t kObservationsHash = 0xb31f555b415568a8;
 constexpr std::uint64_t kSelectorHash = 0x421d4567391777ed;
-constexpr std::uint64_t kPairwiseHash = 0xb47b164e8f36bfa9;
+constexpr std::uint64_t kPairwiseHash = 0x32f0ab8ce1cc5cea;
 constexpr std::uint64_t kPosesHash = 0xf49eaf2b57892cfe;
 
 constexpr const char* kAdvice =

@@ -13,7 +13,7 @@
 namespace flinch::models {
 namespace {
 
-constexpr DescentOptions kUntilConverged{.pass_count = 20000, .tolerance = 1e-5F};
+constexpr DescentOptions kUntilConverged{.pass_count = 20000, .tolerance = 1e-5};
 
 struct Problem {
   FeatureRows rows;
@@ -53,6 +53,23 @@ double primal(const Problem& problem, const Eigen::VectorXd& u) {
     sum += double{one.bound} * std::max(0.0, 1 - double{one.sign} * row(problem, one).dot(u));
   }
   return sum;
+}
+
+/// The value of the dual, in which u follows from the multipliers.
+double dual(const Problem& problem, const std::vector<float>& multipliers) {
+  Eigen::VectorXd u = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(problem.rows.column_count()));
+  double sum = 0;
+  for (std::size_t i = 0; i < multipliers.size(); ++i) {
+    const double a = double{multipliers[i]};
+    u += a * double{problem.examples[i].sign} * row(problem, problem.examples[i]);
+    sum += a;
+  }
+  return sum - u.squaredNorm() / 2;
+}
+
+LinearMachine fitted(const Problem& problem, std::uint64_t seed, const DescentOptions& limits) {
+  return fit_weighted_svm(problem.rows, problem.examples, limits,
+                          features::Random(seed, features::RandomStream::fitting, 0));
 }
 
 /// Solves the dual by projected gradient descent, with the inverse of a curvature bound as its
@@ -114,10 +131,51 @@ TEST(WeightedSvm, ReactivatesShrunkExamples) {
   for (std::uint64_t seed = 10; seed < 30; ++seed) {
     const Problem problem = random_problem(seed, 300, 30, true);
     const LinearMachine machine =
-        fit_weighted_svm(problem.rows, problem.examples, {.pass_count = 20000, .tolerance = 0.01F},
+        fit_weighted_svm(problem.rows, problem.examples, {.pass_count = 20000, .tolerance = 1e-5},
                          features::Random(seed, features::RandomStream::fitting, 0));
     EXPECT_LT(largest_projected_gradient(problem, machine), 0.02);
   }
+}
+
+TEST(WeightedSvm, NoPassLowersTheDual) {
+  for (std::uint64_t seed = 40; seed < 50; ++seed) {
+    const Problem problem = random_problem(seed, 200, 20, true);
+    double before = 0;
+    for (int passes = 1; passes <= 40; ++passes) {
+      const LinearMachine machine = fitted(problem, seed, {.pass_count = passes, .tolerance = 0});
+      const double value = dual(problem, machine.multipliers);
+      EXPECT_GE(value, before * (1 - 1e-6)) << "pass " << passes;
+      before = value;
+    }
+  }
+}
+
+// The dual value bounds the minimum from below.
+TEST(WeightedSvm, AConvergedMachineIsWithinItsToleranceOfTheMinimum) {
+  for (std::uint64_t seed = 50; seed < 60; ++seed) {
+    const Problem problem = random_problem(seed, 300, 30, true);
+    const double min_value =
+        primal(problem, fitted(problem, seed, kUntilConverged).weights.cast<double>());
+    double last = 0;
+    for (const double tolerance : {1e-4, 1e-3, 0.01, 0.1, 0.5}) {
+      const LinearMachine machine =
+          fitted(problem, seed, {.pass_count = 20000, .tolerance = tolerance});
+      const double value = primal(problem, machine.weights.cast<double>());
+      EXPECT_TRUE(machine.is_converged);
+      EXPECT_LE(value, (1 + tolerance) * dual(problem, machine.multipliers) * (1 + 1e-5));
+      EXPECT_GE(value, min_value * (1 - 1e-5));
+      last = value / min_value;
+    }
+    EXPECT_GT(last, 1.01);  // a high tolerance does end early
+  }
+}
+
+TEST(WeightedSvm, TellsWhenThePassesEndBeforeTheTolerance) {
+  const Problem problem = random_problem(60, 300, 30, true);
+  EXPECT_FALSE(fitted(problem, 1, {.pass_count = 2}).is_converged);
+  EXPECT_FALSE(fitted(problem, 1, {.pass_count = 100, .tolerance = 0}).is_converged);
+  const Problem none{FeatureRows(1, 4), {}};
+  EXPECT_TRUE(fitted(none, 1, {}).is_converged);
 }
 
 /// On the mean of ten problems, as a single one depends on the order in which examples are visited.
@@ -156,6 +214,17 @@ TEST(WeightedSvm, MatchesLibsvmForEqualWeights) {
       fit_weighted_svm(problem.rows, problem.examples, kUntilConverged,
                        features::Random(1, features::RandomStream::fitting, 0));
   const LibsvmOracle oracle(make_set(4, std::move(points), std::move(label), 2), {1, 1, 0, 1});
+  // libsvm's own machine has the same objective. It decides for the class that is +1 here second.
+  const std::vector<double> origin(4, 0.0);
+  Eigen::VectorXd libsvm_weights(4);
+  for (std::size_t f = 0; f < 4; ++f) {
+    std::vector<double> unit(4, 0.0);
+    unit[f] = 1;
+    libsvm_weights[static_cast<Eigen::Index>(f)] =
+        oracle.decisions(origin).front() - oracle.decisions(unit).front();
+  }
+  const double libsvm_value = primal(problem, libsvm_weights);
+  EXPECT_NEAR(primal(problem, machine.weights.cast<double>()), libsvm_value, 1e-3 * libsvm_value);
   std::mt19937_64 random(6);
   int asked = 0;
   for (int i = 0; i < 1000; ++i) {
