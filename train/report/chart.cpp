@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace flinch::train {
 namespace {
@@ -194,33 +195,54 @@ std::vector<NamePlace> places_beside(double x, double y, std::size_t letters) {
   constexpr double kGap = 8;
   const double width = kLetterWidth * static_cast<double>(letters);
   std::vector<NamePlace> places;
-  for (const double down : {0.0, -1.0, 1.0, -2.0, 2.0}) {
+  for (const double down : {0.0, -1.0, 1.0, -2.0, 2.0, -3.0, 3.0}) {
     const double middle = y + down * kLabelHeight;
     const double top = middle - kLabelHeight / 2;
     const Box right{x + kGap, top, x + kGap + width, top + kLabelHeight};
     places.push_back({right.left, middle + 4, "", right});
     const Box left{x - kGap - width, top, x - kGap, top + kLabelHeight};
     places.push_back({left.right, middle + 4, " end", left});
+    if (down == 0) continue;
+    const Box centred{x - width / 2, top, x + width / 2, top + kLabelHeight};
+    places.push_back({x, middle + 4, " middle", centred});
   }
   return places;
 }
 
-/// The names beside the lines' last points, where they cover no point and no other name, or as
+/// Boxes over a line's points and, in small steps, over the line between them.
+void cover(const Series& line, const Scale& x, const Scale& y, std::vector<Box>& boxes) {
+  constexpr double kDot = 4;
+  constexpr double kPen = 2;
+  const auto add = [&boxes](double at_x, double at_y, double half) {
+    boxes.push_back({at_x - half, at_y - half, at_x + half, at_y + half});
+  };
+  std::optional<std::size_t> last;
+  for (std::size_t i = 0; i < line.x.size(); ++i) {
+    if (!std::isfinite(line.x[i]) || !std::isfinite(line.y[i])) continue;
+    const double to_x = x(line.x[i]);
+    const double to_y = y(line.y[i]);
+    add(to_x, to_y, kDot);
+    if (last) {
+      const double from_x = x(line.x[*last]);
+      const double from_y = y(line.y[*last]);
+      const double steps = std::ceil(std::hypot(to_x - from_x, to_y - from_y) / (2 * kPen));
+      for (double step = 1; step < steps; ++step) {
+        const double share = step / steps;
+        add(from_x + share * (to_x - from_x), from_y + share * (to_y - from_y), kPen);
+      }
+    }
+    last = i;
+  }
+}
+
+/// The names beside the lines' last points, where they cover no line and no other name, or as
 /// little as possible.
 std::string names_beside_ends(const std::vector<Series>& series, const Scale& x, const Scale& y) {
-  constexpr double kDot = 4;
   std::vector<Box> taken{{0, 0, kLeftMargin, kChartHeight},
                          {0, kChartHeight - kBottomMargin, kChartWidth, kChartHeight},
                          {0, -kChartHeight, kChartWidth, 0},
                          {kChartWidth, 0, 2 * kChartWidth, kChartHeight}};
-  for (const Series& line : series) {
-    for (std::size_t i = 0; i < line.x.size(); ++i) {
-      if (!std::isfinite(line.y[i])) continue;
-      const double at_x = x(line.x[i]);
-      const double at_y = y(line.y[i]);
-      taken.push_back({at_x - kDot, at_y - kDot, at_x + kDot, at_y + kDot});
-    }
-  }
+  for (const Series& line : series) cover(line, x, y, taken);
   std::string drawing;
   for (std::size_t i = 0; i < series.size(); ++i) {
     const Series& line = series[i];
@@ -331,9 +353,17 @@ std::string svg_of(const DotChart& chart) {
   return figure(chart.title, bottom + kBottomMargin, drawing);
 }
 
+// Eight colours for each kind of screen, as strong as text has to be there and as far apart as
+// eight can be for any colour vision; since that is not far, names stand beside what they name.
 std::string chart_style() {
-  // Okabe and Ito's colours, which people with any colour vision can tell apart.
-  return "figure{margin:0}figcaption{font-weight:600;margin:0 0 .5rem}"
+  return ":root{--ink:#1c2530;--quiet:#66727f;--grid:#e6eaee;--card:#fff;"
+         "--c0:#0072b2;--c1:#c34a00;--c2:#007a56;--c3:#b8408a;--c4:#8a6100;--c5:#6b52c8;"
+         "--c6:#7b4a36;--c7:#5f6b76}"
+         "@media(prefers-color-scheme:dark){:root{--ink:#e6ebf0;--quiet:#93a0ad;--grid:#2b343e;"
+         "--card:#1a2128;"
+         "--c0:#56a8f5;--c1:#ff8b4d;--c2:#3fcf9f;--c3:#f29ccb;--c4:#f0c24a;--c5:#b3a1ff;"
+         "--c6:#d0a58a;--c7:#aeb8c2}}"
+         "figure{margin:0}figcaption{font-weight:600;margin:0 0 .5rem}"
          "svg{width:100%;height:auto;font:12px system-ui,sans-serif}"
          ".grid{stroke:var(--grid);stroke-width:1}.diagonal{stroke:var(--quiet);stroke-dasharray:4 "
          "4}"
@@ -341,8 +371,8 @@ std::string chart_style() {
          ".middle{text-anchor:middle}.end{text-anchor:end}"
          ".line{fill:none;stroke-width:2;stroke-linejoin:round}"
          ".whisker{stroke:var(--quiet);stroke-width:2;stroke-linecap:round}"
-         ".c0{--c:#0072b2}.c1{--c:#d55e00}.c2{--c:#009e73}.c3{--c:#cc79a7}.c4{--c:#e69f00}"
-         ".c5{--c:#56b4e9}.c6{--c:#8a6d3b}.c7{--c:#777}"
+         ".c0{--c:var(--c0)}.c1{--c:var(--c1)}.c2{--c:var(--c2)}.c3{--c:var(--c3)}"
+         ".c4{--c:var(--c4)}.c5{--c:var(--c5)}.c6{--c:var(--c6)}.c7{--c:var(--c7)}"
          ".line[class*=c]{stroke:var(--c)}.dot[class*=c]{fill:var(--c)}"
          ".name[class*=' c']{fill:var(--c);paint-order:stroke;stroke:var(--card);stroke-width:3px}";
 }

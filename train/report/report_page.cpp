@@ -12,10 +12,8 @@ namespace flinch::train {
 namespace {
 
 constexpr const char* kStyle =
-    ":root{color-scheme:light dark;--ink:#1c2530;--quiet:#66727f;--grid:#e6eaee;--paper:#fbfcfd;"
-    "--card:#fff;--heat:0 114 178}"
-    "@media(prefers-color-scheme:dark){:root{--ink:#e6ebf0;--quiet:#93a0ad;--grid:#2b343e;"
-    "--paper:#12171c;--card:#1a2128;--heat:86 180 233}}"
+    ":root{color-scheme:light dark;--paper:#fbfcfd;--heat:0 114 178}"
+    "@media(prefers-color-scheme:dark){:root{--paper:#12171c;--heat:86 180 233}}"
     "body{font:15px/1.5 system-ui,sans-serif;color:var(--ink);background:var(--paper);"
     "max-width:1160px;margin:0 auto;padding:2.5rem 1.5rem}"
     "h1{font-size:1.7rem;margin:0}h2{font-size:1.15rem;margin:2.2rem 0 .8rem}"
