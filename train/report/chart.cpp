@@ -51,9 +51,19 @@ struct Scale {
   Range range;
   double from = 0;
   double to = 0;
-  bool logarithmic = false;
+  enum class Law { linear, logarithmic, towards_one } law = Law::linear;
 
-  double position(double value) const { return logarithmic ? std::log10(value) : value; }
+  double position(double value) const {
+    switch (law) {
+      case Law::linear:
+        return value;
+      case Law::logarithmic:
+        return std::log10(value);
+      case Law::towards_one:
+        return -std::log10(1 - value);
+    }
+    return value;
+  }
   double operator()(double value) const {
     const double span = position(range.most) - position(range.least);
     return from + (to - from) * (position(value) - position(range.least)) / span;
@@ -81,6 +91,18 @@ std::vector<double> logarithmic_ticks(const Range& range) {
       const double tick = digit * std::pow(10, power);
       if (tick >= range.least && tick <= range.most) ticks.push_back(tick);
     }
+  }
+  return ticks;
+}
+
+/// Returns numbers at even distances where the distance from 1 is on a logarithmic scale: those in
+/// a range, with the next below.
+std::vector<double> ticks_towards_one(const Range& range) {
+  std::vector<double> ticks;
+  for (const double tick :
+       {-9.0, -4.0, -1.0, 0.0, 0.5, 0.8, 0.9, 0.95, 0.98, 0.99, 0.995, 0.998, 0.999}) {
+    if (tick <= range.least) ticks.clear();
+    if (tick <= range.most) ticks.push_back(tick);
   }
   return ticks;
 }
@@ -191,7 +213,7 @@ struct NamePlace {
 
 /// Where a name of so many letters may stand beside a point, the best place first.
 std::vector<NamePlace> places_beside(double x, double y, std::size_t letters) {
-  constexpr double kLetterWidth = 6.6;
+  constexpr double kLetterWidth = 7;
   constexpr double kGap = 8;
   const double width = kLetterWidth * static_cast<double>(letters);
   std::vector<NamePlace> places;
@@ -305,11 +327,16 @@ std::string svg_of(const LineChart& chart) {
   }
   std::vector<double> ticks_x;
   std::vector<double> ticks_y;
-  const Scale y = fitted_scale(found_y, kChartHeight - kBottomMargin, kTopMargin, ticks_y);
+  Scale y = fitted_scale(found_y, kChartHeight - kBottomMargin, kTopMargin, ticks_y);
+  if (chart.towards_one_y && found_y.least < found_y.most && found_y.most < 1) {
+    ticks_y = ticks_towards_one(found_y);
+    y.range = {std::min(ticks_y.front(), found_y.least), found_y.most};
+    y.law = Scale::Law::towards_one;
+  }
   Scale x = fitted_scale(found_x, kLeftMargin, kChartWidth - kRightMargin, ticks_x);
   if (chart.logarithmic_x && found_x.least < found_x.most) {
     x.range = found_x;
-    x.logarithmic = true;
+    x.law = Scale::Law::logarithmic;
     const auto& first = chart.series.front().x;
     const bool is_shared = std::ranges::all_of(
         chart.series, [&first](const Series& series) { return series.x == first; });

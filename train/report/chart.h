@@ -23,6 +23,8 @@ struct LineChart {
   bool logarithmic_x = false;  ///< requires all x to be positive
   bool diagonal = false;       ///< with the line y = x
   std::vector<Series> series;
+  /// With the distance of y from 1 on a logarithmic scale; linear unless all y are below 1.
+  bool towards_one_y = false;
 };
 
 /// One value with its interval per name: dots with whiskers, one below the other.

@@ -140,7 +140,7 @@ std::string look_ahead_table(const Report& report) {
 /// What a microsecond buys: each selector alone, if it has a time, and looking ahead.
 LineChart frontier(const Report& report) {
   LineChart chart{
-      "What a microsecond buys", "median time to choose, µs", "protection", true, false, {}};
+      "What a microsecond buys", "median time to choose, µs", "protection", true, false, {}, true};
   const auto series_named = [&](const std::string& name) -> Series& {
     const auto found = std::ranges::find(chart.series, name, &Series::name);
     return found != chart.series.end() ? *found : chart.series.emplace_back(Series{name, {}, {}});

@@ -141,6 +141,30 @@ TEST(LineChart, NamesOfLinesThatEndApartCoverNoLineAndNoOtherName) {
   }
 }
 
+/// Heights of the chart's points, pixels from its top.
+std::vector<double> heights_of(const std::vector<double>& y) {
+  LineChart chart;
+  chart.towards_one_y = true;
+  chart.series = {{"a", {1, 2, 3}, y}};
+  std::vector<double> found;
+  for (const Element& point : elements(svg_of(chart), "<circle"))
+    found.push_back(point.number("cy"));
+  return found;
+}
+
+TEST(LineChart, TowardsOneEqualSharesOfWhatIsLeftAreEqualSteps) {
+  const std::vector<double> halved = heights_of({-1, 0, 0.5});
+  EXPECT_NEAR(halved[0] - halved[1], halved[1] - halved[2], 0.2);
+  EXPECT_GT(halved[0], halved[1] + 50);
+  const std::vector<double> tenths = heights_of({0.9, 0.99, 0.999});
+  EXPECT_NEAR(tenths[0] - tenths[1], tenths[1] - tenths[2], 0.2);
+}
+
+TEST(LineChart, WhereSomethingReachesOneTheScaleIsLinear) {
+  const std::vector<double> even = heights_of({0, 0.5, 1});
+  EXPECT_NEAR(even[0] - even[1], even[1] - even[2], 0.2);
+}
+
 /// The luminance of a colour "#rgb" or "#rrggbb", 0 to 1 (WCAG 2.1, relative luminance).
 double luminance(std::string hex) {
   if (hex.size() == 4) hex = {'#', hex[1], hex[1], hex[2], hex[2], hex[3], hex[3]};
