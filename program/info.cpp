@@ -3,8 +3,10 @@
 #include <iostream>
 #include <memory>
 
+#include "database/files/file_io.h"
 #include "database/files/library_writer.h"
 #include "database/import/import.h"
+#include "evolve/pain/pain_drawing.h"
 #include "motion/error.h"
 #include "motion/rotation.h"
 #include "program/bvh_options.h"
@@ -28,6 +30,8 @@ struct InfoOptions {
   std::string file;
   BvhOptions bvh;
   bool quality = false;
+  std::optional<std::string> pain;
+  bool force = false;
   bool json = false;
 };
 
@@ -282,8 +286,17 @@ Json document_with_quality(const database::ClipLibrary& library) {
   return document;
 }
 
+void draw_pain(const InfoOptions& options) {
+  const motion::Physique character = database::load_library(options.file).character;
+  database::write_file_atomically(
+      *options.pain, evolve::pain_svg(motion::make_figure(character), evolve::thesis_pain()));
+}
+
 void run_info(const InfoOptions& options) {
   using database::FileKind;
+  if (options.pain)
+    database::check_outputs({{*options.pain, FileKind::text, evolve::kPainDrawingMark}},
+                            {options.file}, overwrite_of(options.force));
   const FileKind kind = train::file_kind_at(options.file);
   if (options.bvh.given() && !database::holds_motion(kind))
     throw Error(options.file,
@@ -292,8 +305,12 @@ void run_info(const InfoOptions& options) {
   if (options.quality && kind != FileKind::library)
     throw Error(options.file, "is " + std::string(database::name_of(kind)) +
                                   ", and --quality is for libraries; leave it out");
+  if (options.pain && kind != FileKind::library)
+    throw Error(options.file, "is " + std::string(database::name_of(kind)) +
+                                  ", and --pain is for libraries; leave it out");
   switch (kind) {
     case FileKind::library:
+      if (options.pain) draw_pain(options);
       if (options.quality)
         return show(
             options, database::load_library(options.file), document_with_quality,
@@ -329,6 +346,9 @@ Command info_command() {
       .optional = join(
           {bvh_options(options->bvh),
            {{"--quality", "measure how human-like each clip of a library is", &options->quality},
+            {"--pain", "SVG file to draw where a blow hurts how much, on the figure of a library",
+             &options->pain},
+            force_option(options->force),
             json_option(options->json)}}),
       .notes = "Example:\n  flinch info real.flinchlib\n  flinch info default.flinchlib --quality",
       .run = [options] { run_info(*options); }};

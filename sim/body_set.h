@@ -17,6 +17,10 @@ constexpr BodySet set_of(motion::Body body) {
   return BodySet{1} << static_cast<unsigned>(body);
 }
 
+constexpr bool contains(BodySet bodies, motion::Body body) {
+  return (bodies & set_of(body)) != 0;
+}
+
 /// The bodies that follow `body` in the enumeration.
 constexpr BodySet bodies_after(motion::Body body) {
   return kAllBodies & ~(2 * set_of(body) - 1);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "features/ball.h"
+#include "sim/body_set.h"
 
 namespace flinch::sim {
 
@@ -29,7 +30,9 @@ struct SimulationOptions {
   ContactSearch contact_search = ContactSearch::on_path;
   double restitution = 0.7;  ///< of ball against body and ground
   double gravity_mps2 =
-      features::kGravity_mps2;  ///< of the figure, downwards; balls have their own
+      features::kGravity_mps2;      ///< of the figure, downwards; balls have their own
+  BodySet ball_meets = kAllBodies;  ///< the ball passes through other bodies
+  bool keeps_places = false;        ///< whether results tell where each body was hit
 };
 
 }  // namespace flinch::sim

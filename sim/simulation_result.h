@@ -3,7 +3,9 @@
 
 #include <limits>
 
-#include "motion/body.h"
+#include <vector>
+
+#include "sim/placed_impulse.h"
 
 namespace flinch::sim {
 
@@ -12,6 +14,9 @@ struct SimulationResult {
   /// Impulse that each body received from the ball and from bodies that the ball drove into it,
   /// N·s.
   motion::PerBody<double> impulse;
+  /// The parts of `impulse` with their places, in the order of time; empty unless
+  /// SimulationOptions::keeps_places.
+  std::vector<PlacedImpulse> places;
   /// Time of the first contact of ball and figure, s.
   double first_contact_s = std::numeric_limits<double>::infinity();
   bool skipped = false;     ///< nothing could touch, so nothing was simulated

@@ -162,24 +162,23 @@ bool BodyContacts::may_collide_again(const motion::PerBody<MovingShape>& shapes)
   return found;
 }
 
-void BodyContacts::add_impulses(std::span<const ContactImpulse> contacts,
-                                motion::PerBody<double>& impulse, double share) {
-  for (const ContactImpulse& contact : contacts) {
-    const double impulse_ns = share * contact.impulse_ns;
-    if (!contact.second) {
-      impulse[contact.first] += impulse_ns;
-      received_ns_[contact.first] += impulse_ns;
-      continue;
-    }
-    const bool first_gives = received_ns_[contact.first] >= received_ns_[*contact.second];
-    const Body giver = first_gives ? contact.first : *contact.second;
-    const Body taker = first_gives ? *contact.second : contact.first;
-    const double passed = std::min(impulse_ns, received_ns_[giver]);
-    impulse[giver] += passed;
-    impulse[taker] += passed;
-    received_ns_[giver] -= passed;
-    received_ns_[taker] += passed;
+double BodyContacts::add_impulse(const ContactImpulse& contact, motion::PerBody<double>& impulse,
+                                 double share) {
+  const double impulse_ns = share * contact.impulse_ns;
+  if (!contact.second) {
+    impulse[contact.first] += impulse_ns;
+    received_ns_[contact.first] += impulse_ns;
+    return impulse_ns;
   }
+  const bool first_gives = received_ns_[contact.first] >= received_ns_[*contact.second];
+  const Body giver = first_gives ? contact.first : *contact.second;
+  const Body taker = first_gives ? *contact.second : contact.first;
+  const double passed = std::min(impulse_ns, received_ns_[giver]);
+  impulse[giver] += passed;
+  impulse[taker] += passed;
+  received_ns_[giver] -= passed;
+  received_ns_[taker] += passed;
+  return passed;
 }
 
 }  // namespace flinch::sim

@@ -56,10 +56,10 @@ class BodyContacts {
                         const ReferenceOnDemand& reference, double horizon_s) const;
   /// Whether a driven body may still strike another body or come near enough to do so.
   bool may_collide_again(const motion::PerBody<MovingShape>& shapes) const;
-  /// Adds the impulse that each body is charged for the contacts of a step of which only a `share`
-  /// was taken, N·s.
-  void add_impulses(std::span<const ContactImpulse> contacts, motion::PerBody<double>& impulse,
-                    double share = 1);
+  /// Adds the impulse that each body is charged for a contact of a step of which only a `share` was
+  /// taken, N·s, and returns it. Call for the contacts of a step in their order.
+  double add_impulse(const ContactImpulse& contact, motion::PerBody<double>& impulse,
+                     double share = 1);
 
  private:
   bool driven(motion::Body body) const { return driven_until_s_[body] > time_s_; }

@@ -67,6 +67,7 @@ std::optional<double> first_contact(const FigureModel& figure_model, const StepP
                                     const features::Ball& ball, std::optional<double> bounce_s) {
   std::optional<double> first_s = bounce_s;
   for (motion::Body body : motion::kBodies) {
+    if (!contains(figure_model.ball_meets, body)) continue;
     const double horizon_s = first_s.value_or(path.step_s);
     const double radius = figure_model.radius[body];
     if (!may_reach(path.moving(body), radius, ball, horizon_s, kContactDistance_m)) continue;

@@ -7,10 +7,12 @@
 #include <optional>
 #include <span>
 #include <utility>
+#include <vector>
 
 #include "sim/contact/body_contacts.h"
 #include "sim/contact/next_step.h"
 #include "sim/contact/step_path.h"
+#include "sim/placed_impulse.h"
 #include "sim/tree/tree_scene.h"
 
 namespace flinch::sim {
@@ -40,6 +42,8 @@ class Encounter {
     body_contacts_.restart();
     scene_.restart(start, ball);
     impulse_ = {};
+    contact_points_.clear();
+    places_.clear();
     first_contact_s_ = std::numeric_limits<double>::infinity();
     time_s_ = time_s;
     is_blow_ = false;
@@ -89,6 +93,8 @@ class Encounter {
   /// Impulse that each body received from the ball and from bodies that the ball drove into it,
   /// N·s.
   const motion::PerBody<double>& impulse() const { return impulse_; }
+  /// Its parts with their places; empty unless SimulationOptions::keeps_places.
+  const std::vector<PlacedImpulse>& places() const { return places_; }
   double first_contact_s() const { return first_contact_s_; }  ///< infinity until then
   const Scene& scene() const { return scene_; }
 
@@ -98,6 +104,16 @@ class Encounter {
   void add_contacts(const ReferenceOnDemand& now, const ReferenceState& target, double step_s,
                     const Drive& drive);
   double end_at_contact(double step_s);
+  void add_contact_point(const Eigen::Vector3d& point, motion::Body first, motion::Body second);
+  void add_place(motion::Body body, bool from_ball, double impulse_ns,
+                 const Eigen::Vector3d& point_in_body, const Eigen::Vector3d& point);
+
+  /// Where a measured contact of the step is, m.
+  struct ContactPoint {
+    Eigen::Vector3d world;
+    Eigen::Vector3d in_first;   ///< in the frame of the centre of mass
+    Eigen::Vector3d in_second;  ///< in_first again if there is no second body
+  };
 
   const FigureModel& figure_model_;
   SimulationOptions options_;
@@ -107,6 +123,8 @@ class Encounter {
   std::optional<features::Ball> searching_;  // the ball then, if its contact may end the step
   motion::PerBody<BodyState> before_;        // the figure then, if there is such a ball
   motion::PerBody<double> impulse_;
+  std::vector<ContactPoint> contact_points_;  // of the measured contacts, in their order
+  std::vector<PlacedImpulse> places_;
   double first_contact_s_ = std::numeric_limits<double>::infinity();
   double time_s_ = 0;
   double min_step_s_ = 0;
@@ -120,6 +138,7 @@ double Encounter<Scene>::begin_step(const ReferenceOnDemand& now, double max_ste
   const auto flight = scene_.flight();
   double step_s = options_.free_step_s;
   scene_.clear_contacts();
+  contact_points_.clear();
   is_blow_ = false;
   min_step_s_ = std::max(min_step_s, kMinStep_s);
   body_contacts_.begin_step(time_s_);
@@ -142,10 +161,12 @@ double Encounter<Scene>::find_hits(const features::Ball& flight) {
   if (searches_on_path()) shortening = {};
   const NextStep ahead = next_step(flight, shortening, options_);
   for (motion::Body body : motion::kBodies) {
+    if (!contains(figure_model_.ball_meets, body)) continue;
     if (!may_be_near(flight, shapes_[body], kContactDistance_m)) continue;
     const motion::Clearance near = clearance(flight.position, flight.radius, shapes_[body]);
     if (!hits(flight, shapes_[body], near)) continue;
     scene_.add_hit(body, near, options_.restitution);
+    if (options_.keeps_places) add_contact_point(near.point, body, body);
     body_contacts_.add_hit(body);
     is_blow_ = true;
     first_contact_s_ = std::min(first_contact_s_, time_s_);
@@ -160,10 +181,11 @@ double Encounter<Scene>::find_hits(const features::Ball& flight) {
 template <class Scene>
 bool Encounter<Scene>::may_touch(double horizon_s) const {
   const auto flight = scene_.flight();
-  return flight && std::ranges::any_of(shapes_, [&](const MovingShape& shape) {
-           return time_of_contact(*flight, shape, horizon_s, kNearContactDistance_m,
+  return flight && std::ranges::any_of(motion::kBodies, [&](motion::Body body) {
+           return contains(figure_model_.ball_meets, body) &&
+                  time_of_contact(*flight, shapes_[body], horizon_s, kNearContactDistance_m,
                                   kMaxAcceleration_mps2)
-               .has_value();
+                      .has_value();
          });
 }
 
@@ -182,6 +204,8 @@ void Encounter<Scene>::add_contacts(const ReferenceOnDemand& now, const Referenc
   for (const BodyContact& contact : body_contacts_.find(shapes_, now)) {
     scene_.add_body_contact(contact.first, contact.second, contact.near, contact.free_closing_mps,
                             contact.is_impact);
+    if (options_.keeps_places && contact.is_impact)
+      add_contact_point(contact.near.point, contact.first, contact.second);
   }
   searching_.reset();
   if (is_blow_ || !searches_on_path()) return;
@@ -213,9 +237,37 @@ double Encounter<Scene>::end_at_contact(double step_s) {
       stepped_s = until_s;
     }
   }
-  body_contacts_.add_impulses(scene_.impulses(step_s), impulse_, stepped_s / step_s);
+  std::size_t index = 0;
+  for (const ContactImpulse& contact : scene_.impulses(step_s)) {
+    const double impulse_ns = body_contacts_.add_impulse(contact, impulse_, stepped_s / step_s);
+    if (!options_.keeps_places) continue;
+    const ContactPoint& at = contact_points_[index++];
+    add_place(contact.first, !contact.second, impulse_ns, at.in_first, at.world);
+    if (contact.second) add_place(*contact.second, false, impulse_ns, at.in_second, at.world);
+  }
   time_s_ += stepped_s;
   return stepped_s;
+}
+
+/// Call before the step moves the bodies.
+template <class Scene>
+void Encounter<Scene>::add_contact_point(const Eigen::Vector3d& point, motion::Body first,
+                                         motion::Body second) {
+  const auto seen_from = [&](motion::Body body) {
+    const BodyState state = scene_.bodies()[body];
+    return Eigen::Vector3d(state.orientation.conjugate() * (point - state.position));
+  };
+  contact_points_.push_back({point, seen_from(first), seen_from(second)});
+}
+
+template <class Scene>
+void Encounter<Scene>::add_place(motion::Body body, bool from_ball, double impulse_ns,
+                                 const Eigen::Vector3d& point_in_body,
+                                 const Eigen::Vector3d& point) {
+  if (impulse_ns <= 0) return;
+  const Eigen::Vector3f& centre_of_mass = figure_model_.model[body].centre_of_mass;
+  places_.push_back(
+      {body, from_ball, time_s_, impulse_ns, point_in_body + centre_of_mass.cast<double>(), point});
 }
 
 template <class Scene>

@@ -121,8 +121,8 @@ Eigen::Vector3d joint_offset(const FigureModel& figure_model, Body body) {
   return -figure_model.model[body].centre_of_mass.cast<double>();
 }
 
-FigureModel::FigureModel(const motion::Physique& character)
-    : skeleton(character.skeleton), model(make_body_model(character)) {
+FigureModel::FigureModel(const motion::Physique& character, BodySet met_by_ball)
+    : skeleton(character.skeleton), model(make_body_model(character)), ball_meets(met_by_ball) {
   const motion::JointFrames rest = forward_kinematics(skeleton, rest_pose(skeleton));
   for (Body body : motion::kBodies) {
     const double body_mass_kg = static_cast<double>(model[body].mass_kg);

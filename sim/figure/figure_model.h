@@ -12,7 +12,7 @@ namespace flinch::sim {
 
 /// Constants of a simulated figure: everything that does not change between simulations.
 struct FigureModel {
-  explicit FigureModel(const motion::Physique& character);
+  explicit FigureModel(const motion::Physique& character, BodySet met_by_ball = kAllBodies);
 
   motion::Skeleton skeleton;
   motion::BodyModel model;
@@ -29,6 +29,7 @@ struct FigureModel {
   /// rest pose.
   motion::PerBody<BodySet> may_collide;
   TreeConstants tree;  ///< the same, for TreeLanes
+  BodySet ball_meets;  ///< the ball passes through other bodies
 };
 
 /// Position of the joint of `body` from its centre of mass, in its own frame, m.

@@ -38,6 +38,7 @@ class TrackedSimulation {
     const double time_s = encounter_.time_s();
     if (time_s > 0) result_.tracking_error_m = std::sqrt(squared_error_ / time_s);
     result_.impulse = encounter_.impulse();
+    result_.places = encounter_.places();
     result_.first_contact_s = encounter_.first_contact_s();
     result_.solver_messages = solver_messages_on_this_thread() - messages_before;
     return result_;
@@ -62,7 +63,7 @@ class TrackedSimulation {
 }  // namespace
 
 OdeSimulator::OdeSimulator(const motion::Physique& character, const SimulationOptions& options)
-    : figure_model_(character), options_(options) {}
+    : figure_model_(character, options.ball_meets), options_(options) {}
 
 SimulationResult OdeSimulator::simulate(const motion::Motion& reference, const features::Ball* ball,
                                         double duration_s) const {

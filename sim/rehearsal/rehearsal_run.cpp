@@ -31,6 +31,7 @@ bool stays_clear(const FigureModel& figure_model, const SimulationOptions& optio
     if (!track.reach[step].may_reach(then, horizon_s, kClearDistance_m)) continue;
     const StepPath path = track.path_of(step);
     for (Body body : motion::kBodies) {
+      if (!contains(figure_model.ball_meets, body)) continue;
       const BodyState state = path.moving(body);
       if (!may_reach(state, figure_model.radius[body], then, options.free_step_s,
                      kClearDistance_m)) {
@@ -87,6 +88,7 @@ bool RehearsalRun::begin_step() {
     if (!is_over) return true;
   }
   result_.impulse = encounter_.impulse();
+  result_.places = encounter_.places();
   result_.first_contact_s = encounter_.first_contact_s();
   result_.solver_messages = encounter_.scene().solver_messages();
   return false;

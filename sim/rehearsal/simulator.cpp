@@ -12,7 +12,7 @@ struct Simulator::Setup {
 };
 
 Simulator::Simulator(const motion::Physique& character, const SimulationOptions& options)
-    : setup_(std::make_unique<Setup>(Setup{FigureModel(character), options})) {}
+    : setup_(std::make_unique<Setup>(Setup{FigureModel(character, options.ball_meets), options})) {}
 
 Simulator::~Simulator() = default;
 Simulator::Simulator(Simulator&&) noexcept = default;

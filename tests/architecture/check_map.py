@@ -88,9 +88,11 @@ MAP = {
     "train/report": Folder(OFFLINE, [*TRAIN, "train/scenario", "train/objective", "train/store",
                                      "train/fit", "train/evaluate"], ["Eigen/", "nlohmann/"]),
     "evolve/genetic": Folder(OFFLINE, ["motion", "features"], []),
+    "evolve/pain": Folder(OFFLINE, ["motion", "sim", "database/files", "database/export"],
+                          ["Eigen/"]),
     "program": Folder(OFFLINE, ["motion", "features", "database/", "models", "models/fit", "sim",
                                 "sim/", "runtime", "runtime/response", "reaction", "lookahead",
-                                "train/"],
+                                "train/", "evolve/"],
                       ["Eigen/", "CLI/", "nlohmann/", "omp.h"]),
 }
 ROOMS = sorted({folder.split("/")[0] for folder in MAP})

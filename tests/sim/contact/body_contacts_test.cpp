@@ -23,7 +23,7 @@ class BodyContactsTest : public testing::Test {
     for (const ContactImpulse& contact : contacts) {
       if (!contact.second) body_contacts_.add_hit(contact.first);
     }
-    body_contacts_.add_impulses(contacts, impulse_);
+    for (const ContactImpulse& contact : contacts) body_contacts_.add_impulse(contact, impulse_);
   }
 };
 
