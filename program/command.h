@@ -24,6 +24,7 @@ Command export_command();
 Command select_command();
 Command respond_command();
 Command view_command();
+Command evolve_command();
 
 /// The option --json, for all commands except simulate.
 Option json_option(bool& json);

@@ -10,7 +10,6 @@
 #include "reaction/reaction.h"
 
 namespace flinch::program {
-namespace {
 
 // A ball that falls is faster elsewhere than where it hits: by at most 100 m/s in 10 s.
 constexpr double kMaxSpeed_mps = 0.9 * reaction::kMaxBallSpeed_mps;
@@ -20,8 +19,6 @@ std::vector<std::string> target_names() {
   for (const motion::Target target : motion::kTargets) names.emplace_back(motion::name_of(target));
   return names;
 }
-
-}  // namespace
 
 std::vector<Option> threat_options(ThreatOptions& threat) {
   return {

@@ -21,6 +21,9 @@ struct ThreatOptions {
   double mass_kg = features::kVolleyballMass_kg;
 };
 
+/// The names of all targets, for options.
+std::vector<std::string> target_names();
+
 std::vector<Option> threat_options(ThreatOptions& threat);
 
 /// Returns the threat that the options describe, to a character whose targets are at `centres`.

@@ -56,7 +56,8 @@ Pose with_arms(const motion::Figure& figure, const Pose& pose, ArmPosture manner
   return result;
 }
 
-// Moves the pelvis horizontally until the centre of mass is above the soles.
+}  // namespace
+
 Pose balanced(const motion::Figure& figure, const motion::PerSide<motion::FootPose>& feet,
               Pose pose, ArmPosture arms) {
   constexpr float kMargin = 0.03F;
@@ -82,8 +83,6 @@ Pose balanced(const motion::Figure& figure, const motion::PerSide<motion::FootPo
     pose.root_position.head<2>() += std::min(lacking, distance) / distance * inward;
   }
 }
-
-}  // namespace
 
 Pose evasive_pose(const motion::Figure& figure, const Pose& start, const Evasion& evasion) {
   const motion::Skeleton& skeleton = figure.skeleton();

@@ -29,6 +29,12 @@ struct Evasion {
   ArmPosture arms = ArmPosture::hang;
 };
 
+/// Returns a pose whose legs stand at `feet`, with the arms as told. The pelvis is lowered until
+/// both legs reach them, and moved until the centre of mass is at least 3 cm inside the soles'
+/// hull, where possible.
+motion::Pose balanced(const motion::Figure& figure, const motion::PerSide<motion::FootPose>& feet,
+                      motion::Pose pose, ArmPosture arms = ArmPosture::hang);
+
 /// Returns the pose of an evasion. The pelvis is lowered until both legs reach their feet, and
 /// moved until the centre of mass is at least 3 cm inside the soles' hull, where possible.
 motion::Pose evasive_pose(const motion::Figure& figure, const motion::Pose& start,

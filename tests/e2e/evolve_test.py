@@ -2,10 +2,14 @@
 # SPDX-License-Identifier: MIT
 """Pain by place, and poses that evolve."""
 
+import os
 import pathlib
+import signal
+import subprocess
+import time
 import unittest
 
-from flinch_program import ProgramTest, make_library
+from flinch_program import FLINCH, ProgramTest, make_library
 
 DOCS = pathlib.Path(__file__).resolve().parents[2] / "docs"
 
@@ -30,6 +34,91 @@ class Pain(ProgramTest):
         self.assertEqual(note.read_text(), "<svg>mine</svg>\n")
         self.fail_with(1, "info", self.library, "--pain", self.library)
         self.fail_with(1, "info", note, "--pain", self.folder / "pain.svg")
+
+
+class Evolve(ProgramTest):
+    """Small runs: the pose matters little, what happens to files does."""
+    SMALL = ["--azimuth", 30, "--population", 24, "--generations", 4]
+
+    def setUp(self):
+        super().setUp()
+        self.library = self.folder / "default.flinchlib"
+        self.succeed("author", "--out", self.library)
+        self.out = self.folder / "evolved.flinchlib"
+        self.log = self.folder / "run.csv"
+
+    def test_adds_a_clip_that_hurts_less_than_standing_still(self):
+        document = self.document("evolve", self.library, "--out", self.out, "--log", self.log,
+                                 *self.SMALL)
+        self.assertEqual(document["kind"], "evolution")
+        self.assertEqual(document["generations"], 4)
+        self.assertEqual(document["encounters"], 4 * 24 * 36)
+        self.assertLess(document["pain_share"], 1)
+        self.assertAlmostEqual(document["pain_share"],
+                               document["pain_ns"] / document["idle_pain_ns"])
+        before = self.document("info", self.library)["clips"]
+        after = self.document("info", self.out, "--quality")
+        self.assertEqual([c["name"] for c in after["clips"]],
+                         [c["name"] for c in before] +
+                         ["evolved_head_30_free", "evolved_head_30_free_mirrored"])
+        for row in after["quality"]["clips"]:
+            if row["name"].startswith("evolved"):
+                self.assertEqual(row["breaks"], [], row)
+        lines = self.log.read_text().splitlines()
+        self.assertEqual(len(lines), 5)
+        self.assertEqual(lines[0], "generation,best_fitness_ns,mean_fitness_ns,poses,encounters")
+        for number, line in enumerate(lines[1:]):
+            cells = line.split(",")
+            self.assertEqual(int(cells[0]), number)
+            self.assertLess(float(cells[1]), float(cells[2]))
+            self.assertEqual(int(cells[4]), (number + 1) * 24 * 36)
+        self.assertEqual(sorted(os.listdir(self.folder)),
+                         ["default.flinchlib", "evolved.flinchlib", "run.csv"])
+
+    def test_gives_the_same_bytes_on_any_number_of_threads_and_after_interruptions(self):
+        expected = self.folder / "expected.flinchlib"
+        self.succeed("evolve", self.library, "--out", expected, "--threads", 2, *self.SMALL)
+        command = [FLINCH, "evolve", str(self.library), "--out", str(self.out), "--threads", "1",
+                   *map(str, self.SMALL)]
+        unfinished = self.folder / "evolved.flinchlib.evolution"
+        with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                              text=True) as running:
+            for _ in range(6000):
+                if unfinished.exists() or running.poll() is not None:
+                    break
+                time.sleep(0.01)
+            running.send_signal(signal.SIGINT)
+            error = running.communicate()[1]
+        self.assertEqual(running.returncode, 1, error)
+        self.assertIn("generations are kept, run the same command again to continue", error)
+        self.assertFalse(self.out.exists())
+        other = self.fail_with(1, "evolve", self.library, "--out", self.out, *self.SMALL,
+                               "--seed", 2)
+        self.assertIn("with other options is unfinished here", other)
+        self.succeed(*command[1:])
+        self.assertEqual(self.out.read_bytes(), expected.read_bytes())
+        self.assertFalse(unfinished.exists())
+
+    def test_refuses_what_it_cannot_evolve_in_one_line(self):
+        pain = self.folder / "pain.toml"
+        pain.write_text("[multipliers]\near = 3\n")
+        for code, arguments, text in [
+                (2, ["--azimuth", 400], "not in range"),
+                (2, ["--azimuth", "nan"], "not in range"),
+                (2, ["--style", "polite"], "free"),
+                (2, ["--speed", 1], "not in range"),
+                (1, ["--population", 0], "a population of 0; it must be even"),
+                (1, ["--population", 401], "a population of 401; it must be even"),
+                (1, ["--population", 4, "--tournament", 8], "at least as large as a tournament"),
+                (1, ["--tournament", 6], "a multiple of 4"),
+                (1, ["--pain", pain], f"{pain}:2: [multipliers] names a region 'ear' that does"),
+                (1, ["--pain", self.folder / "none.toml"], "none.toml")]:
+            with self.subTest(arguments):
+                line = self.fail_with(code, "evolve", self.library, "--out", self.out, *arguments)
+                self.assertIn(text, line)
+        self.assertIn("input", self.fail_with(1, "evolve", self.library, "--out", self.library))
+        self.fail_with(1, "evolve", pain, "--out", self.out)
+        self.assertFalse(self.out.exists())
 
 
 if __name__ == "__main__":

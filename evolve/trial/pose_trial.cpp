@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: MIT
+#include "evolve/trial/pose_trial.h"
+
+#include <omp.h>
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <string>
+
+#include "database/author/evasion.h"
+#include "database/quality/quality.h"
+#include "evolve/trial/joint_effort.h"
+#include "motion/body_distance.h"
+#include "motion/error.h"
+#include "motion/interpolation.h"
+#include "motion/joint_limits.h"
+#include "motion/rotation.h"
+#include "sim/ode/ode_simulator.h"
+#include "sim/rehearsal/throw_simulator.h"
+
+namespace flinch::evolve {
+namespace {
+
+using motion::Body;
+using motion::Pose;
+using motion::Role;
+
+constexpr double kMinSpeed_mps = 5;
+constexpr double kMinMove_s = 0.25;
+// Equation 4.3's factor is set so that the energy of a guard of both arms is this share of the pain
+// of standing still; equation 4.4's so that this share of it is a metre.
+constexpr double kEnergyShare = 0.05;
+constexpr double kDistanceShare_per_m = 0.3;
+constexpr std::uint64_t kIdleDraws = 4;
+// A pose that overlaps loses this share of it at once, and more for each metre.
+constexpr double kOverlapShare = 0.05;
+constexpr double kOverlapShare_per_m = 20;
+
+sim::SimulationOptions simulation_of(const TrialOptions& options) {
+  sim::SimulationOptions simulation = options.simulation;
+  simulation.keeps_places = true;
+  if (options.style == Style::hands) {
+    for (const Body arm :
+         {Body::left_upper_arm, Body::left_forearm, Body::right_upper_arm, Body::right_forearm})
+      simulation.ball_meets &= ~sim::set_of(arm);
+  }
+  return simulation;
+}
+
+bool fails(JointFailure failure, Role shoulder) {
+  if (failure == JointFailure::both_shoulders) return true;
+  return failure == (shoulder == Role::left_upper_arm ? JointFailure::left_shoulder
+                                                      : JointFailure::right_shoulder);
+}
+
+double distance_sign(Style style) {
+  switch (style) {
+    case Style::near:
+      return 1;
+    case Style::far:
+      return -1;
+    case Style::free:
+    case Style::hands:
+      break;
+  }
+  return 0;
+}
+
+}  // namespace
+
+std::string_view name_of(Style style) {
+  constexpr std::array<std::string_view, 4> kNames{"free", "hands", "near", "far"};
+  return kNames[static_cast<std::size_t>(style)];
+}
+
+double overlap_depth_m(const motion::Figure& figure, const motion::Pose& pose) {
+  constexpr float kClearance_m = 0.005F;
+  const motion::JointFrames frames = forward_kinematics(figure.skeleton(), pose);
+  float depth = 0;
+  const auto add = [&](Body body, const motion::Capsule& capsule) {
+    depth += std::max(kClearance_m - distance_between(figure, frames, body, capsule), 0.0F);
+  };
+  for (const Body part :
+       {Body::left_hand, Body::left_forearm, Body::right_hand, Body::right_forearm}) {
+    const motion::Capsule capsule = capsule_of(figure, frames, part);
+    for (const Body core : motion::kCoreBodies) add(core, capsule);
+  }
+  for (const Body left : {Body::left_hand, Body::left_forearm}) {
+    const motion::Capsule capsule = capsule_of(figure, frames, left);
+    for (const Body right : {Body::right_hand, Body::right_forearm}) add(right, capsule);
+  }
+  return static_cast<double>(depth);
+}
+
+AimedThrow throw_at(const motion::Physique& character, const motion::Motion& idle,
+                    motion::Target target, double azimuth, double elevation, double speed_mps,
+                    double time_to_impact_s) {
+  const motion::Pose pose = sample_ping_pong(idle, static_cast<float>(time_to_impact_s));
+  const motion::JointFrames frames = forward_kinematics(character.skeleton, pose);
+  AimedThrow thrown;
+  thrown.aim = target_centre(make_body_model(character), frames, target).cast<double>();
+  thrown.azimuth = azimuth;
+  thrown.elevation = elevation;
+  thrown.speed_mps = speed_mps;
+  thrown.time_to_impact_s = time_to_impact_s;
+  return thrown;
+}
+
+PoseTrial::PoseTrial(const motion::Physique& character, const motion::Motion& idle,
+                     const TrialOptions& options)
+    : figure_(motion::make_figure(character)),
+      idle_(idle),
+      options_(options),
+      simulator_(character, simulation_of(options)),
+      start_(sample_ping_pong(idle, static_cast<float>(options.delay_s))) {
+  if (options.thrown.speed_mps < kMinSpeed_mps)
+    throw Error("", "poses evolve for balls of at least 5 m/s");
+  if (options.thrown.time_to_impact_s <= options.delay_s)
+    throw Error("", "the ball arrives before the character begins to move");
+  for (std::uint64_t draw = 0; draw < kIdleDraws; ++draw)
+    idle_pain_ += test_idle(draw).pain / static_cast<double>(kIdleDraws);
+  motion::Pose guard = start_;
+  for (const motion::Side side : motion::kSides)
+    set_arm(guard, side,
+            {motion::radians(38), motion::radians(16), motion::radians(-6), motion::radians(112)});
+  energy_weight_ = kEnergyShare * idle_pain_ / effort_of(guard);
+  distance_weight_ = distance_sign(options.style) * kDistanceShare_per_m * idle_pain_;
+}
+
+std::array<features::Ball, kGridCells> PoseTrial::balls(std::uint64_t draw) const {
+  features::Random random(options_.seed, features::RandomStream::threat_grid, draw);
+  return thrown_balls(options_.thrown, options_.grid, random);
+}
+
+motion::Pose PoseTrial::pose(const Chromosome& chromosome) const {
+  return pose_of(figure_, start_, chromosome);
+}
+
+// The eased path 3 s^2 - 2 s^3 is 3/2 times as fast in its middle as on average.
+double PoseTrial::move_time_s(const motion::Pose& pose) const {
+  const motion::JointFrames from = forward_kinematics(figure_.skeleton(), start_);
+  const motion::JointFrames to = forward_kinematics(figure_.skeleton(), pose);
+  double time_s = kMinMove_s;
+  for (const motion::JointLimits& limits : motion::human_joint_limits()) {
+    const float angle = relative_rotation(from, limits.from, limits.to)
+                            .angularDistance(relative_rotation(to, limits.from, limits.to));
+    const float peak = motion::radians(database::peak_human_speed_dps(limits.name));
+    time_s = std::max(time_s, 1.5 * static_cast<double>(angle / peak));
+  }
+  return time_s;
+}
+
+motion::Motion PoseTrial::motion_to(const motion::Pose& pose, JointFailure failure) const {
+  const double move_s = move_time_s(pose);
+  motion::Motion motion;
+  motion.rate_hz = idle_.rate_hz;
+  // Velocities up to the end need two more poses.
+  const auto count = static_cast<std::size_t>(std::ceil(duration_s() * motion.rate_hz)) + 3;
+  motion.poses.reserve(count);
+  for (std::size_t k = 0; k < count; ++k) {
+    const double time_s = static_cast<double>(k) / motion.rate_hz;
+    const motion::Pose idle = sample_ping_pong(idle_, static_cast<float>(time_s));
+    const auto part = static_cast<float>((time_s - options_.delay_s) / move_s);
+    motion::Pose now = part > 0 ? blend(idle, pose, motion::ease_in_ease_out(part)) : idle;
+    for (const Role shoulder : {Role::left_upper_arm, Role::right_upper_arm})
+      if (fails(failure, shoulder)) now.rotation[shoulder] = idle.rotation[shoulder];
+    motion.poses.push_back(now);
+  }
+  return motion;
+}
+
+std::span<const JointFailure> PoseTrial::failures() const {
+  return {kJointFailures.data(), options_.fails_joints ? kJointFailures.size() : 1};
+}
+
+double PoseTrial::effort_of(const motion::Pose& pose) const {
+  const sim::Rehearsal rehearsal =
+      simulator_.rehearse(motion_to(pose, JointFailure::none), options_.delay_s, duration_s());
+  return joint_effort(simulator_.figure_model(), rehearsal, simulator_.options().gravity_mps2);
+}
+
+double PoseTrial::overlap_penalty(const motion::Pose& pose) const {
+  const double depth_m = overlap_depth_m(figure_, pose);
+  return depth_m > 0 ? idle_pain_ * (kOverlapShare + kOverlapShare_per_m * depth_m) : 0;
+}
+
+std::vector<PoseScore> PoseTrial::test_batch(std::span<const Chromosome> chromosomes,
+                                             std::span<const features::Ball> balls) const {
+  std::vector<sim::Rehearsal> rehearsals;
+  rehearsals.reserve(chromosomes.size() * failures().size());
+  std::vector<PoseScore> scores(chromosomes.size());
+  for (std::size_t i = 0; i < chromosomes.size(); ++i) {
+    const motion::Pose goal = pose(chromosomes[i]);
+    scores[i].overlap = overlap_penalty(goal);
+    for (const JointFailure failure : failures())
+      rehearsals.push_back(
+          simulator_.rehearse(motion_to(goal, failure), options_.delay_s, duration_s()));
+  }
+  std::vector<sim::Throw> throws;
+  for (const sim::Rehearsal& rehearsal : rehearsals)
+    for (const features::Ball& ball : balls) throws.push_back({rehearsal, ball});
+  const std::vector<sim::SimulationResult> results =
+      sim::ThrowSimulator(simulator_).simulate(throws);
+  const std::size_t per_pose = failures().size() * balls.size();
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    PoseScore& score = scores[i / per_pose];
+    score.pain += pain_of(options_.pain, figure_.bodies, results[i].places);
+    if (results[i].places.empty()) continue;
+    score.distance +=
+        distance_weight_ * (results[i].places.front().point_world - options_.thrown.aim).norm();
+  }
+  for (std::size_t i = 0; i < rehearsals.size(); ++i)
+    scores[i / failures().size()].energy +=
+        energy_weight_ * static_cast<double>(balls.size()) *
+        joint_effort(simulator_.figure_model(), rehearsals[i], simulator_.options().gravity_mps2);
+  const auto count = static_cast<double>(per_pose);
+  for (PoseScore& score : scores) {
+    score.pain /= count;
+    score.energy /= count;
+    score.distance /= count;
+  }
+  return scores;
+}
+
+std::optional<std::vector<PoseScore>> PoseTrial::test(std::span<const Chromosome> chromosomes,
+                                                      std::uint64_t draw, int threads,
+                                                      const std::atomic<bool>* stop) const {
+  constexpr std::size_t kBatch = 4;  // fills the lanes, and keeps 16 rehearsals
+  const auto thrown = balls(draw);
+  const auto batches = static_cast<int>((chromosomes.size() + kBatch - 1) / kBatch);
+  std::vector<PoseScore> scores(chromosomes.size());
+  std::exception_ptr failure;
+#pragma omp parallel for schedule(dynamic) num_threads(threads)
+  for (int batch = 0; batch < batches; ++batch) {
+    if (stop && *stop) continue;
+    try {
+      const std::size_t first = static_cast<std::size_t>(batch) * kBatch;
+      const std::size_t count = std::min(kBatch, chromosomes.size() - first);
+      std::ranges::copy(test_batch(chromosomes.subspan(first, count), thrown),
+                        scores.begin() + static_cast<std::ptrdiff_t>(first));
+    } catch (...) {
+#pragma omp critical
+      failure = std::current_exception();
+    }
+  }
+  if (failure) std::rethrow_exception(failure);
+  if (stop && *stop) return std::nullopt;
+  return scores;
+}
+
+double PoseTrial::mean_pain(std::span<const sim::SimulationResult> results) const {
+  double sum = 0;
+  for (const sim::SimulationResult& result : results)
+    sum += pain_of(options_.pain, figure_.bodies, result.places);
+  return sum / static_cast<double>(results.size());
+}
+
+std::vector<sim::SimulationResult> PoseTrial::thrown_at(
+    const motion::Motion& motion, std::span<const features::Ball> balls) const {
+  const sim::Rehearsal rehearsal = simulator_.rehearse(motion, options_.delay_s, duration_s());
+  std::vector<sim::Throw> throws;
+  for (const features::Ball& ball : balls) throws.push_back({rehearsal, ball});
+  return sim::ThrowSimulator(simulator_).simulate(throws);
+}
+
+PoseScore PoseTrial::test_idle(std::uint64_t draw) const {
+  PoseScore score;
+  score.pain = mean_pain(thrown_at(motion_to(start_, JointFailure::none), balls(draw)));
+  return score;
+}
+
+std::vector<sim::SimulationResult> PoseTrial::simulate(
+    const Chromosome& chromosome, JointFailure failure,
+    std::span<const features::Ball> balls) const {
+  return thrown_at(motion_to(pose(chromosome), failure), balls);
+}
+
+std::vector<sim::SimulationResult> PoseTrial::simulate_by_reference(
+    const Chromosome& chromosome, JointFailure failure,
+    std::span<const features::Ball> balls) const {
+  const sim::OdeSimulator simulator(figure_.character, simulator_.options());
+  const motion::Motion motion = motion_to(pose(chromosome), failure);
+  std::vector<sim::SimulationResult> results;
+  for (const features::Ball& ball : balls)
+    results.push_back(simulator.simulate(motion, &ball, duration_s()));
+  return results;
+}
+
+}  // namespace flinch::evolve
