@@ -88,6 +88,45 @@ FLINCH_API flinch_status flinch_oracle_try_all(const flinch_oracle* oracle,
                                                const flinch_threat* threat, flinch_trial* out,
                                                int32_t capacity, int32_t* count, int32_t* best);
 
+/* A scenario as training draws them (docs/program.md): a character stands at the origin, faces +X
+ * and notices a ball that will hit this target. This struct will not grow. */
+typedef struct flinch_scenario {
+  int32_t target;
+  float time_to_impact_s;
+  float idle_time_s; /* time of the idle clip, as in flinch_character_place */
+  float position[3]; /* of the ball's centre, now, m */
+  float velocity[3]; /* m/s */
+  float radius;      /* m */
+  float mass_kg;
+} flinch_scenario;
+/* Draws scenario `number` of a seed: that of `flinch simulate --seed`. */
+FLINCH_API flinch_status flinch_scenario_draw(const flinch_library* library, uint32_t seed,
+                                              uint32_t number, flinch_scenario* out);
+/* The clip that the selector chooses in a scenario. FLINCH_BAD_INDEX for an unknown target,
+ * FLINCH_BAD_THREAT for a ball or time that cannot be answered; so below. */
+FLINCH_API flinch_status flinch_scenario_choose(const flinch_library* library,
+                                                const flinch_scenario* scenario,
+                                                flinch_workspace* workspace, int32_t* clip);
+/* The clip that looking ahead at so many candidates chooses. */
+FLINCH_API flinch_status flinch_scenario_look_ahead(const flinch_library* library,
+                                                    const flinch_scenario* scenario,
+                                                    int32_t candidates,
+                                                    flinch_look_ahead* look_ahead, int32_t* clip);
+/* The allowed clip with the nearest annotation. */
+FLINCH_API flinch_status flinch_scenario_nearest_annotation(const flinch_library* library,
+                                                            const flinch_scenario* scenario,
+                                                            int32_t* clip);
+/* As flinch_oracle_try_all, for the character of a scenario. */
+FLINCH_API flinch_status flinch_oracle_try_scenario(const flinch_oracle* oracle,
+                                                    const flinch_scenario* scenario,
+                                                    flinch_trial* out, int32_t capacity,
+                                                    int32_t* count, int32_t* best);
+
+/* The pose of a clip at a time, s from its start: before it the first, after its end the last.
+ * FLINCH_BAD_INDEX for an unknown clip, FLINCH_BAD_TIME for a time that is not finite. */
+FLINCH_API flinch_status flinch_clip_pose(const flinch_library* library, int32_t clip, float time_s,
+                                          flinch_pose* out);
+
 /* The clip that games commonly script by hand: of the allowed clips that whose annotation is
  * nearest to the threat that the character notices now. The status as above. */
 FLINCH_API flinch_status flinch_oracle_nearest_annotation(const flinch_oracle* oracle,

@@ -138,6 +138,13 @@ export class Character {
   free(): void;
 }
 
+/** A scenario as training draws them: a ball, and a character at the origin that faces +X. */
+export interface Scenario extends Threat {
+  target: number;
+  time_to_impact_s: number;
+  idle_time_s: number;
+}
+
 /** Simulates what clips would do, as training does. */
 export class Oracle {
   costs(): { brawn: number; work_weight_ns_per_j: number };
@@ -147,6 +154,7 @@ export class Oracle {
     character: Character,
     threat: Threat,
   ): { answer: Answer; trials: Trial[]; best: number };
+  tryScenario(scenario: Scenario): { answer: Answer; trials: Trial[]; best: number };
   free(): void;
 }
 
@@ -176,6 +184,10 @@ export class Library {
   createOracle(): Oracle;
   jointFrames(pose: Pose): JointFrames;
   skin(): Skin;
+  clipPose(clip: number, time_s: number): Pose;
+  drawScenario(seed: number, number: number): Scenario;
+  chooseIn(scenario: Scenario, candidates?: number): number;
+  nearestIn(scenario: Scenario): number;
   free(): void;
 }
 

@@ -159,6 +159,12 @@ std::string layout() {
         struct_text("flinch_trial", sizeof(S),
                     {F(clip), F(work_j), F(damage_ns), F(cost_ns), F(contact_s), F(impulse_ns)}));
   }
+  {
+    using S = flinch_scenario;
+    structs.push_back(struct_text("flinch_scenario", sizeof(S),
+                                  {F(target), F(time_to_impact_s), F(idle_time_s), F(position),
+                                   F(velocity), F(radius), F(mass_kg)}));
+  }
   std::string text = "{";
   const char* separator = "";
   for (const std::string& one : structs) {

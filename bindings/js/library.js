@@ -72,6 +72,47 @@ export class Library {
     return memory.readStruct("flinch_joint_frames", out);
   }
 
+  /** The pose of a clip at a time from its start, s. */
+  clipPose(clip, time_s) {
+    return this.memory.result("flinch_pose", (out) =>
+      this.memory.call.flinch_clip_pose(this.handle, clip, time_s, out),
+    );
+  }
+
+  /** Scenario `number` of a seed, as `flinch simulate --seed` draws it. */
+  drawScenario(seed, number) {
+    return this.memory.result("flinch_scenario", (out) =>
+      this.memory.call.flinch_scenario_draw(this.handle, seed, number, out),
+    );
+  }
+
+  /** The clip that the selector chooses in a scenario; by looking ahead, if `candidates` says at how
+   * many clips. */
+  chooseIn(scenario, candidates = 0) {
+    const { call } = this.memory;
+    const ahead = candidates > 0 ? this.lookAheadMemory() : 0;
+    return this.clipIn(scenario, (at, clip) =>
+      candidates > 0
+        ? call.flinch_scenario_look_ahead(this.handle, at, candidates, ahead, clip)
+        : call.flinch_scenario_choose(this.handle, at, this.workspace, clip),
+    );
+  }
+
+  /** The clip with the nearest annotation, as games commonly script it, in a scenario. */
+  nearestIn(scenario) {
+    return this.clipIn(scenario, (at, clip) =>
+      this.memory.call.flinch_scenario_nearest_annotation(this.handle, at, clip),
+    );
+  }
+
+  clipIn(scenario, call) {
+    const { memory } = this;
+    const at = memory.begin().makeStructs("flinch_scenario", [scenario]);
+    const clip = memory.reserve(4);
+    memory.checked(call(at, clip));
+    return memory.readInt(clip);
+  }
+
   /** A surface for drawing the figure as a person (see flinch_skin_mesh in exports.h). */
   skin() {
     const { memory } = this;

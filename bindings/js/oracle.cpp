@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "bindings/js/exports.h"
+#include "bindings/js/scenario.h"
 #include "lookahead/oracle/oracle.h"
 #include "models/baseline.h"
 #include "models/selector.h"
@@ -61,6 +61,17 @@ flinch_trial to_c(const lookahead::ClipTrial& trial) {
   return result;
 }
 
+/// Writes trials, at most `capacity`, and which of them is best.
+flinch_status write(const std::vector<lookahead::ClipTrial>& trials, flinch_trial* out,
+                    int32_t capacity, int32_t* count, int32_t* best) {
+  if (trials.empty()) return FLINCH_BAD_CLIP;
+  if (capacity < 0 || trials.size() > static_cast<std::size_t>(capacity)) return FLINCH_BAD_INDEX;
+  std::ranges::transform(trials, out, to_c);
+  *count = static_cast<std::int32_t>(trials.size());
+  *best = static_cast<std::int32_t>(lookahead::best_of(trials));
+  return FLINCH_OK;
+}
+
 }  // namespace
 
 flinch_status flinch_oracle_create(const flinch_library* library, flinch_oracle** out) {
@@ -97,14 +108,23 @@ flinch_status flinch_oracle_try_all(const flinch_oracle* oracle, const flinch_ch
   if (out == nullptr || count == nullptr || best == nullptr) return FLINCH_NULL_POINTER;
   std::optional<Noticed> noticed;
   if (const flinch_status status = notice(oracle, character, threat, noticed)) return status;
-  const std::vector<lookahead::ClipTrial> trials =
-      oracle->content->oracle.try_all(noticed->character, noticed->perception, noticed->threat);
-  if (trials.empty()) return FLINCH_BAD_CLIP;
-  if (capacity < 0 || trials.size() > static_cast<std::size_t>(capacity)) return FLINCH_BAD_INDEX;
-  std::ranges::transform(trials, out, to_c);
-  *count = static_cast<std::int32_t>(trials.size());
-  *best = static_cast<std::int32_t>(lookahead::best_of(trials));
-  return FLINCH_OK;
+  return write(
+      oracle->content->oracle.try_all(noticed->character, noticed->perception, noticed->threat),
+      out, capacity, count, best);
+} catch (const std::bad_alloc&) {
+  return FLINCH_OUT_OF_MEMORY;
+}
+
+flinch_status flinch_oracle_try_scenario(const flinch_oracle* oracle,
+                                         const flinch_scenario* scenario, flinch_trial* out,
+                                         int32_t capacity, int32_t* count, int32_t* best) try {
+  if (scenario == nullptr || out == nullptr || count == nullptr || best == nullptr)
+    return FLINCH_NULL_POINTER;
+  if (const flinch_status status = check(oracle)) return status;
+  if (const flinch_status status = flinch::js::check(*scenario)) return status;
+  const auto [character, perception] = flinch::js::placed(*oracle->content->library, *scenario);
+  return write(oracle->content->oracle.try_all(character, perception, perception.scenario.threat),
+               out, capacity, count, best);
 } catch (const std::bad_alloc&) {
   return FLINCH_OUT_OF_MEMORY;
 }

@@ -43,20 +43,25 @@ export class Oracle {
 
   /** The same for all clips that may answer: the trials, and the index of the best in `best`. */
   tryAll(character, threat) {
+    return this.tried((memory, trials, capacity, count, best) => {
+      const at = memory.makeStructs("flinch_threat", [threat]);
+      return memory.call.flinch_oracle_try_all(
+        this.handle, character.handle, at, trials, capacity, count, best,
+      );
+    });
+  }
+
+  /** The trials that `call` writes. */
+  tried(call) {
     const { memory } = this;
     const capacity = this.library.clips.length;
     const { size } = memory.structs.flinch_trial;
     const trials = memory.call.malloc(size * capacity);
     if (trials === 0) throw new RangeError("there is not enough memory");
     try {
-      const at = memory.begin().makeStructs("flinch_threat", [threat]);
-      const count = memory.reserve(4);
+      const count = memory.begin().reserve(4);
       const best = memory.reserve(4);
-      const status = memory.checked(
-        memory.call.flinch_oracle_try_all(
-          this.handle, character.handle, at, trials, capacity, count, best,
-        ),
-      );
+      const status = memory.checked(call(memory, trials, capacity, count, best));
       if (status !== 0) return { answer: kAnswers[status], trials: [], best: -1 };
       return {
         answer: "ok",
@@ -66,6 +71,14 @@ export class Oracle {
     } finally {
       memory.call.free(trials);
     }
+  }
+
+  /** All trials in a scenario of training, and the index of the best. */
+  tryScenario(scenario) {
+    return this.tried((memory, trials, capacity, count, best) => {
+      const at = memory.makeStructs("flinch_scenario", [scenario]);
+      return memory.call.flinch_oracle_try_scenario(this.handle, at, trials, capacity, count, best);
+    });
   }
 
   free() {
