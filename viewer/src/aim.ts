@@ -12,6 +12,7 @@ const kPathPoints = 40;
 
 export interface AimHandlers {
   view: () => View;
+  canAim: () => boolean; // otherwise every drag turns the view
   turned: (camera: View["camera"]) => void;
   aimed: (one: Throw) => void; // while dragging
   thrown: (one: Throw) => void;
@@ -37,7 +38,8 @@ export function connectAim(stage: Stage, handlers: AimHandlers): void {
     fingers.set(event.pointerId, event);
     canvas.setPointerCapture(event.pointerId);
     const box = canvas.getBoundingClientRect();
-    const aim = stage.pick(event.clientX - box.left, event.clientY - box.top);
+    const at = [event.clientX - box.left, event.clientY - box.top] as const;
+    const aim = handlers.canAim() ? stage.pick(...at) : null;
     drag = { x: event.clientX, y: event.clientY, aim, begin: structuredClone(handlers.view()) };
     canvas.classList.toggle("aims", aim !== null);
   });

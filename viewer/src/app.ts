@@ -3,21 +3,26 @@
 import type { Flinch } from "flinch";
 import { connectAim } from "./aim";
 import { centreOfMass, supportPolygon } from "./balance";
-import { showCaptions } from "./captions";
+import { showCaption, showCaptions } from "./captions";
 import { atRest, choose, choosersOf, loadSelector, type Chooser, type Conditions, type Selector } from "./chooser";
+import { ClipEditor } from "./clip_editor";
+import { ClipRecording } from "./clip_recording";
 import { button, byId } from "./dom";
 import { Figure } from "./figure";
 import { shortName } from "./files";
 import { kDefaultView, linkOf, viewOf, type Mode, type View } from "./link";
 import { showMessage } from "./message";
-import { OracleService } from "./oracle_service";
 import { Panel } from "./panel";
 import { Player } from "./player";
+import type { Ring } from "./petals";
+import type { Recording } from "./recording";
 import { drawRose } from "./rose";
+import { SimulationService } from "./simulation_service";
 import { kPalettes, Stage } from "./stage";
 import { drawStandings } from "./standings";
 import { Take } from "./take";
 import { randomNumbers, randomThrow, threatOf, type Throw } from "./throw";
+import { Volley } from "./volley";
 import { whyThisClip } from "./why";
 import type { SelectorFile } from "./worker";
 import { Vector3 } from "three";
@@ -25,6 +30,8 @@ import { Vector3 } from "three";
 const kModeNames: Record<Mode, string> = {
   one: "Throw",
   compare: "Compare",
+  volley: "Machine gun",
+  clips: "Clips",
   rose: "Rose",
   tournament: "Tournament",
 };
@@ -40,31 +47,44 @@ export class App {
   view: View = structuredClone(kDefaultView);
   selectors: Selector[] = [];
   choosers: Chooser[] = [];
-  takes: Take[] = [];
-  service: OracleService | null = null;
+  takes: Take[] = []; // of the throw that is shown, one for each figure
+  alone: Volley | ClipRecording | null = null; // what is shown instead
+  service: SimulationService | null = null;
   /** Times of the last frames that were drawn: script time, ms. */
   readonly frame_ms: number[] = [];
   private files: SelectorFile[] = [];
   private readonly figures = new Map<Chooser, Figure>();
-  private tournament: OracleService | null = null; // while one is shown
+  private tournament: SimulationService | null = null; // while one is shown
   private isStale = true; // something is to be drawn
   private linkTimer = 0;
   private shown = 0; // counts throws, so that late answers of the oracle are dropped
   private whyTimer = 0;
+  private rose: { of: string; rings: Ring[] } | null = null; // the last that was asked for
+  private readonly clips = new ClipEditor({
+    chosen: (clip) => {
+      this.set({ clip });
+      this.player.start();
+    },
+    seek: (time) => {
+      this.player.pause();
+      this.player.seek(time);
+    },
+  });
   private readonly isStill = matchMedia("(prefers-reduced-motion: reduce)");
 
   constructor(
     private readonly flinch: Flinch,
     private readonly module: WebAssembly.Module,
   ) {
-    this.panel = new Panel({
+    const acts = {
       thrown: () => this.throwBall(),
-      set: (change) => this.set(change),
+      set: (change: Partial<View>) => this.set(change),
       random: () => this.throwRandom(),
       disagreeing: () => this.throwDisagreeing(),
-      files: (files) => void this.openFiles(files),
+      files: (files: Iterable<File>) => void this.openFiles(files),
       redraw: () => this.showPage(),
-    });
+    };
+    this.panel = new Panel(acts, this.clips);
     byId("transport").append(...this.player.root);
     for (const [mode, name] of Object.entries(kModeNames) as [Mode, string][]) {
       const made = button(name, () => this.set({ mode }));
@@ -73,6 +93,7 @@ export class App {
     }
     connectAim(this.stage, {
       view: () => this.view,
+      canAim: () => this.takes.length > 0,
       turned: (camera) => this.set({ camera }),
       aimed: (thrown) => this.aim(thrown),
       thrown: (thrown) => {
@@ -98,6 +119,7 @@ export class App {
     this.stage.setCells([], 1);
     this.service?.stop();
     this.service = null;
+    this.rose = null;
   }
 
   start(): void {
@@ -109,12 +131,16 @@ export class App {
 
   /** Shows what the link says. */
   private restore(): void {
-    this.view = viewOf(location.hash, this.choosers.length);
+    this.view = viewOf(location.hash, this.choosers.length, this.clipCount);
     this.player.setPace(this.view.pace);
     this.player.time = this.view.time;
     this.showPage();
     this.player.isPlaying = false;
     this.player.seek(this.view.time);
+  }
+
+  private get clipCount(): number {
+    return this.selectors[0]?.library.clips.length ?? 0;
   }
 
   get conditions(): Conditions {
@@ -139,7 +165,7 @@ export class App {
 
   throwBall(): void {
     byId("hint").hidden = true;
-    if (this.view.mode === "rose" || this.view.mode === "tournament") this.view.mode = "one";
+    if (!["one", "compare", "volley"].includes(this.view.mode)) this.view.mode = "one";
     this.showPage();
     if (this.isStill.matches) this.player.seek(Math.max(this.view.thrown.time - 0.05, 0));
     else this.player.start();
@@ -194,6 +220,7 @@ export class App {
     paint();
     new ResizeObserver(() => {
       if (this.takes.length > 0) this.showCells();
+      this.isStale = true;
     }).observe(this.stage.canvas);
     addEventListener("hashchange", () => {
       if (location.hash !== linkOf(this.view)) this.restore();
@@ -245,10 +272,11 @@ export class App {
     document.body.className = mode;
     for (const made of byId("modes").querySelectorAll("button"))
       made.ariaPressed = String(made.dataset.mode === mode);
-    const isStaged = mode === "one" || mode === "compare";
+    const isStaged = mode !== "rose" && mode !== "tournament";
     byId("stage").hidden = !isStaged;
     byId("transport").hidden = !isStaged;
     byId("full").hidden = isStaged;
+    byId("timeline").hidden = mode !== "clips";
     this.panel.show(this.view, this.choosers, this.brawn);
     this.tournament?.stop();
     this.tournament = null;
@@ -257,10 +285,38 @@ export class App {
       this.showFull();
       return;
     }
-    const shown =
-      mode === "one" ? [this.choosers[figure]!] : this.choosers.slice(0, kMostCompared);
-    this.showTakes(shown);
+    const chooser = this.choosers[figure]!;
+    this.alone?.free();
+    this.alone = null;
+    if (mode === "volley") {
+      const { seed, delay } = this.view;
+      this.showAlone(new Volley(chooser, { seed, delay, brawn: this.brawn }), chooser);
+    } else if (mode === "clips") {
+      const [first] = this.choosers as [Chooser];
+      const { library } = first.selector;
+      this.clips.show(library, this.view.clip);
+      this.showAlone(new ClipRecording(library, this.view.clip), first);
+    } else {
+      this.showTakes(mode === "one" ? [chooser] : this.choosers.slice(0, kMostCompared));
+    }
     this.stage.look(camera);
+  }
+
+  /** What the cells show. */
+  private get recordings(): readonly Recording[] {
+    return this.alone ? [this.alone] : this.takes;
+  }
+
+  /** Shows one figure that answers no single throw. */
+  private showAlone(recording: Volley | ClipRecording, chooser: Chooser): void {
+    ++this.shown;
+    for (const take of this.takes) take.free();
+    this.takes = [];
+    this.alone = recording;
+    this.player.setDuration(recording.duration);
+    this.stage.setCells([{ recording, figure: this.figureOf(chooser) }], 1);
+    this.panel.showWhy(null);
+    this.isStale = true;
   }
 
   private showTakes(shown: readonly Chooser[]): void {
@@ -271,6 +327,7 @@ export class App {
       (chooser) =>
         new Take(chooser, this.conditions, chooser.kind === "oracle" ? idle_clip : undefined),
     );
+    this.player.setDuration(this.takes[0]!.duration);
     this.showCells();
     const oracle = shown.findIndex(({ kind }) => kind === "oracle");
     if (oracle < 0) return;
@@ -288,7 +345,7 @@ export class App {
     const isNarrow = this.stage.canvas.clientWidth < this.stage.canvas.clientHeight;
     const columns = count === 1 ? 1 : isNarrow ? 2 : 3;
     this.stage.setCells(
-      this.takes.map((take) => ({ take, figure: this.figureOf(take.chooser) })),
+      this.takes.map((take) => ({ recording: take, figure: this.figureOf(take.chooser) })),
       columns,
     );
     showCaptions(byId("captions"), this.takes, columns, this.brawn);
@@ -315,28 +372,48 @@ export class App {
   }
 
   private showFull(): void {
-    const root = byId("full");
-    const { mode, figure, thrown, delay, seed } = this.view;
-    const { brawn } = this;
     this.panel.showWhy(null);
-    if (mode === "rose") {
-      const chooser = this.choosers[figure]!;
-      drawRose(root, chooser, thrown, { delay, brawn }, this.panel.roseColours, (one) => {
-        this.view.thrown = one;
-        this.throwBall();
-      });
+    if (this.view.mode === "rose") {
+      this.showRose();
       return;
     }
+    const root = byId("full");
+    const { brawn } = this;
     root.replaceChildren();
-    this.tournament = new OracleService(this.module, this.files);
+    this.tournament = new SimulationService(this.module, this.files);
     this.tournament.play(
-      { seed, throws: kTournamentThrows, delay, brawn },
+      { seed: this.view.seed, throws: kTournamentThrows, brawn },
       (standings, count) => drawStandings(root, standings, count),
     );
   }
 
-  private workers(): OracleService {
-    this.service ??= new OracleService(this.module, this.files);
+  /** Asks for the rose unless it is the last one, and shows what is known of it. */
+  private showRose(): void {
+    const { figure, thrown: base, delay } = this.view;
+    const conditions = { base, delay, brawn: this.brawn };
+    const { speed, time, radius, mass, from_height } = base;
+    const of = JSON.stringify([figure, speed, time, radius, mass, from_height, delay, this.brawn]);
+    if (this.rose?.of !== of) {
+      const rose = { of, rings: [] as Ring[] };
+      this.rose = rose;
+      this.workers().pick(figure, conditions, (ring) => {
+        rose.rings.push(ring);
+        if (this.view.mode === "rose" && this.rose === rose) this.drawRose();
+      });
+    }
+    this.drawRose();
+  }
+
+  private drawRose(): void {
+    const { name } = this.choosers[this.view.figure]!;
+    drawRose(byId("full"), name, this.rose!.rings, this.panel.roseColours, (one) => {
+      this.view.thrown = one;
+      this.throwBall();
+    });
+  }
+
+  private workers(): SimulationService {
+    this.service ??= new SimulationService(this.module, this.files);
     return this.service;
   }
 
@@ -351,14 +428,27 @@ export class App {
   private frame(now: number): void {
     const begin = performance.now();
     const isMoving = this.player.tick(now);
-    if ((isMoving || this.isStale) && this.takes.length > 0 && !byId("stage").hidden) {
+    if ((isMoving || this.isStale) && this.recordings.length > 0 && !byId("stage").hidden) {
       this.isStale = false;
       this.showBalance();
       this.stage.draw(this.player.time);
+      this.showAloneCaption();
       this.frame_ms.push(performance.now() - begin);
       if (this.frame_ms.length > 600) this.frame_ms.shift();
     }
     requestAnimationFrame((next) => this.frame(next));
+  }
+
+  private showAloneCaption(): void {
+    const { alone } = this;
+    const { time } = this.player;
+    if (alone instanceof Volley) {
+      showCaption(byId("captions"), alone.chooser.name, alone.summary(time));
+    } else if (alone) {
+      this.clips.showTime(time);
+      const { name } = alone.library.clips[alone.clip]!;
+      showCaption(byId("captions"), name.replaceAll("_", " "), `${time.toFixed(2)} s`);
+    }
   }
 
   private showBalance(): void {

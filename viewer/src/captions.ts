@@ -3,6 +3,19 @@ import { costOf } from "./chooser";
 import { element } from "./dom";
 import type { Take } from "./take";
 
+/** Under a figure alone, in words. */
+export function showCaption(root: HTMLElement, name: string, text: string): void {
+  root.style.gridTemplate = "1fr / 1fr";
+  root.replaceChildren(
+    element(
+      "div",
+      { className: "caption" },
+      element("b", { textContent: name }),
+      element("div", { className: "numbers", textContent: text }),
+    ),
+  );
+}
+
 /** Under each figure its clip, damage, work and cost. */
 export function showCaptions(
   root: HTMLElement,

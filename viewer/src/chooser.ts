@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Who answers a throw: a selector, one of the baselines, looking ahead, or the oracle.
-import type { Character, Flinch, Library, Oracle, Threat, Trial } from "flinch";
+import type { Character, Flinch, Library, Oracle, Scenario, Threat, Trial } from "flinch";
 
 export type ChooserKind = "selector" | "nearest" | "ahead" | "oracle" | "idle";
 
@@ -114,4 +114,13 @@ export function choose(chooser: Chooser, character: Character, { threat }: Condi
     default:
       return library.info.idle_clip;
   }
+}
+
+/** The same in a scenario of training, whose target and time are known. */
+export function chooseIn({ kind, selector }: Chooser, scenario: Scenario): number {
+  const { library } = selector;
+  if (kind === "selector") return library.chooseIn(scenario);
+  if (kind === "ahead") return library.chooseIn(scenario, kLookedAt);
+  if (kind === "nearest") return library.nearestIn(scenario);
+  return library.info.idle_clip;
 }

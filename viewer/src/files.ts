@@ -13,8 +13,10 @@ export function embeddedModule(): Promise<WebAssembly.Module> {
   const element = document.getElementById("flinch-wasm");
   if (!element) throw new Error("This page was built without flinch.wasm: build it again with scripts/page.");
   if (typeof WebAssembly === "undefined")
-    throw new Error("This browser does not run WebAssembly, or it is switched off.");
-  return WebAssembly.compile(bytesOf(element) as BufferSource);
+    throw new Error("This browser cannot run WebAssembly, or it is switched off: the page needs it.");
+  return WebAssembly.compile(bytesOf(element) as BufferSource).catch((error: Error) => {
+    throw new Error(`This browser does not run WebAssembly here: ${error.message}`);
+  });
 }
 
 export function embeddedSelectors(): SelectorFile[] {

@@ -3,25 +3,27 @@
 // something that can be shown.
 import { allowed, clamp, kDefaultThrow, type Throw } from "./throw";
 
-export type Mode = "one" | "compare" | "rose" | "tournament";
-const kModes: readonly Mode[] = ["one", "compare", "rose", "tournament"];
+export type Mode = "one" | "compare" | "volley" | "clips" | "rose" | "tournament";
+const kModes: readonly Mode[] = ["one", "compare", "volley", "clips", "rose", "tournament"];
 
 export interface View {
   mode: Mode;
   thrown: Throw;
-  figure: number; // which chooser `one` shows
+  figure: number; // which chooser is shown alone
+  clip: number; // which clip `clips` shows
   brawn: number; // weighs work against damage in what is shown and in the oracle's choice
   delay: number; // of the reaction, s
   time: number; // of the playback, s
   pace: number; // of the playback, seconds per second
   camera: [number, number, number]; // azimuth, elevation (degrees), distance (m)
-  seed: number; // of the next throw, and of the tournament
+  seed: number; // of the next throw, the volley and the tournament
 }
 
 export const kDefaultView: View = {
   mode: "one",
   thrown: kDefaultThrow,
   figure: 0,
+  clip: 0,
   brawn: -1, // the selector's own
   delay: 0,
   time: 0,
@@ -40,6 +42,7 @@ export function linkOf(view: View): string {
     aim: thrown.aim.map(rounded).join(","),
     ball: [thrown.speed, thrown.time, thrown.radius, thrown.mass].map(rounded).join(","),
     who: String(view.figure),
+    clip: String(view.clip),
     brawn: rounded(view.brawn),
     delay: rounded(view.delay),
     t: rounded(view.time),
@@ -50,8 +53,8 @@ export function linkOf(view: View): string {
   return "#" + Object.entries(parts).map(([key, value]) => `${key}=${value}`).join("&");
 }
 
-/** Reads a link for a page with this many choosers. */
-export function viewOf(link: string, choosers: number): View {
+/** Reads a link for a page with this many choosers and clips. */
+export function viewOf(link: string, choosers: number, clips: number): View {
   const parts = new Map(
     link
       .replace(/^#/, "")
@@ -87,9 +90,10 @@ export function viewOf(link: string, choosers: number): View {
       mass,
     }),
     figure: Math.floor(number("who", 0, 0, Math.max(choosers - 1, 0))),
+    clip: Math.floor(number("clip", 0, 0, Math.max(clips - 1, 0))),
     brawn: number("brawn", kDefaultView.brawn, -1, 1),
     delay: number("delay", 0, 0, 0.4),
-    time: number("t", 0, 0, 10),
+    time: number("t", 0, 0, 60),
     pace: number("pace", 1, 0.05, 1),
     camera,
     seed: Math.floor(number("seed", 1, 0, 4294967295)),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The settings.
 import type { Chooser } from "./chooser";
+import type { ClipEditor } from "./clip_editor";
 import { button, byId, element, slider } from "./dom";
 import type { View } from "./link";
 import type { RoseColours } from "./rose";
@@ -35,9 +36,13 @@ export class Panel {
   private readonly who = element("select", { className: "choice", ariaLabel: "Who answers" });
   private readonly about = element("p", { className: "quiet" });
   private readonly why = element("div", { id: "why" });
+  private readonly throwing = element("div"); // all that is about throws
   private readonly rose = element("select", { className: "choice", ariaLabel: "Colours of the rose" });
 
-  constructor(private readonly acts: PanelActs) {
+  constructor(
+    private readonly acts: PanelActs,
+    private readonly clips: ClipEditor,
+  ) {
     this.sliders = kSliders.map(([key, label, unit, step, digits, scale]) => [
       key,
       slider({ label, unit, range: kRanges[key], step, digits, scale }, (value) =>
@@ -72,7 +77,7 @@ export class Panel {
     };
     const file = element("input", { type: "file", accept: ".flinch", multiple: true, hidden: true });
     file.onchange = () => this.acts.files(file.files ?? []);
-    byId("panel").append(
+    this.throwing.append(
       element(
         "div",
         { className: "buttons" },
@@ -95,6 +100,10 @@ export class Panel {
           "Brawn weighs costs and the oracle's choice here; selectors keep what they were trained with.",
       }),
       element("label", { className: "quiet" }, balance, " Show support and centre of mass"),
+    );
+    byId("panel").append(
+      this.clips.root,
+      this.throwing,
       element("h2", { textContent: "Selectors" }),
       element(
         "div",
@@ -119,6 +128,8 @@ export class Panel {
       ...choosers.map(({ name }) => element("option", { textContent: name })),
     );
     this.who.selectedIndex = view.figure;
+    this.throwing.hidden = view.mode === "clips";
+    this.clips.root.hidden = view.mode !== "clips";
     this.who.hidden = view.mode === "compare" || view.mode === "tournament";
     this.rose.hidden = view.mode !== "rose";
     this.about.hidden = this.who.hidden;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The time of the playback.
 import { button, element } from "./dom";
-import { kDuration } from "./take";
 
 const kPaces = [1, 0.5, 0.25, 0.1];
 
@@ -9,6 +8,7 @@ export class Player {
   time = 0;
   pace = 1;
   isPlaying = false;
+  private duration = 1; // s, of what is shown
   readonly root: HTMLElement[];
   private last = 0;
   private readonly play = button("Play", () => this.toggle(), "main");
@@ -17,7 +17,7 @@ export class Player {
   private readonly paces = element("select", { ariaLabel: "Speed of the playback" });
 
   constructor(private readonly changed: () => void) {
-    Object.assign(this.scrub, { min: "0", max: String(kDuration), step: "0.001" });
+    Object.assign(this.scrub, { min: "0", step: "0.001" });
     this.scrub.oninput = () => {
       this.isPlaying = false;
       this.seek(Number(this.scrub.value));
@@ -31,8 +31,16 @@ export class Player {
     this.root = [this.play, this.scrub, this.output, this.paces];
   }
 
+  /** What is shown lasts so long. */
+  setDuration(duration: number): void {
+    this.duration = duration;
+    this.scrub.max = String(duration);
+    this.time = Math.min(this.time, duration);
+    this.show();
+  }
+
   seek(time: number): void {
-    this.time = Math.min(Math.max(time, 0), kDuration);
+    this.time = Math.min(Math.max(time, 0), this.duration);
     this.show();
     this.changed();
   }
@@ -48,7 +56,7 @@ export class Player {
   }
 
   resume(): void {
-    if (this.time >= kDuration) this.time = 0;
+    if (this.time >= this.duration) this.time = 0;
     this.isPlaying = true;
     this.last = 0;
     this.show();
@@ -72,8 +80,8 @@ export class Player {
     // A hidden page gives one long frame, which must not end the playback.
     const dt = this.last > 0 ? Math.min((now_ms - this.last) / 1000, 0.1) : 0;
     this.last = now_ms;
-    this.time = Math.min(this.time + dt * this.pace, kDuration);
-    if (this.time >= kDuration) {
+    this.time = Math.min(this.time + dt * this.pace, this.duration);
+    if (this.time >= this.duration) {
       this.isPlaying = false;
       this.changed();
     }

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The threat rose: how a chooser answers throws from all around, at all heights.
-import { atRest, choose, costOf, type Chooser } from "./chooser";
 import { element, svg } from "./dom";
-import { allowed, threatOf, type Throw } from "./throw";
+import { kHeights, kSectors, type Petal, type Ring } from "./petals";
+import type { Throw } from "./throw";
 
-const kSectors = 24;
-const kHeights = [0.35, 0.65, 0.95, 1.2, 1.42, 1.62]; // of the aim, from the inside out
 const kInner = 46;
 const kRing = 27;
 const kColours = [
@@ -14,40 +12,25 @@ const kColours = [
 
 export type RoseColours = "kind" | "protection";
 
-interface Petal {
-  thrown: Throw;
-  clip: string;
-  kind: string;
-  prevented: number; // share of the cost of idling
-}
-
-/** Draws the rose of a chooser into `root`; a click on a petal throws it. */
+/** Draws as many rings as are known, from the inside out; a click on a petal throws it. */
 export function drawRose(
   root: HTMLElement,
-  chooser: Chooser,
-  base: Throw,
-  conditions: { delay: number; brawn: number },
+  name: string,
+  rings: readonly Ring[],
   colours: RoseColours,
   thrown: (one: Throw) => void,
 ): void {
-  const petals = kHeights.map((height) =>
-    Array.from({ length: kSectors }, (_, sector) => {
-      const azimuth = ((sector * 360) / kSectors + 180) % 360 - 180;
-      const aim: Throw["aim"] = [0.02, 0, height];
-      return petalOf(chooser, allowed({ ...base, azimuth, aim }), conditions);
-    }),
-  );
-  const kinds = [...new Set(petals.flat().map(({ kind }) => kind))].sort();
+  const kinds = [...new Set(rings.flat().map(({ kind }) => kind))].sort();
   const size = 2 * (kInner + kRing * kHeights.length + 34);
   const chart = svg("svg", {
     class: "chart", viewBox: `${-size / 2} ${-size / 2} ${size} ${size}`, role: "group",
-    "aria-label": `How ${chooser.name} answers throws from all around`,
+    "aria-label": `How ${name} answers throws from all around`,
   });
   const colourOf = ({ kind, prevented }: Petal) =>
     colours === "kind"
       ? kColours[kinds.indexOf(kind) % kColours.length]!
       : `hsl(${Math.round(150 * Math.min(Math.max(prevented, 0), 1))} 55% 48%)`;
-  petals.forEach((ring, h) =>
+  rings.forEach((ring, h) =>
     ring.forEach((petal, sector) => {
       const text = `${Math.round(petal.thrown.azimuth)}°, ${kHeights[h]} m: ${petal.clip} (${petal.kind}), prevents ${Math.round(100 * petal.prevented)} %`;
       const cell = svg("path", {
@@ -72,24 +55,6 @@ export function drawRose(
     svg("text", { x: 0, y: 13, "text-anchor": "middle" }, "head outside"),
   );
   root.replaceChildren(chart, legendOf(colours, kinds));
-}
-
-function petalOf(
-  chooser: Chooser,
-  thrown: Throw,
-  { delay, brawn }: { delay: number; brawn: number },
-): Petal {
-  const { selector } = chooser;
-  const { library, oracle } = selector;
-  const threat = threatOf(thrown);
-  const clip = choose(chooser, atRest(selector, delay), { threat, delay, brawn });
-  const character = atRest(selector, delay);
-  const idle = oracle.tryClip(character, threat, library.info.idle_clip);
-  const own = clip === library.info.idle_clip ? idle : oracle.tryClip(character, threat, clip);
-  const cost = idle ? costOf(idle, oracle, brawn) : 0;
-  const prevented = own && cost > 0 ? 1 - costOf(own, oracle, brawn) / cost : 0;
-  const { name, kind } = library.clips[clip]!;
-  return { thrown, clip: name, kind: kind || "idle", prevented };
 }
 
 /** Front is up, the character's left at the left. */

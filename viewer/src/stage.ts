@@ -25,10 +25,10 @@ import {
   WebGLRenderer,
 } from "three";
 import { Figure } from "./figure";
-import type { Take } from "./take";
-import { kDuration, kRate } from "./take";
+import { kRate, type Ball, type Frame, type Recording } from "./recording";
 
-const kMostFrames = Math.ceil(kDuration * kRate) + 1;
+const kMostBalls = 3;
+const kMostTrail = 4 * kRate; // frames
 
 export interface Palette {
   ground: number;
@@ -43,7 +43,7 @@ export const kPalettes: Record<"light" | "dark", Palette> = {
 
 /** What one cell of the stage shows. */
 export interface Cell {
-  take: Take;
+  recording: Recording;
   figure: Figure;
 }
 
@@ -54,7 +54,7 @@ export class Stage {
   private readonly sun = new DirectionalLight(0xffffff, 2.4);
   private readonly ground: Mesh<CircleGeometry, MeshStandardMaterial>;
   private readonly shadow: Mesh<CircleGeometry, ShadowMaterial>;
-  private readonly ball: Mesh<SphereGeometry, MeshStandardMaterial>;
+  private readonly balls: Mesh<SphereGeometry, MeshStandardMaterial>[];
   private readonly trail = new Line(new BufferGeometry(), new LineBasicMaterial());
   private readonly aim = new Line(new BufferGeometry(), new LineBasicMaterial());
   private readonly overlay = new Group();
@@ -71,8 +71,10 @@ export class Stage {
     this.shadow = new Mesh(new CircleGeometry(30, 64), new ShadowMaterial({ opacity: 0.22 }));
     this.shadow.receiveShadow = true;
     this.shadow.position.z = 0.002;
-    this.ball = new Mesh(new SphereGeometry(1, 32, 20), new MeshStandardMaterial({ roughness: 0.5 }));
-    this.ball.castShadow = true;
+    const sphere = new SphereGeometry(1, 32, 20);
+    const leather = new MeshStandardMaterial({ roughness: 0.5 });
+    this.balls = Array.from({ length: kMostBalls }, () => new Mesh(sphere, leather));
+    for (const ball of this.balls) ball.castShadow = true;
     this.sun.position.set(3, 2.5, 6);
     this.sun.castShadow = true;
     this.sun.shadow.mapSize.set(1024, 1024);
@@ -86,14 +88,14 @@ export class Stage {
       this.sun,
       this.ground,
       this.shadow,
-      this.ball,
+      ...this.balls,
       this.trail,
       this.aim,
       this.overlay,
     );
     this.trail.geometry.setAttribute(
       "position",
-      new BufferAttribute(new Float32Array(3 * (kMostFrames + 1)), 3),
+      new BufferAttribute(new Float32Array(3 * (kMostTrail + 1)), 3),
     );
     this.trail.frustumCulled = this.aim.frustumCulled = false;
     this.aim.visible = false;
@@ -103,7 +105,7 @@ export class Stage {
     this.scene.background = new Color(palette.fog);
     this.scene.fog = new Fog(palette.fog, 8, 22);
     this.ground.material.color.set(palette.ground);
-    this.ball.material.color.set(palette.ball);
+    this.balls[0]!.material.color.set(palette.ball);
     this.trail.material.color.set(palette.ball);
     this.aim.material.color.set(palette.ball);
     this.scene.remove(this.grid);
@@ -202,24 +204,41 @@ export class Stage {
     return [this.cells[row * this.columns + column], local];
   }
 
-  /** The ball's path so far. */
-  private drawTrail(take: Take, time: number): void {
-    const path = this.trail.geometry.attributes.position as BufferAttribute;
-    const passed = Math.min(Math.floor(Math.max(time, 0) * kRate) + 1, kMostFrames);
-    for (let i = 0; i < passed; ++i) path.setXYZ(i, ...take.frames[i]!.ball);
-    path.setXYZ(passed, ...this.ball.position.toArray());
-    path.needsUpdate = true;
-    this.trail.geometry.setDrawRange(0, passed + 1);
-  }
-
-  private prepare({ take, figure }: Cell, time: number): void {
+  private prepare({ recording, figure }: Cell, time: number): void {
     for (const other of this.cells) other.figure.mesh.visible = other.figure === figure;
-    const { from, to, share } = take.at(time);
+    const { from, to, share } = recording.at(time);
     figure.show(from.joints, to.joints, share);
     figure.glow(to.impulses);
-    const { radius } = take.threat;
-    this.ball.scale.setScalar(radius);
-    this.ball.position.fromArray(from.ball).lerp(new Vector3(...to.ball), share);
-    this.drawTrail(take, time);
+    this.drawBalls(from, to, share);
+    this.drawTrail(recording, from, time);
+  }
+
+  private drawBalls(from: Frame, to: Frame, share: number): void {
+    this.balls.forEach((mesh, i) => {
+      const ball = from.balls[from.balls.length - 1 - i]; // the latest first
+      mesh.visible = ball !== undefined;
+      if (!ball) return;
+      const next = to.balls.find(({ id }) => id === ball.id) ?? ball;
+      mesh.scale.setScalar(ball.radius);
+      mesh.position.fromArray(ball.position).lerp(new Vector3(...next.position), share);
+    });
+  }
+
+  /** The latest ball's path so far. */
+  private drawTrail({ frames }: Recording, { balls }: Frame, time: number): void {
+    const latest = balls.at(-1);
+    this.trail.visible = latest !== undefined;
+    if (!latest) return;
+    const isLatest = ({ id }: Ball) => id === latest.id;
+    const path = this.trail.geometry.attributes.position as BufferAttribute;
+    let points = 0;
+    path.setXYZ(points++, ...this.balls[0]!.position.toArray());
+    for (let i = Math.floor(Math.max(time, 0) * kRate); i >= 0 && points < kMostTrail; --i) {
+      const ball = frames[i]!.balls.find(isLatest);
+      if (!ball) break;
+      path.setXYZ(points++, ...ball.position);
+    }
+    path.needsUpdate = true;
+    this.trail.geometry.setDrawRange(0, points);
   }
 }

@@ -1,29 +1,18 @@
 // SPDX-License-Identifier: MIT
-// One character's answer to one throw, simulated as far as anyone has looked and kept, so that
-// playing, pausing and scrubbing show the same.
-import type { Character, JointFrames, Threat, Trial } from "flinch";
+// One character's answer to one throw.
+import type { Character, Threat, Trial } from "flinch";
 import { atRest, choose, prepared, type Chooser, type Conditions } from "./chooser";
-import { kGravity } from "./throw";
+import { fly, kRate, Recording, type FlyingBall } from "./recording";
 
-export const kRate = 60;
-export const kDuration = 3.2; // s: the flight, the answer and the way back
+const kDuration = 3.2; // s: the flight, the answer and the way back
 // Physics takes the body this long before the contact that a simulation foresees.
-const kAhead = 0.08;
-const kRestitution = 0.7;
+export const kAhead = 0.08;
 
-export interface Frame {
-  joints: JointFrames;
-  ball: [number, number, number];
-  impulses: Float32Array; // on each body so far, N s
-  phase: number;
-}
-
-export class Take {
-  readonly frames: Frame[] = [];
+export class Take extends Recording {
   readonly clip: number;
   readonly trial: Trial | null; // none if the throw misses
   private readonly character: Character;
-  private readonly ball: { position: number[]; velocity: number[] };
+  private readonly ball: FlyingBall;
   private isMet = false;
   private answersAt: number | null = null; // when a clip of ours begins to be answered with
 
@@ -33,22 +22,15 @@ export class Take {
     private readonly conditions: Conditions,
     chosen?: number,
   ) {
+    super(kDuration);
     const { selector, kind } = chooser;
     const { threat, delay } = conditions;
     this.character = prepared(selector.library.createCharacter(), delay);
     this.clip = chosen ?? choose(chooser, this.character, conditions);
     this.trial = selector.oracle.tryClip(atRest(selector, delay), threat, this.clip);
     if (kind === "oracle" || kind === "nearest") this.answersAt = delay;
-    this.ball = { position: [...toArray(threat.position)], velocity: [...toArray(threat.velocity)] };
+    this.ball = { position: Array.from(threat.position), velocity: Array.from(threat.velocity) };
     this.record();
-  }
-
-  /** The frame shown at `time`, between the two nearest that are kept. */
-  at(time: number): { from: Frame; to: Frame; share: number } {
-    const exact = Math.min(Math.max(time, 0), kDuration) * kRate;
-    const first = Math.floor(exact);
-    while (this.frames.length < first + 2) this.advance();
-    return { from: this.frames[first]!, to: this.frames[first + 1]!, share: exact - first };
   }
 
   get threat(): Threat {
@@ -59,7 +41,7 @@ export class Take {
     this.character.free();
   }
 
-  private advance(): void {
+  protected advance(): void {
     const now = (this.frames.length - 1) / kRate;
     const { threat } = this.conditions;
     if (this.answersAt !== null && now >= this.answersAt) this.answer(now);
@@ -89,20 +71,12 @@ export class Take {
   }
 
   private moveBall(dt: number): void {
-    const { position, velocity } = this.ball;
     const reaction = this.character.reaction();
     if (this.isMet && reaction.moved_by === 1) {
-      position.splice(0, 3, ...reaction.ball_position);
-      velocity.splice(0, 3, ...reaction.ball_velocity);
-      return;
-    }
-    const { radius } = this.conditions.threat;
-    for (let i = 0; i < 3; ++i) position[i]! += velocity[i]! * dt;
-    position[2]! -= (kGravity * dt * dt) / 2;
-    velocity[2]! -= kGravity * dt;
-    if (position[2]! < radius && velocity[2]! < 0) {
-      position[2] = 2 * radius - position[2]!;
-      velocity[2]! *= -kRestitution;
+      this.ball.position.splice(0, 3, ...reaction.ball_position);
+      this.ball.velocity.splice(0, 3, ...reaction.ball_velocity);
+    } else {
+      fly(this.ball, this.threat.radius, dt);
     }
   }
 
@@ -110,13 +84,8 @@ export class Take {
     const [x, y, z] = this.ball.position as [number, number, number];
     this.frames.push({
       joints: this.character.jointFrames(),
-      ball: [x, y, z],
+      balls: [{ id: 0, position: [x, y, z], radius: this.threat.radius }],
       impulses: this.character.reaction().impulse_ns,
-      phase: this.character.state().phase,
     });
   }
-}
-
-function toArray(vector: ArrayLike<number>): number[] {
-  return Array.from(vector);
 }

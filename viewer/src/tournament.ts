@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Seeded throws at all choosers, and how much of what is possible each protects:
+// The scenarios of training at all choosers, and how much of what is possible each protects:
 //
 //   protection = (mean cost of idling - mean cost of the chooser)
 //              / (mean cost of idling - mean cost of the oracle)
 //
-// with the interval of 95 of 100 bootstrap resamples of the throws.
-import { atRest, bestTrial, choose, costOf, type Chooser, type Conditions } from "./chooser";
-import { randomNumbers, randomThrow, threatOf } from "./throw";
+// with the interval of 95 of 100 bootstrap resamples of the scenarios. Scenarios, choices and costs
+// are those of `flinch simulate` and `flinch compare` for the same seed.
+import type { Scenario, Trial } from "flinch";
+import { bestTrial, chooseIn, costOf, type Chooser, type Selector } from "./chooser";
+import { randomNumbers } from "./throw";
 
 export interface Standing {
   name: string;
@@ -19,43 +21,52 @@ export interface Standing {
 export interface TournamentPlan {
   seed: number;
   throws: number;
-  delay: number;
   brawn: number;
 }
 
 const kResamples = 400;
 
-/** Plays throw after throw; yields the standings after each that hits an idle character. */
-export function* playTournament(choosers: readonly Chooser[], plan: TournamentPlan) {
-  const random = randomNumbers(plan.seed);
-  const costs: number[][] = choosers.map(() => []); // one per throw
-  for (let thrown = 0; thrown < plan.throws; ) {
-    const conditions = { ...plan, threat: threatOf(randomThrow(random)) };
-    const row = costsOf(choosers, conditions);
-    if (!row) continue; // would hit nothing
-    row.forEach((cost, i) => costs[i]!.push(cost));
-    ++thrown;
-    yield { standings: standingsOf(choosers, costs, plan.seed), thrown };
+/** Plays scenario after scenario; yields the standings after each. */
+export function* playTournament(
+  choosers: readonly Chooser[],
+  plan: TournamentPlan,
+): Generator<{ standings: Standing[]; thrown: number }> {
+  const costs: number[][] = choosers.map(() => []); // one per scenario
+  const { library } = choosers[0]!.selector;
+  for (let number = 0; number < plan.throws; ++number) {
+    const scenario = library.drawScenario(plan.seed, number);
+    costsOf(choosers, scenario, plan.brawn).forEach((cost, i) => costs[i]!.push(cost));
+    yield { standings: standingsOf(choosers, costs, plan.seed), thrown: number + 1 };
   }
 }
 
-/** What a throw costs each chooser; none if it misses. */
-function costsOf(choosers: readonly Chooser[], conditions: Conditions): number[] | null {
-  const { threat, delay, brawn } = conditions;
-  const row: number[] = [];
-  for (const chooser of choosers) {
+/** What a scenario costs each chooser. */
+function costsOf(choosers: readonly Chooser[], scenario: Scenario, brawn: number): number[] {
+  const known = new Map<Selector, Trial[]>();
+  const trialsOf = (selector: Selector): Trial[] => {
+    const same = [...known.keys()].find((other) => haveSameClips(other, selector));
+    const trials = same ? known.get(same)! : selector.oracle.tryScenario(scenario).trials;
+    known.set(selector, trials);
+    return trials;
+  };
+  return choosers.map((chooser) => {
     const { selector, kind } = chooser;
-    const { oracle } = selector;
-    const clip = choose(chooser, atRest(selector, delay), conditions);
-    const character = atRest(selector, delay);
+    const trials = trialsOf(selector);
+    const clip = kind === "oracle" ? null : chooseIn(chooser, scenario);
     const trial =
-      kind === "oracle"
-        ? bestTrial(oracle.tryAll(character, threat).trials, oracle, brawn)
-        : oracle.tryClip(character, threat, clip);
-    if (!trial) return null;
-    row.push(costOf(trial, oracle, brawn));
-  }
-  return row;
+      clip === null
+        ? bestTrial(trials, selector.oracle, brawn)
+        : trials.find((one) => one.clip === clip);
+    if (!trial) throw new Error(`${chooser.name} chose a clip that cannot answer`);
+    return costOf(trial, choosers[0]!.selector.oracle, brawn);
+  });
+}
+
+/** Whether clips can be simulated once for both selectors. */
+function haveSameClips({ library: a }: Selector, { library: b }: Selector): boolean {
+  const same = (i: number) =>
+    a.clips[i]!.name === b.clips[i]!.name && a.clips[i]!.duration_s === b.clips[i]!.duration_s;
+  return a === b || (a.clips.length === b.clips.length && a.clips.every((_, i) => same(i)));
 }
 
 function standingsOf(

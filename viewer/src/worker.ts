@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// What takes tenths of a second: the oracle's choice, and tournaments.
+// What takes tenths of a second: the oracle's choice, tournaments and roses.
 import { loadFlinch, type Threat, type Trial } from "flinch";
 import { atRest, bestTrial, choosersOf, loadSelector, type Selector } from "./chooser";
-import { playTournament, type Standing } from "./tournament";
+import { ringsOf, type Ring, type RoseConditions } from "./petals";
+import { playTournament, type Standing, type TournamentPlan } from "./tournament";
 
 export interface SelectorFile {
   name: string;
@@ -11,13 +12,15 @@ export interface SelectorFile {
 export type Request =
   | { kind: "load"; module: WebAssembly.Module; selectors: SelectorFile[] }
   | { kind: "oracle"; id: number; threat: Threat; delay: number; brawn: number }
-  | { kind: "tournament"; id: number; seed: number; throws: number; delay: number; brawn: number };
+  | ({ kind: "tournament"; id: number } & TournamentPlan)
+  | { kind: "rose"; id: number; chooser: number; conditions: RoseConditions };
 export type Reply =
   | { kind: "oracle"; id: number; best: Trial | null; trials: Trial[]; took_ms: number }
-  | { kind: "tournament"; id: number; standings: Standing[]; thrown: number };
+  | { kind: "tournament"; id: number; standings: Standing[]; thrown: number }
+  | { kind: "rose"; id: number; ring: Ring };
 
 let selectors: Selector[] = [];
-let current = 0; // the last tournament that was asked for
+const latest = { tournament: 0, rose: 0 }; // that were asked for
 const post = (reply: Reply) => self.postMessage(reply);
 
 async function load({ module, selectors: files }: Extract<Request, { kind: "load" }>) {
@@ -33,23 +36,34 @@ function askOracle({ id, threat, delay, brawn }: Extract<Request, { kind: "oracl
   post({ kind: "oracle", id, best, trials, took_ms: performance.now() - begin });
 }
 
-async function play(request: Extract<Request, { kind: "tournament" }>) {
-  const { id, seed, throws, delay, brawn } = request;
-  current = id;
-  for (const { standings, thrown } of playTournament(choosersOf(selectors), {
-    seed,
-    throws,
-    delay,
-    brawn,
-  })) {
-    if (current !== id) return;
+async function play({ id, ...plan }: Extract<Request, { kind: "tournament" }>) {
+  latest.tournament = id;
+  for (const { standings, thrown } of playTournament(choosersOf(selectors), plan)) {
+    if (latest.tournament !== id) return;
     post({ kind: "tournament", id, standings, thrown });
-    await new Promise((resolve) => setTimeout(resolve)); // lets other requests in
+    await otherRequests();
   }
+}
+
+async function pick({ id, chooser, conditions }: Extract<Request, { kind: "rose" }>) {
+  latest.rose = id;
+  for (const ring of ringsOf(choosersOf(selectors)[chooser]!, conditions)) {
+    if (latest.rose !== id) return;
+    post({ kind: "rose", id, ring });
+    await otherRequests();
+  }
+}
+
+const otherRequests = () => new Promise((resolve) => setTimeout(resolve));
+
+function answer(request: Exclude<Request, { kind: "load" }>) {
+  if (request.kind === "oracle") askOracle(request);
+  else if (request.kind === "rose") void pick(request);
+  else void play(request);
 }
 
 let loaded: Promise<void> = Promise.resolve();
 self.onmessage = ({ data }: MessageEvent<Request>) => {
   if (data.kind === "load") loaded = load(data);
-  else void loaded.then(() => (data.kind === "oracle" ? askOracle(data) : play(data)));
+  else void loaded.then(() => answer(data));
 };

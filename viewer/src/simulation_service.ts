@@ -1,20 +1,22 @@
 // SPDX-License-Identifier: MIT
-// Workers, so that the page never waits.
+// Simulations in a worker, so that the page never waits.
 import type { Threat, Trial } from "flinch";
-import type { Standing } from "./tournament";
+import type { Ring, RoseConditions } from "./petals";
+import type { Standing, TournamentPlan } from "./tournament";
 import FlinchWorker from "./worker?worker&inline";
 import type { Reply, Request, SelectorFile } from "./worker";
 
 type Found = (best: Trial | null) => void;
-type Progress = (standings: Standing[], thrown: number) => void;
 type OracleRequest = Extract<Request, { kind: "oracle" }>;
 
-export class OracleService {
+export class SimulationService {
   private readonly worker = new FlinchWorker();
   private next = 0;
   private found: Found | null = null; // of the request that the worker has
   private waiting: [OracleRequest, Found] | null = null; // the latest that it has not
-  private progress: Progress | null = null;
+  private progress: ((standings: Standing[], thrown: number) => void) | null = null;
+  private ring: ((ring: Ring) => void) | null = null;
+  private rose = 0; // the last that was asked for
   /** How long the oracle took for the throws so far, ms. */
   readonly took_ms: number[] = [];
 
@@ -22,7 +24,8 @@ export class OracleService {
     this.send({ kind: "load", module, selectors });
     this.worker.onmessage = ({ data }: MessageEvent<Reply>) => {
       if (data.kind === "tournament") this.progress?.(data.standings, data.thrown);
-      else this.answered(data);
+      else if (data.kind === "oracle") this.answered(data);
+      else if (data.id === this.rose) this.ring?.(data.ring);
     };
   }
 
@@ -37,12 +40,16 @@ export class OracleService {
     this.send(request);
   }
 
-  play(
-    plan: { seed: number; throws: number; delay: number; brawn: number },
-    progress: Progress,
-  ): void {
+  play(plan: TournamentPlan, progress: (standings: Standing[], thrown: number) => void): void {
     this.progress = progress;
     this.send({ kind: "tournament", id: ++this.next, ...plan });
+  }
+
+  /** Asks for the petals of a rose, ring after ring. Ends those of the rose before. */
+  pick(chooser: number, conditions: RoseConditions, ring: (ring: Ring) => void): void {
+    this.ring = ring;
+    this.rose = ++this.next;
+    this.send({ kind: "rose", id: this.rose, chooser, conditions });
   }
 
   /** What was asked for is no longer wanted. */

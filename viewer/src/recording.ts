@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+// What a figure does and the balls about it, simulated as far as anyone has looked and kept, so that
+// playing, pausing and scrubbing show the same.
+import type { JointFrames } from "flinch";
+import { kGravity } from "./throw";
+
+export const kRate = 60;
+const kRestitution = 0.7; // of balls and ground
+
+export interface Ball {
+  id: number; // the same from frame to frame
+  position: [number, number, number];
+  radius: number;
+}
+
+export interface Frame {
+  joints: JointFrames;
+  balls: readonly Ball[]; // the latest last
+  impulses: Float32Array; // on each body so far, N s
+}
+
+export abstract class Recording {
+  readonly frames: Frame[] = [];
+
+  constructor(readonly duration: number) {}
+
+  /** The frame shown at `time`, between the two nearest that are kept. */
+  at(time: number): { from: Frame; to: Frame; share: number } {
+    const exact = Math.min(Math.max(time, 0), this.duration) * kRate;
+    const first = Math.floor(exact);
+    while (this.frames.length < first + 2) this.advance();
+    return { from: this.frames[first]!, to: this.frames[first + 1]!, share: exact - first };
+  }
+
+  abstract free(): void;
+  /** Adds the next frame. */
+  protected abstract advance(): void;
+}
+
+/** A ball in free flight. */
+export interface FlyingBall {
+  position: number[];
+  velocity: number[];
+}
+
+/** Moves a ball by `dt`: free flight, and off the ground. */
+export function fly({ position, velocity }: FlyingBall, radius: number, dt: number): void {
+  for (let i = 0; i < 3; ++i) position[i]! += velocity[i]! * dt;
+  position[2]! -= (kGravity * dt * dt) / 2;
+  velocity[2]! -= kGravity * dt;
+  if (position[2]! < radius && velocity[2]! < 0) {
+    position[2] = 2 * radius - position[2]!;
+    velocity[2]! *= -kRestitution;
+  }
+}
