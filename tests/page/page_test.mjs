@@ -361,7 +361,8 @@ const tests = {
       await page.setViewportSize({ width, height });
       await page.emulateMedia({ colorScheme });
       for (const mode of ["one", "compare", "volley", "clips", "rose"]) {
-        await show(`${kThrow.replace("view=one", `view=${mode}`)}&t=0.62&clip=5`);
+        const time = mode === "volley" ? 3.61 : 0.62;
+        await show(`${kThrow.replace("view=one", `view=${mode}`)}&t=${time}&clip=21`);
         if (shots && mode === "compare") await page.waitForTimeout(800); // the oracle's answer
         if (mode === "rose") await page.waitForFunction(() => document.querySelectorAll("svg .cell").length === 144);
         await shot(`${mode}_${name}`);

@@ -36,6 +36,7 @@ export class Panel {
   private readonly who = element("select", { className: "choice", ariaLabel: "Who answers" });
   private readonly about = element("p", { className: "quiet" });
   private readonly why = element("div", { id: "why" });
+  private readonly ball = element("div");
   private readonly throwing = element("div"); // all that is about throws
   private readonly rose = element("select", { className: "choice", ariaLabel: "Colours of the rose" });
 
@@ -77,6 +78,10 @@ export class Panel {
     };
     const file = element("input", { type: "file", accept: ".flinch", multiple: true, hidden: true });
     file.onchange = () => this.acts.files(file.files ?? []);
+    this.ball.append(
+      element("h2", { textContent: "The ball" }),
+      ...this.sliders.map(([, made]) => made.root),
+    );
     this.throwing.append(
       element(
         "div",
@@ -89,8 +94,7 @@ export class Panel {
       this.rose,
       this.about,
       this.why,
-      element("h2", { textContent: "The ball" }),
-      ...this.sliders.map(([, made]) => made.root),
+      this.ball,
       element("h2", { textContent: "The character" }),
       this.delay.root,
       this.brawn.root,
@@ -128,6 +132,7 @@ export class Panel {
       ...choosers.map(({ name }) => element("option", { textContent: name })),
     );
     this.who.selectedIndex = view.figure;
+    this.ball.hidden = view.mode === "volley" || view.mode === "tournament"; // which draw theirs
     this.throwing.hidden = view.mode === "clips";
     this.clips.root.hidden = view.mode !== "clips";
     this.who.hidden = view.mode === "compare" || view.mode === "tournament";
