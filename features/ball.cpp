@@ -23,8 +23,9 @@ Ball Ball::at(double time_s) const {
 }
 
 Ball ball_of(const Threat& threat, double gravity_mps2) {
-  return {threat.position.cast<double>(), threat.velocity.cast<double>(),
-          static_cast<double>(threat.radius), static_cast<double>(threat.mass_kg), gravity_mps2};
+  return {threat.position.cast<double>(),     threat.velocity.cast<double>(),
+          static_cast<double>(threat.radius), static_cast<double>(threat.mass_kg),
+          threat.falls ? gravity_mps2 : 0,    threat.bounce};
 }
 
 double moment_of_inertia(const Ball& ball) {

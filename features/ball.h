@@ -16,6 +16,7 @@ struct Ball {
   double radius = kVolleyballRadius_m;                 ///< m
   double mass_kg = kVolleyballMass_kg;
   double gravity_mps2 = kGravity_mps2;  ///< downwards; 0 for a ball that flies straight
+  Bounce bounce{};
 
   /// The position `time_s` later: x + v t - g t^2 / 2 z.
   Eigen::Vector3d position_at(double time_s) const;
@@ -25,7 +26,8 @@ struct Ball {
   Ball at(double time_s) const;
 };
 
-/// The ball that a threat is, with its current position and velocity.
+/// The ball that a threat is, with its current position and velocity. `gravity_mps2` is that of one
+/// that falls.
 Ball ball_of(const Threat& threat, double gravity_mps2 = kGravity_mps2);
 
 /// The moment of inertia of a ball about any axis, kg m^2, as a thin spherical shell: 2/3 m r^2.

@@ -47,8 +47,9 @@ CollisionFigure make_collision_figure(const motion::Skeleton& skeleton,
                                       const motion::BodyModel& model);
 
 struct PredictionOptions {
-  float horizon_s = 2;            ///< later impacts are not searched for; at most kMaxHorizon_s
-  float gravity_mps2 = kGravity;  ///< 0 for threats that fly or roll in a straight line
+  float horizon_s = 2;  ///< later impacts are not searched for; at most kMaxHorizon_s
+  /// Of threats that fall; 0 for one that rolls. One that flies straight feels none.
+  float gravity_mps2 = kGravity;
 };
 
 /// Faster figures are unusable, m/s.

@@ -17,13 +17,25 @@ inline constexpr double kVolleyballRadius_m = 0.105;
 /// The mass of a volleyball.
 inline constexpr double kVolleyballMass_kg = 0.27;
 
-/// Something that approaches in free fall, at the moment of perception: a ball as a character
-/// perceives it. features::Ball is a ball as physics moves it. World frame, Z up.
+/// How a ball leaves what it hits, a body or the ground; in double, as physics computes with it.
+struct Bounce {
+  /// Share of the closing speed with which it leaves again (Newton's coefficient), from 0 to 1.
+  double restitution = 0.7;
+  double friction = 0.5;  ///< Coulomb's coefficient, at least 0
+
+  bool operator==(const Bounce&) const = default;
+};
+
+/// Something that approaches in free fall or straight, at the moment of perception: a ball as a
+/// character perceives it. features::Ball is a ball as physics moves it. World frame, Z up.
 struct Threat {
   Eigen::Vector3f position = Eigen::Vector3f::Zero();      ///< of its centre, m
   Eigen::Vector3f velocity = Eigen::Vector3f::Zero();      ///< m/s
   float radius = static_cast<float>(kVolleyballRadius_m);  ///< m
   float mass_kg = static_cast<float>(kVolleyballMass_kg);
+  Bounce bounce{};
+  bool falls = true;  ///< or flies straight
+  int kind = 0;       ///< index among the kinds of threats that a store or a selector knows
 };
 
 /// Numbers beyond these are refused: no real scene reaches them, and sums lose precision.
@@ -31,11 +43,12 @@ inline constexpr float kMaxHorizon_s = 100;  ///< of a time to impact, s
 /// Of a position, m, a velocity, m/s, a radius, m, a mass, kg, and gravity, m/s².
 inline constexpr float kMaxExtent = 1e6F;
 
-/// Whether all numbers are finite and within kMaxExtent, and radius and mass at least 0. Every call
-/// that takes a threat from outside refuses others.
+/// Whether all numbers are finite and within kMaxExtent, radius, mass, friction and kind at least
+/// 0, and restitution from 0 to 1. Every call that takes a threat from outside refuses others.
 bool is_usable(const Threat& threat);
 
-/// The position of a falling threat `time_s` after perception: p + v t - g t^2 / 2.
+/// The position of a threat `time_s` after perception: p + v t - g t^2 / 2, where g is 0 for one
+/// that flies straight.
 Eigen::Vector3f position_at(const Threat& threat, float time_s);
 
 /// Its velocity then: v - g t.
@@ -55,11 +68,14 @@ struct ThreatDescription {
   float radius = static_cast<float>(kVolleyballRadius_m);  ///< m
   float mass_kg = static_cast<float>(kVolleyballMass_kg);
   motion::Target target = motion::Target::head;
+  Bounce bounce{};
+  bool falls = true;  ///< or flies straight
+  int kind = 0;       ///< see Threat::kind
 };
 
 /// The threat whose centre reaches `impact_point` (world, m) after `description.time_to_impact_s`
-/// with the speed and direction described, run backwards to perception under gravity (Hermens 2006,
-/// section 3.1, keeps the values at the collision the same way). `facing` is that of the character
+/// with the speed and direction described, run backwards to perception (Hermens 2006, section 3.1,
+/// keeps the values at the collision the same way). `facing` is that of the character
 /// at perception (CharacterState::facing), radians.
 Threat threat_from_description(const ThreatDescription& description,
                                const Eigen::Vector3f& impact_point, float facing);

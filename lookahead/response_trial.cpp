@@ -148,7 +148,7 @@ std::optional<std::size_t> ResponseTrial::find_near(const features::Ball& ball, 
 bool ResponseTrial::stays_clear(const features::Ball& ball, double now_s, double time_s,
                                 double until_s) {
   const double rate_hz = reference_.rate_hz();
-  sim::BouncingBall bouncing(ball, now_s, options_.restitution);
+  sim::BouncingBall bouncing(ball, now_s);
   auto frame = static_cast<std::size_t>(time_s * rate_hz);
   double since_s = std::max(time_s - static_cast<double>(frame) / rate_hz, 0.0);
   for (; time_s < until_s; time_s = static_cast<double>(frame) / rate_hz, since_s = 0) {

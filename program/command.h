@@ -23,6 +23,7 @@ Command compare_command();
 Command export_command();
 Command select_command();
 Command respond_command();
+Command threats_command();
 Command view_command();
 Command evolve_command();
 
@@ -39,6 +40,9 @@ void create_folder(const std::string& folder);
 
 /// The option that selects the features of selectors; `set` becomes the default.
 Option features_option(std::string& set);
+
+/// Returns the names of the shipped distributions of threats.
+std::vector<std::string> threat_file_names();
 
 /// Returns the names of all methods.
 std::vector<std::string> method_names();

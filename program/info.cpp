@@ -122,7 +122,7 @@ struct StoreView {
 /// A description in a store's header. Throws Error unless it is JSON as `flinch simulate` writes
 /// it; printing one that is nested deeply would overflow the stack.
 Json description(const std::string& text, const std::string& path) {
-  constexpr int kMaxDepth = 4;
+  constexpr int kMaxDepth = 6;
   const Error error(path, train::kDamagedStore);
   const auto require_flat = [&error](int depth, Json::parse_event_t, const Json&) {
     if (depth > kMaxDepth) throw Error(error);

@@ -34,7 +34,8 @@ flinch::program::Program flinch_program() {
               "flinch COMMAND --help explains each command.",
           .commands = {author_command(), import_command(), annotate_command(), info_command(),
                        simulate_command(), merge_command(), train_command(), compare_command(),
-                       export_command(), select_command(), respond_command(), evolve_command(),
+                       export_command(), select_command(), respond_command(), threats_command(),
+                       evolve_command(),
                        view_command()}};
 }
 

@@ -18,6 +18,7 @@
 #include "program/processors.h"
 #include "program/progress.h"
 #include "program/table.h"
+#include "train/scenario/threat_file.h"
 #include "train/simulate/mpi_messenger.h"
 #include "train/simulate/worker_pool.h"
 
@@ -28,6 +29,7 @@ namespace {
 struct SimulateOptions {
   std::string library;
   std::string store;
+  std::string threats{train::threat_files().front().name};  ///< or a file
   std::uint64_t scenarios = 0;
   std::uint64_t first = 0;
   std::uint64_t seed = 1;
@@ -150,11 +152,13 @@ void write_store(const SimulateOptions& options, const train::SimulationSetup& s
 
 void simulate(const SimulateOptions& options, train::Messenger& messenger) {
   if (messenger.rank() == 0) {
-    database::check_outputs({train::store_output(options.store)}, {options.library},
+    const std::string threat_file = train::is_threat_file(options.threats) ? options.threats : "";
+    database::check_outputs({train::store_output(options.store)}, {options.library, threat_file},
                             overwrite_of(options.force));
   }
-  const database::ClipLibrary library = database::load_library(options.library);
   train::SimulationPlan plan;
+  plan.distribution = train::find_threats(options.threats);
+  const database::ClipLibrary library = database::load_library(options.library);
   plan.seed = options.seed;
   plan.unabridged = options.unabridged;
   const train::SimulationSetup setup(library, plan);
@@ -199,7 +203,9 @@ Command simulate_command() {
                    {"--out", "store file to write", &options->store},
                    {"-n", "number of scenarios", &options->scenarios, Range{1, 1e9}}},
       .optional =
-          {{"--first", "number of the first scenario, for one of several stores to merge",
+          {{"--threats", "what is thrown (docs/threats.md; flinch threats prints the shipped ones)",
+            &options->threats, OneOfOrFile{threat_file_names(), ".toml"}},
+           {"--first", "number of the first scenario, for one of several stores to merge",
             &options->first},
            {"--seed", "seed of the random scenarios", &options->seed},
            {"--threads", "number of threads (default: one per processor)", &options->threads,

@@ -28,7 +28,6 @@ struct SimulationOptions {
   double free_step_s = 1.0 / 60;       ///< step while the ball touches nothing, s
   double contact_step_s = 1.0 / 2000;  ///< step of a contact, s
   ContactSearch contact_search = ContactSearch::on_path;
-  double restitution = 0.7;  ///< of ball against body and ground
   double gravity_mps2 =
       features::kGravity_mps2;      ///< of the figure, downwards; balls have their own
   BodySet ball_meets = kAllBodies;  ///< the ball passes through other bodies

@@ -11,8 +11,7 @@ namespace flinch::sim {
 /// Path of a ball from a given time on, bouncing off the ground without spin.
 class BouncingBall {
  public:
-  BouncingBall(const features::Ball& ball, double time_s, double restitution)
-      : ball_(ball), time_s_(time_s), restitution_(restitution) {}
+  BouncingBall(const features::Ball& ball, double time_s) : ball_(ball), time_s_(time_s) {}
 
   features::Ball at(double time_s) {
     while (const auto bounce =
@@ -22,7 +21,7 @@ class BouncingBall {
         ball_.velocity.z() = 0;
         ball_.gravity_mps2 = 0;
       } else {
-        ball_.velocity.z() *= -restitution_;
+        ball_.velocity.z() *= -ball_.bounce.restitution;
       }
     }
     advance(time_s - time_s_);
@@ -37,7 +36,6 @@ class BouncingBall {
 
   features::Ball ball_;
   double time_s_;
-  double restitution_;
 };
 
 }  // namespace flinch::sim

@@ -7,7 +7,6 @@
 namespace flinch::sim {
 namespace {
 
-constexpr double kFriction = 0.5;           // between ball and body or ground
 constexpr double kGroundFrequency_hz = 20;  // of the ground spring under the feet
 
 /// Returns a unit vector perpendicular to a unit vector.
@@ -34,23 +33,23 @@ Eigen::Vector3d friction_direction(const Eigen::Vector3d& normal,
 
 ContactConstraint impact_constraint(const Eigen::Vector3d& point, const Eigen::Vector3d& normal,
                                     const BodyState& ball, const BodyState& part,
-                                    double restitution) {
+                                    const features::Bounce& bounce) {
   ContactConstraint constraint;
   constraint.point = point;
   constraint.normal = normal;
   constraint.tangent = friction_direction(
       normal, velocity_at(ball, point) - velocity_at(part, point), part.orientation);
-  constraint.restitution = restitution;
-  constraint.friction = kFriction;
+  constraint.restitution = bounce.restitution;
+  constraint.friction = bounce.friction;
   return constraint;
 }
 
 ContactConstraint bounce_constraint(const BodyState& ball, const Eigen::Quaterniond& frame,
-                                    double restitution) {
+                                    const features::Bounce& bounce) {
   BodyState ground;
   ground.orientation = frame;
   return impact_constraint({ball.position.x(), ball.position.y(), 0}, Eigen::Vector3d::UnitZ(),
-                           ball, ground, restitution);
+                           ball, ground, bounce);
 }
 
 ContactConstraint body_contact_constraint(const motion::Clearance& at, double free_closing_mps) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "features/threat.h"
 #include "motion/collision_shape.h"
 #include "sim/body_state.h"
 
@@ -36,16 +37,16 @@ struct ContactConstraint {
   double free_closing_mps = 0;
 };
 
-/// Contact of the ball with a part: a rigid bounce that returns `restitution` times the relative
-/// normal velocity, with Coulomb friction and without correction of overlap. `normal` points to the
-/// ball. Where the two do not slide, the tangent is fixed to the part.
+/// Contact of the ball with a part: a rigid bounce that returns `bounce.restitution` times the
+/// relative normal velocity, with Coulomb friction and without correction of overlap. `normal`
+/// points to the ball. Where the two do not slide, the tangent is fixed to the part.
 ContactConstraint impact_constraint(const Eigen::Vector3d& point, const Eigen::Vector3d& normal,
                                     const BodyState& ball, const BodyState& part,
-                                    double restitution);
+                                    const features::Bounce& bounce);
 /// The same with the ground. Where the ball does not slide, the tangent turns with `frame`, the
 /// orientation of something that turns with the scene.
 ContactConstraint bounce_constraint(const BodyState& ball, const Eigen::Quaterniond& frame,
-                                    double restitution);
+                                    const features::Bounce& bounce);
 /// Contact of two parts: no bounce, no friction, no correction of overlap; the parts may close at
 /// up to `free_closing_mps` without resistance.
 ContactConstraint body_contact_constraint(const motion::Clearance& at, double free_closing_mps);

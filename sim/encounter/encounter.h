@@ -165,14 +165,14 @@ double Encounter<Scene>::find_hits(const features::Ball& flight) {
     if (!may_be_near(flight, shapes_[body], kContactDistance_m)) continue;
     const motion::Clearance near = clearance(flight.position, flight.radius, shapes_[body]);
     if (!hits(flight, shapes_[body], near)) continue;
-    scene_.add_hit(body, near, options_.restitution);
+    scene_.add_hit(body, near);
     if (options_.keeps_places) add_contact_point(near.point, body, body);
     body_contacts_.add_hit(body);
     is_blow_ = true;
     first_contact_s_ = std::min(first_contact_s_, time_s_);
   }
   is_ball_on_ground_ = ahead.on_ground;
-  if (is_ball_on_ground_) scene_.add_bounce(options_.restitution);
+  if (is_ball_on_ground_) scene_.add_bounce();
   if (!searches_on_path()) return ahead.step_s;
   if (is_blow_) return options_.contact_step_s;
   return is_ball_on_ground_ ? ahead.step_s : options_.free_step_s;  // a bounce is on the path too
@@ -276,7 +276,7 @@ void Encounter<Scene>::step_ball_alone() {
   double step_s = options_.free_step_s;
   if (const auto flight = scene_.flight()) {
     const NextStep ahead = next_step(*flight, {}, options_);
-    if (ahead.on_ground) scene_.add_bounce(options_.restitution);
+    if (ahead.on_ground) scene_.add_bounce();
     step_s = ahead.step_s;
     scene_.step_ball(step_s);
   }

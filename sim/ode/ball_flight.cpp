@@ -29,9 +29,8 @@ void BallFlight::place(const features::Ball& ball) {
   set_state(body_, state);
 }
 
-void BallFlight::add_ground_contact(Contacts& contacts, const Eigen::Quaterniond& frame,
-                                    double restitution) const {
-  contacts.add_bounce(body_, frame, restitution);
+void BallFlight::add_ground_contact(Contacts& contacts, const Eigen::Quaterniond& frame) const {
+  contacts.add_bounce(body_, frame, thrown_.bounce);
 }
 
 void BallFlight::apply_gravity(double time_s) const {

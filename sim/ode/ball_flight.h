@@ -18,8 +18,7 @@ class BallFlight {
   /// Moves the ball, which keeps its spin.
   void place(const features::Ball& ball);
   /// See bounce_constraint.
-  void add_ground_contact(Contacts& contacts, const Eigen::Quaterniond& frame,
-                          double restitution) const;
+  void add_ground_contact(Contacts& contacts, const Eigen::Quaterniond& frame) const;
   /// Steps the ball's world.
   void step(OdeWorld& world, double step_s) const;
 

@@ -60,14 +60,15 @@ void Contacts::measure(dJointID joint, motion::Body first, std::optional<motion:
 }
 
 void Contacts::add_hit(dBodyID ball, dBodyID part, motion::Body body, const motion::Clearance& at,
-                       double restitution) {
+                       const features::Bounce& bounce) {
   const ContactConstraint impact =
-      impact_constraint(at.point, at.normal, state_of(ball), state_of(part), restitution);
+      impact_constraint(at.point, at.normal, state_of(ball), state_of(part), bounce);
   measure(attach(impact, ball, part), body, std::nullopt);
 }
 
-void Contacts::add_bounce(dBodyID ball, const Eigen::Quaterniond& frame, double restitution) {
-  attach(bounce_constraint(state_of(ball), frame, restitution), ball, nullptr);
+void Contacts::add_bounce(dBodyID ball, const Eigen::Quaterniond& frame,
+                          const features::Bounce& bounce) {
+  attach(bounce_constraint(state_of(ball), frame, bounce), ball, nullptr);
 }
 
 void Contacts::add_body_contact(dBodyID first_part, motion::Body first, dBodyID second_part,

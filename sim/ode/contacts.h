@@ -21,9 +21,9 @@ class Contacts {
   /// The ball hits a part, at `at` as `clearance` returns it; see impact_constraint. Its impulse is
   /// measured.
   void add_hit(dBodyID ball, dBodyID part, motion::Body body, const motion::Clearance& at,
-               double restitution);
+               const features::Bounce& bounce);
   /// The ball hits the ground; see bounce_constraint. Not measured.
-  void add_bounce(dBodyID ball, const Eigen::Quaterniond& frame, double restitution);
+  void add_bounce(dBodyID ball, const Eigen::Quaterniond& frame, const features::Bounce& bounce);
   /// A part pushes another; see body_contact_constraint. The normal of `at` points from `second` to
   /// `first`.
   void add_body_contact(dBodyID first_part, motion::Body first, dBodyID second_part,

@@ -19,13 +19,12 @@ void OdeScene::place(const motion::PerBody<BodyState>& figure, const features::B
   if (ball_) ball_->place(ball);
 }
 
-void OdeScene::add_hit(motion::Body body, const motion::Clearance& at, double restitution) {
-  contacts_.add_hit(ball_->body(), figure_.body(body), body, at, restitution);
+void OdeScene::add_hit(motion::Body body, const motion::Clearance& at) {
+  contacts_.add_hit(ball_->body(), figure_.body(body), body, at, ball_->flight().bounce);
 }
 
-void OdeScene::add_bounce(double restitution) {
-  ball_->add_ground_contact(contacts_, orientation_of(figure_.body(motion::Body::pelvis)),
-                            restitution);
+void OdeScene::add_bounce() {
+  ball_->add_ground_contact(contacts_, orientation_of(figure_.body(motion::Body::pelvis)));
 }
 
 void OdeScene::add_body_contact(motion::Body first, motion::Body second,

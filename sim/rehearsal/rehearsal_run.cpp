@@ -20,7 +20,7 @@ constexpr double kClearDistance_m = 0.05;
 bool stays_clear(const FigureModel& figure_model, const SimulationOptions& options,
                  const Rehearsal::Track& track, const features::Ball& ball, double now_s,
                  double time_s) {
-  BouncingBall bouncing(ball, now_s, options.restitution);
+  BouncingBall bouncing(ball, now_s);
   const auto first =
       std::upper_bound(track.step_begins_s.begin(), track.step_begins_s.end(), time_s);
   auto step = static_cast<std::size_t>(first - track.step_begins_s.begin()) - 1;

@@ -67,17 +67,17 @@ void TreeScene::clear_contacts() {
   dragged_ = 0;
 }
 
-void TreeScene::add_hit(Body body, const motion::Clearance& at, double restitution) {
+void TreeScene::add_hit(Body body, const motion::Clearance& at) {
   contacts_.push_back(
-      {impact_constraint(at.point, at.normal, ball_state_, bodies_[body], restitution),
+      {impact_constraint(at.point, at.normal, ball_state_, bodies_[body], ball_->bounce),
        {ContactBody::Kind::ball, {}},
        {ContactBody::Kind::body, body},
        true});
 }
 
-void TreeScene::add_bounce(double restitution) {
+void TreeScene::add_bounce() {
   contacts_.push_back(
-      {bounce_constraint(ball_state_, bodies_[Body::pelvis].orientation, restitution),
+      {bounce_constraint(ball_state_, bodies_[Body::pelvis].orientation, ball_->bounce),
        {ContactBody::Kind::ball, {}},
        {},
        false});

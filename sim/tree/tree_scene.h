@@ -37,8 +37,8 @@ class TreeScene {
 
   // Contacts of the next step; see Contacts.
   void clear_contacts();
-  void add_hit(motion::Body body, const motion::Clearance& at, double restitution);
-  void add_bounce(double restitution);
+  void add_hit(motion::Body body, const motion::Clearance& at);
+  void add_bounce();
   void add_body_contact(motion::Body first, motion::Body second, const motion::Clearance& at,
                         double free_closing_mps, bool measured);
   void add_supports(const ReferenceState& target, double step_s, const Drive& drive = {});

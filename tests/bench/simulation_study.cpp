@@ -132,9 +132,9 @@ void print_restitution(const Study& study, const std::vector<scenes::Hit>& hits)
       "| restitution | mean impulse, N s | of it beside the part that took most |\n"
       "| --- | --- | --- |\n");
   for (double restitution : {0.5, 0.6, 0.7, 0.8}) {
-    sim::SimulationOptions options;
-    options.restitution = restitution;
-    const Outcome outcome = outcome_of(study, hits, options);
+    std::vector<scenes::Hit> bouncing = hits;
+    for (scenes::Hit& hit : bouncing) hit.ball.bounce.restitution = restitution;
+    const Outcome outcome = outcome_of(study, bouncing, {});
     double whole = 0;
     double largest = 0;
     double hit = 0;

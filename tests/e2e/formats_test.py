@@ -5,6 +5,7 @@
 import gzip
 import pathlib
 import shutil
+import sqlite3
 import unittest
 
 from flinch_program import ProgramTest
@@ -12,7 +13,9 @@ from flinch_program import ProgramTest
 FROZEN = pathlib.Path(__file__).resolve().parent.parent / "formats"
 CHOSEN = {"selector-3-knn.flinch": "cover_mirrored", "selector-3-svm.flinch": "idle",
           "selector-3-pairwise_cost.flinch": "cover_mirrored"}
-VERSIONS = {"library": (1, 2), "store": (1, 2, 3), "selector": (1, 2, 3)}  # the last: today's
+# Of each kind those that are refused, and those that are read; the last is today's.
+REFUSED = {"library": (1,), "store": (1, 2), "selector": (1, 2)}
+READ = {"library": (2,), "store": (3, 4), "selector": (3,)}
 
 
 class Formats(ProgramTest):
@@ -39,12 +42,14 @@ class Formats(ProgramTest):
 
     def test_there_is_a_file_of_every_version(self):
         here = {tuple(path.name.split(".")[0].split("-")[:2]) for path in FROZEN.glob("*-*")}
-        self.assertEqual(here, {(kind, str(version)) for kind in VERSIONS for version in VERSIONS[kind]})
+        self.assertEqual(here, {(kind, str(version)) for kind in READ
+                                for version in REFUSED[kind] + READ[kind]})
         self.assertLess(max(path.stat().st_size for path in FROZEN.iterdir()), 12000)
 
     def test_earlier_versions_are_refused_by_name(self):
-        for kind, (*earlier, today) in VERSIONS.items():
-            for version in earlier:
+        for kind, refused in REFUSED.items():
+            today = READ[kind][-1]
+            for version in refused:
                 for path in self.files(kind, version):
                     for command in [["info", path], *self.readers(kind, path)]:
                         with self.subTest(file=path.name, command=command[0]):
@@ -63,11 +68,28 @@ class Formats(ProgramTest):
         self.assertEqual(library["clips"][1]["annotation"]["direction_degrees"], 45)
         self.succeed("simulate", path, "--out", self.folder / "new", "-n", 1)
 
-    def test_stores_of_today_are_read(self):
-        path, = self.files("store", 3)
-        store = self.document("info", path)
-        self.assertEqual((store["scenarios"], store["seed"], store["trials"]), (4, 1, 6))
-        self.succeed("train", path, "--out", self.folder / "new", "--model", "knn")
+    def test_stores_are_read(self):
+        for version in READ["store"]:
+            path, = self.files("store", version)
+            with self.subTest(path.name):
+                store = self.document("info", path)
+                self.assertEqual((store["scenarios"], store["seed"], store["trials"]), (4, 1, 6))
+                self.succeed("train", path, "--out", self.folder / "new", "--model", "knn")
+
+    def test_an_earlier_store_is_merged_into_one_of_today_and_not_continued(self):
+        earlier, = self.files("store", 3)
+        merged = self.folder / "merged"
+        self.succeed("merge", earlier, "--out", merged)
+        for path in (earlier, merged):
+            self.succeed("export", path, "--out", f"{path}.csv")
+        self.assertEqual((self.folder / "merged.csv").read_bytes(),
+                         pathlib.Path(f"{earlier}.csv").read_bytes())
+        with sqlite3.connect(merged) as database:
+            self.assertEqual(database.execute("PRAGMA user_version").fetchone(), (4,))
+        before = earlier.read_bytes()
+        line = self.fail_with(1, "simulate", self.files("library", 2)[0], "--out", earlier, "-n", 8)
+        self.assertIn("another scenario distribution", line)
+        self.assertEqual(earlier.read_bytes(), before)
 
     def test_selectors_of_today_are_read_and_choose_as_ever(self):
         for path in self.files("selector", 3):

@@ -4,6 +4,8 @@
 
 import csv
 import json
+import pathlib
+import re
 import shutil
 import subprocess
 import unittest
@@ -12,7 +14,8 @@ from flinch_program import FLINCH, ProgramTest, make_library
 from store_costs import costs
 
 SCENARIOS = 48
-COMMANDS = ["author", "import", "info", "simulate", "train", "compare", "export", "select", "respond"]
+COMMANDS = ["author", "import", "info", "simulate", "train", "compare", "export", "select", "respond",
+            "threats"]
 
 
 class MainPath(ProgramTest):
@@ -170,10 +173,9 @@ class MainPath(ProgramTest):
     def test_a_table_of_ones_own_says_what_hurts(self):
         self.simulate()
         table = self.folder / "armour.toml"
-        # As in docs/cost.md: a breastplate and a helmet.
-        table.write_text('name = "armour"\n\n[bodies]\nhead = 0.3\nneck = 1\nchest = 0.1\n'
-                         'abdomen = 0.7\npelvis = 0.7\nthigh = 0.4\nshin = 0.4\nfoot = 0.4\n'
-                         'upper_arm = 0.3\nforearm = 0.25\nhand = 0.2\nleft_hand = 0.1\n')
+        page = pathlib.Path(__file__).resolve().parents[2] / "docs/cost.md"
+        text, = re.findall(r"^```toml\n(.*?)^```$", page.read_text(), re.MULTILINE | re.DOTALL)
+        table.write_text(text)
         trained = self.document("train", self.store, "--out", self.selector, "--model", "knn",
                                 "--vulnerability", table)
         self.assertEqual(trained["vulnerability"], "armour")

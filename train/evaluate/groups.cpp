@@ -23,8 +23,13 @@ float speed_at_impact(const features::Scenario& scenario) {
   return features::velocity_at(scenario.threat, scenario.time_to_impact_s).norm();
 }
 
-std::vector<ScenarioGroup> all_groups() {
+std::vector<ScenarioGroup> all_groups(const StoreHeader& header) {
   std::vector<ScenarioGroup> groups;
+  for (std::size_t i = 0; header.kinds.size() > 1 && i < header.kinds.size(); ++i) {
+    groups.push_back({"kind", header.kinds[i].name, [i](const auto& scenario) {
+                        return scenario.threat.kind == static_cast<int>(i);
+                      }});
+  }
   for (const motion::Target target : motion::kTargets) {
     groups.push_back({"target", std::string(motion::name_of(target)),
                       [target](const auto& scenario) { return scenario.target == target; }});
@@ -68,7 +73,7 @@ void add_rows(const ScenarioGroup& group, const std::vector<std::size_t>& member
 std::vector<GroupRow> group_rows(const TrainTestSplit& split, const Evaluation& evaluation,
                                  std::uint64_t seed) {
   std::vector<GroupRow> rows;
-  for (const ScenarioGroup& group : all_groups()) {
+  for (const ScenarioGroup& group : all_groups(split.header)) {
     std::vector<std::size_t> members;
     for (std::size_t i = 0; i < split.tested.size(); ++i)
       if (group.has(split.tested[i].scenario)) members.push_back(i);

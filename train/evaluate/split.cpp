@@ -32,6 +32,10 @@ void require_independent(const Store& training, const Store& test, const std::st
   if (tested.simulation != fitted.simulation)
     throw Error(path, "was made with another simulation, " + tested.simulation +
                           "; simulate it again with this program");
+  if (tested.kinds != fitted.kinds)
+    throw Error(path,
+                "has other kinds of threats than the training store; simulate both with the "
+                "same --threats");
   if (tested.layout != fitted.layout)
     throw Error(path, "has other features than the training store; derive the same");
   if (tested.seed == fitted.seed && tested.distribution == fitted.distribution &&

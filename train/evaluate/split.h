@@ -24,9 +24,9 @@ struct TrainTestSplit {
   bool has_test_store = false;
 };
 
-/// Throws Error unless both stores are from the same library and simulation, have the same feature
-/// layout, and share no scenario, that is none with the same number, seed and distribution. `path`
-/// is the file of `test`.
+/// Throws Error unless both stores are from the same library and simulation, have the same kinds of
+/// threats and feature layout, and share no scenario, that is none with the same number, seed and
+/// distribution. `path` is the file of `test`.
 void require_independent(const Store& training, const Store& test, const std::string& path);
 
 /// Holds out every fourth scenario. Throws Error if those are fewer than two.

@@ -21,6 +21,60 @@ Eigen::Vector3f point_in_ball(double radius, features::Random& random) {
   }
 }
 
+/// Returns a number of the range. A range of one number draws nothing.
+double draw(const ValueRange& range, features::Random& random) {
+  return range.min < range.max ? random.uniform(range.min, range.max) : range.min;
+}
+
+/// Returns an index by the weights. Draws nothing where there is no choice, and as Random::index
+/// does where all are alike.
+template <class Weights>
+std::size_t draw_index(const Weights& weights, features::Random& random) {
+  const std::size_t count = weights.size();
+  if (count == 1) return 0;
+  if (std::all_of(weights.begin(), weights.end(), [&](double w) { return w == *weights.begin(); }))
+    return static_cast<std::size_t>(random.index(count));
+  double total = 0;
+  for (const double weight : weights) total += weight;
+  double left = random.uniform(0, total);
+  std::size_t last = 0;  // of those with a weight: rounding must not choose another
+  std::size_t index = 0;
+  for (const double weight : weights) {
+    if (weight > 0) {
+      last = index;
+      if (left < weight) break;
+      left -= weight;
+    }
+    ++index;
+  }
+  return last;
+}
+
+std::size_t draw_kind(const std::vector<ThreatKind>& kinds, features::Random& random) {
+  std::vector<double> weights;
+  for (const ThreatKind& kind : kinds) weights.push_back(kind.weight);
+  return draw_index(weights, random);
+}
+
+double draw_azimuth(const std::vector<ValueRange>& sectors, features::Random& random) {
+  std::vector<double> widths;
+  for (const ValueRange& sector : sectors) widths.push_back(sector.max - sector.min);
+  return draw(sectors[draw_index(widths, random)], random);
+}
+
+/// The least time to impact of all kinds.
+double min_time_to_impact_s(const ScenarioDistribution& distribution) {
+  double least = distribution.kinds.front().time_to_impact_s.min;
+  for (const ThreatKind& kind : distribution.kinds)
+    least = std::min(least, kind.time_to_impact_s.min);
+  return least;
+}
+
+/// How many steps fit into a range, which is a whole number of them, except for rounding.
+int steps_in(double range_s, double step_s) {
+  return static_cast<int>(std::floor(range_s / step_s + 1e-6));
+}
+
 /// Period of the idle clip, forwards and backwards.
 double idle_period_s(const motion::Motion& idle) {
   return 2.0 * idle.duration_s();
@@ -34,13 +88,15 @@ double in_first_period(double time_s, double period_s) {
 }  // namespace
 
 int time_to_impact_count(const ScenarioDistribution& distribution) {
-  const double range_s = distribution.max_time_to_impact_s - distribution.min_time_to_impact_s;
-  // The range is a whole number of steps, except for rounding.
-  return 1 + static_cast<int>(std::floor(range_s / distribution.time_to_impact_step_s + 1e-6));
+  double most_s = 0;
+  for (const ThreatKind& kind : distribution.kinds)
+    most_s = std::max(most_s, kind.time_to_impact_s.max);
+  return 1 +
+         steps_in(most_s - min_time_to_impact_s(distribution), distribution.time_to_impact_step_s);
 }
 
 float time_to_impact_s(const ScenarioDistribution& distribution, int time) {
-  return static_cast<float>(distribution.min_time_to_impact_s +
+  return static_cast<float>(min_time_to_impact_s(distribution) +
                             time * distribution.time_to_impact_step_s);
 }
 
@@ -59,7 +115,7 @@ GridCell grid_cell_of(const ScenarioDistribution& distribution, const motion::Mo
   const double time_s = double{scenario.time_to_impact_s};
   const double period_s = idle_period_s(idle);
   GridCell cell;
-  cell.time = static_cast<int>(std::lround((time_s - distribution.min_time_to_impact_s) /
+  cell.time = static_cast<int>(std::lround((time_s - min_time_to_impact_s(distribution)) /
                                            distribution.time_to_impact_step_s));
   if (period_s > 0) {
     const double at_impact_s = double{scenario.state.idle_time_s} + time_s;
@@ -70,12 +126,23 @@ GridCell grid_cell_of(const ScenarioDistribution& distribution, const motion::Mo
   return cell;
 }
 
-// Backwards from the impact, the ball's height is z + v sin(e) t - g t^2 / 2. It is concave in t
-// and so lowest at one of its ends: only the start can be below the ground, and it is not if sin(e)
-// >= (r - z + g t^2 / 2) / (v t).
+double largest_impulse_ns(const features::KnownKind& kind) {
+  return (1 + kind.bounce.restitution) * kind.mass_kg.max * kind.speed_mps.max;
+}
+
+double largest_impulse_ns(const ScenarioDistribution& distribution) {
+  double most = 0;
+  for (const ThreatKind& kind : distribution.kinds) most = std::max(most, largest_impulse_ns(kind));
+  return most;
+}
+
+// Backwards from the impact, the ball's height is z + v sin(e) t - g t^2 / 2, with g = 0 if it
+// flies straight. It is concave in t and so lowest at one of its ends: only the start can be below
+// the ground, and it is not if sin(e) >= (r - z + g t^2 / 2) / (v t).
 double min_feasible_elevation(double speed_mps, double time_to_impact_s, double radius_m,
-                              double impact_height_m) {
-  const double fall = 0.5 * double{features::kGravity} * time_to_impact_s * time_to_impact_s;
+                              double impact_height_m, bool falls) {
+  const double gravity_mps2 = falls ? double{features::kGravity} : 0;
+  const double fall = 0.5 * gravity_mps2 * time_to_impact_s * time_to_impact_s;
   const double sine = (radius_m - impact_height_m + fall) / (speed_mps * time_to_impact_s);
   return std::asin(std::clamp(sine, -1.0, 1.0));
 }
@@ -117,40 +184,49 @@ features::Scenario sample_scenario(const database::ClipLibrary& library,
   features::Random random(seed, features::RandomStream::scenario, number);
   const motion::Motion& idle = library.idle_clip().motion;
 
+  const std::size_t kind_index = draw_kind(distribution.kinds, random);
+  const ThreatKind& kind = distribution.kinds[kind_index];
+  const double step_s = distribution.time_to_impact_step_s;
+  const int first_time =
+      steps_in(kind.time_to_impact_s.min - min_time_to_impact_s(distribution), step_s);
+  const int times = 1 + steps_in(kind.time_to_impact_s.max - kind.time_to_impact_s.min, step_s);
+
   features::Scenario scenario;
-  scenario.target = static_cast<motion::Target>(random.index(motion::kTargetCount));
+  scenario.target = static_cast<motion::Target>(draw_index(kind.target_weight, random));
   GridCell cell;
   cell.idle_phase =
       static_cast<int>(random.index(static_cast<std::uint64_t>(distribution.idle_phase_count)));
   features::ThreatDescription description;
-  description.azimuth = static_cast<float>(random.uniform(-std::numbers::pi, std::numbers::pi));
-  description.radius = static_cast<float>(distribution.radius_m);
-  description.mass_kg = static_cast<float>(distribution.mass_kg);
-  const Eigen::Vector3f offset = point_in_ball(distribution.aim_radius_m, random);
+  description.azimuth = static_cast<float>(draw_azimuth(kind.azimuth, random));
+  const double radius_m = draw(kind.radius_m, random);
+  description.radius = static_cast<float>(radius_m);
+  description.mass_kg = static_cast<float>(draw(kind.mass_kg, random));
+  description.bounce = kind.bounce;
+  description.falls = kind.falls;
+  description.kind = static_cast<int>(kind_index);
+  const Eigen::Vector3f offset = point_in_ball(kind.aim_radius_m, random);
 
-  for (int draw = 0; draw < kMaxDraws; ++draw) {
-    const double speed = random.uniform(distribution.min_speed_mps, distribution.max_speed_mps);
-    cell.time = static_cast<int>(
-        random.index(static_cast<std::uint64_t>(time_to_impact_count(distribution))));
+  for (int draws = 0; draws < kMaxDraws; ++draws) {
+    const double speed = draw(kind.speed_mps, random);
+    cell.time = first_time + static_cast<int>(random.index(static_cast<std::uint64_t>(times)));
     scenario.time_to_impact_s = time_to_impact_s(distribution, cell.time);
     scenario.state = character_state_at(distribution, idle, cell);
     const double time = double{scenario.time_to_impact_s};
     const motion::Pose ahead = features::idle_pose(idle, scenario.state, scenario.time_to_impact_s);
     const Eigen::Vector3f aim =
         target_centres(library.character.skeleton, body_model, ahead)[scenario.target] + offset;
-    const double least =
-        std::max(distribution.min_elevation,
-                 min_feasible_elevation(speed, time, distribution.radius_m, aim.z()));
-    if (least > distribution.max_elevation) continue;
+    const double least = std::max(
+        kind.elevation.min, min_feasible_elevation(speed, time, radius_m, aim.z(), kind.falls));
+    if (least > kind.elevation.max) continue;
     description.speed_mps = static_cast<float>(speed);
     description.time_to_impact_s = scenario.time_to_impact_s;
-    description.elevation = static_cast<float>(random.uniform(least, distribution.max_elevation));
+    description.elevation = static_cast<float>(draw({least, kind.elevation.max}, random));
     scenario.threat = features::threat_from_description(description, aim, scenario.state.facing);
     return scenario;
   }
-  throw Error("",
-              "no threat of the distribution stays above the ground; raise its speed or "
-              "elevation, or shorten its time to impact");
+  throw Error("", "no " + kind.name +
+                      " of the distribution stays above the ground; raise its speed or "
+                      "elevation, or shorten its time to impact");
 }
 
 }  // namespace flinch::train

@@ -4,45 +4,35 @@
 #include <array>
 #include <compare>
 #include <cstdint>
+#include <vector>
 
 #include "database/library/library.h"
 #include "features/feature_layout.h"
 #include "features/scenario.h"
 #include "motion/body.h"
-#include "motion/rotation.h"
+#include "train/scenario/threat_kind.h"
 
 namespace flinch::train {
 
-/// Distribution of the threats that are trained for. The defaults are a volleyball thrown or spiked
-/// from any direction. Angles in radians.
+/// Distribution of the scenarios that are trained for. Kinds of threats by default: a volleyball.
 struct ScenarioDistribution {
-  double radius_m = features::kVolleyballRadius_m;
-  double mass_kg = features::kVolleyballMass_kg;
-  double min_speed_mps = 8;  ///< at the impact
-  double max_speed_mps = 30;
-  double min_elevation = motion::radians(-10.0);  ///< at the impact
-  double max_elevation = motion::radians(45.0);
-  double min_time_to_impact_s = 0.25;
-  double max_time_to_impact_s = 1.2;
-  /// Times to impact are the minimum plus a whole number of steps, so that scenarios can share
-  /// responses. The step is three frames at 60 Hz: a response that starts one step later has its
-  /// frames at the same times before the impact.
+  std::vector<ThreatKind> kinds{ThreatKind{}};  ///< at least one
+  /// Times to impact are the least of all kinds plus a whole number of steps, so that scenarios can
+  /// share responses. The step is three frames at 60 Hz: a response that starts one step later has
+  /// its frames at the same times before the impact.
   double time_to_impact_step_s = 0.05;
   /// Number of phases that the idle clip can have at the predicted impact.
   int idle_phase_count = 4;
-  /// Threats aim at a point drawn uniformly from a ball of this radius about the target's centre.
-  /// This is about the half-width of a head or a thigh, so that some threats graze and some miss.
-  double aim_radius_m = 0.1;
 };
 
 /// The variables, besides the clip, that a response depends on, as indices of a grid.
 struct GridCell {
   int idle_phase = 0;  ///< phase of the idle clip at the predicted impact
-  int time = 0;        ///< steps of the time to impact above the minimum
+  int time = 0;        ///< steps of the time to impact above the least of all kinds
   auto operator<=>(const GridCell&) const = default;
 };
 
-/// Returns the number of times to impact.
+/// Returns the number of times to impact, over all kinds.
 int time_to_impact_count(const ScenarioDistribution& distribution);
 float time_to_impact_s(const ScenarioDistribution& distribution, int time);
 
@@ -55,9 +45,13 @@ features::CharacterState character_state_at(const ScenarioDistribution& distribu
 GridCell grid_cell_of(const ScenarioDistribution& distribution, const motion::Motion& idle,
                       const features::Scenario& scenario);
 
-/// Draws scenario `number`: target, grid cell, azimuth, speed, elevation and aim point, each
-/// uniform over its range. The threat's centre reaches the aim point at `time_to_impact_s`, so the
-/// surfaces touch a few centimetres of flight earlier.
+/// Returns the largest impulse that a threat of the distribution can give, N·s.
+double largest_impulse_ns(const ScenarioDistribution& distribution);
+
+/// Draws scenario `number`: kind, target, grid cell, azimuth, size, mass, speed, elevation and aim
+/// point, kind and target by their weights and each of the others uniformly over its range. The
+/// threat's centre reaches the aim point at `time_to_impact_s`, so the surfaces touch a few
+/// centimetres of flight earlier.
 ///
 /// A ball in free fall that arrives slowly, late and level would have started below the ground. The
 /// elevation is drawn from the part of its range in which the ball starts above the ground; if
@@ -70,9 +64,10 @@ features::Scenario sample_scenario(const database::ClipLibrary& library,
                                    std::uint64_t number);
 
 /// Returns the minimum elevation at the impact, radians, of a threat that hits at `impact_height_m`
-/// and was not below the ground at perception; pi/2 if every threat was.
+/// and was not below the ground at perception; pi/2 if every threat was. It falls or flies
+/// straight.
 double min_feasible_elevation(double speed_mps, double time_to_impact_s, double radius_m,
-                              double impact_height_m);
+                              double impact_height_m, bool falls = true);
 
 /// Returns the features of a threat to a character that stands still: it hits the target's centre
 /// (`centres`, in the frame of the features) while the character neither moves nor turns. Frames,

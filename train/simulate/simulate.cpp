@@ -34,25 +34,43 @@ RangeSizes range_sizes(const MemoryPlan& memory) {
   return {memory.batch_size, memory.keeps_all() ? 1 : kMaxUncachedBatchSize};
 }
 
-std::string describe(const ScenarioDistribution& distribution) {
-  return nlohmann::ordered_json{
-      {"radius_m", distribution.radius_m},
-      {"mass_kg", distribution.mass_kg},
-      {"speed_mps", {distribution.min_speed_mps, distribution.max_speed_mps}},
-      {"elevation_degrees",
-       {motion::degrees(distribution.min_elevation), motion::degrees(distribution.max_elevation)}},
-      {"time_to_impact_s", {distribution.min_time_to_impact_s, distribution.max_time_to_impact_s}},
-      {"time_to_impact_step_s", distribution.time_to_impact_step_s},
-      {"character_states", distribution.idle_phase_count},
-      {"aim_radius_m", distribution.aim_radius_m}}
-      .dump();
+using Json = nlohmann::ordered_json;
+
+/// A number where a range is one.
+Json document_of(const ValueRange& range) {
+  if (range.min == range.max) return range.min;
+  return {range.min, range.max};
+}
+
+Json degrees_of(const ValueRange& radians) {
+  return {motion::degrees(radians.min), motion::degrees(radians.max)};
+}
+
+Json document_of(const ThreatKind& kind) {
+  Json azimuth = Json::array();
+  for (const ValueRange& sector : kind.azimuth) azimuth.push_back(degrees_of(sector));
+  Json targets;
+  for (const motion::Target target : motion::kTargets)
+    targets[std::string(motion::name_of(target))] = kind.target_weight[target];
+  return {{"name", kind.name},
+          {"weight", kind.weight},
+          {"radius_m", document_of(kind.radius_m)},
+          {"mass_kg", document_of(kind.mass_kg)},
+          {"speed_mps", document_of(kind.speed_mps)},
+          {"azimuth_degrees", azimuth},
+          {"elevation_degrees", degrees_of(kind.elevation)},
+          {"time_to_impact_s", document_of(kind.time_to_impact_s)},
+          {"targets", targets},
+          {"aim_radius_m", kind.aim_radius_m},
+          {"restitution", kind.bounce.restitution},
+          {"friction", kind.bounce.friction},
+          {"flight", kind.falls ? "falling" : "straight"}};
 }
 
 std::string describe(const SimulationPlan& plan) {
   return nlohmann::ordered_json{{"law_version", sim::kLawVersion},
                                 {"free_step_s", plan.options.free_step_s},
                                 {"contact_step_s", plan.options.contact_step_s},
-                                {"restitution", plan.options.restitution},
                                 {"gravity_mps2", plan.options.gravity_mps2},
                                 {"tail_s", plan.tail_s},
                                 {"unabridged", plan.unabridged}}
@@ -145,6 +163,15 @@ bool is_finished(const std::string& path, const StoreHeader& header, const Simul
 
 }  // namespace
 
+std::string describe(const ScenarioDistribution& distribution) {
+  Json kinds = Json::array();
+  for (const ThreatKind& kind : distribution.kinds) kinds.push_back(document_of(kind));
+  return Json{{"kinds", kinds},
+              {"time_to_impact_step_s", distribution.time_to_impact_step_s},
+              {"character_states", distribution.idle_phase_count}}
+      .dump();
+}
+
 StoreHeader make_store_header(const SimulationSetup& setup) {
   const database::ClipLibrary& library = setup.library;
   StoreHeader header;
@@ -156,9 +183,9 @@ StoreHeader make_store_header(const SimulationSetup& setup) {
   header.seed = setup.plan.seed;
   header.distribution = describe(setup.plan.distribution);
   header.simulation = describe(setup.plan);
-  header.reference_impulse_ns = (1 + setup.plan.options.restitution) *
-                                setup.plan.distribution.mass_kg *
-                                setup.plan.distribution.max_speed_mps;
+  header.kinds.clear();
+  for (const ThreatKind& kind : setup.plan.distribution.kinds) header.kinds.push_back(kind);
+  header.reference_impulse_ns = largest_impulse_ns(setup.plan.distribution);
   header.idle = library.idle;
   for (int clip = 0; clip < static_cast<int>(library.clips.size()); ++clip) {
     const motion::Clip& source = library.clip(clip);

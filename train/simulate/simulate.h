@@ -13,6 +13,9 @@
 
 namespace flinch::train {
 
+/// Returns the distribution as JSON text, with the keys of its file; stores keep it.
+std::string describe(const ScenarioDistribution& distribution);
+
 /// Returns the header of this plan's store. Throws Error if no clip of the library is annotated or
 /// the library breaks its invariants.
 StoreHeader make_store_header(const SimulationSetup& setup);

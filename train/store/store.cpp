@@ -73,7 +73,7 @@ void require_same_run(const StoreHeader& stored, const StoreHeader& wanted, cons
   if (stored.seed != wanted.seed)
     throw Error(path, "made with --seed " + std::to_string(stored.seed) + ", not " +
                           std::to_string(wanted.seed) + "; " + remedy);
-  if (stored.distribution != wanted.distribution)
+  if (stored.distribution != wanted.distribution || stored.kinds != wanted.kinds)
     throw Error(path,
                 "made with another scenario distribution, " + stored.distribution + "; " + remedy);
   if (stored.simulation != wanted.simulation)
@@ -86,7 +86,7 @@ struct StoreReader::File {
         header(read_header(database)),
         seal(read_seal(database)),
         idle(idle_of(header, path)),
-        row(prepare_select(database)) {}
+        row(prepare_select(database, header)) {}
 
   /// Throws unless this is the number of the next observation.
   void require_next(std::uint64_t number);

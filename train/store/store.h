@@ -16,19 +16,24 @@
 
 namespace flinch::train {
 
-inline constexpr int kStoreFormatVersion = 3;
+/// Version of the stores that are written. 4 has kinds of threats.
+inline constexpr int kStoreFormatVersion = 4;
+/// The oldest version that is read. Its threats are of one kind; a writer does not continue it.
+inline constexpr int kMinStoreFormatVersion = 3;
 
 /// Describes a store that is about to be written.
 database::Output store_output(const std::string& path);
 
 /// Data common to all observations of a store. With it, training needs no other file.
 struct StoreHeader {
-  std::uint64_t library_hash = 0;  ///< hash of `library_file`
+  int format_version = kStoreFormatVersion;  ///< of the file that it was read from
+  std::uint64_t library_hash = 0;            ///< hash of `library_file`
   std::string library_name;
   std::vector<std::byte> library_file;  ///< the whole file, for the selectors that are trained
   std::uint64_t seed = 0;
-  std::string distribution;  ///< JSON text, see describe()
-  std::string simulation;    ///< JSON text, see describe()
+  std::string distribution;                                       ///< JSON text, see describe()
+  std::string simulation;                                         ///< JSON text, see describe()
+  std::vector<features::KnownKind> kinds{features::KnownKind{}};  ///< that Threat::kind counts
   /// Largest impulse that a threat of the distribution can give, N·s. D* is the largest
   /// vulnerability times this.
   double reference_impulse_ns = 1;
@@ -102,10 +107,11 @@ StoreContents count_contents(const std::string& path);
 /// range that contains its own is wanted.
 class StoreWriter {
  public:
-  /// Throws Error if the file at `path` or its partial file is not a store of this run or holds
-  /// scenarios that are not wanted, if another process is writing it, or if `wanted` is empty or
-  /// exceeds the last scenario number. A file at `path` that is no store at all is replaced at the
-  /// end if `overwrite` says so. If `path` is a link, the store is written where it leads.
+  /// Throws Error if the file at `path` or its partial file is not a store of this run and of
+  /// kStoreFormatVersion or holds scenarios that are not wanted, if another process is writing it,
+  /// or if `wanted` is empty or exceeds the last scenario number. A file at `path` that is no store
+  /// at all is replaced at the end if `overwrite` says so. If `path` is a link, the store is
+  /// written where it leads.
   StoreWriter(const std::string& path, const StoreHeader& header, ScenarioRange wanted,
               database::Overwrite overwrite = database::Overwrite::refuse);
   ~StoreWriter();

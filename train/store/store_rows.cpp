@@ -15,13 +15,20 @@ namespace flinch::train {
 
 namespace {
 
-/// The numbers of a scenario, one per column after `number` and `target`.
-constexpr std::array<const char*, 13> kScenarioColumns{
-    "time_to_impact_s",  "threat_x",          "threat_y",        "threat_z", "threat_velocity_x",
-    "threat_velocity_y", "threat_velocity_z", "radius_m",        "mass_kg",  "idle_time_s",
-    "character_x",       "character_y",       "character_facing"};
+/// The numbers of a scenario, one per column after `number` and `target`. Version 3 lacks the last.
+constexpr std::array<const char*, 14> kScenarioColumns{
+    "time_to_impact_s",  "threat_x",          "threat_y",         "threat_z", "threat_velocity_x",
+    "threat_velocity_y", "threat_velocity_z", "radius_m",         "mass_kg",  "idle_time_s",
+    "character_x",       "character_y",       "character_facing", "kind"};
 using ScenarioNumbers = std::array<double, kScenarioColumns.size()>;
-constexpr int kTrialsColumn = 2 + static_cast<int>(kScenarioColumns.size());
+
+std::size_t scenario_column_count(int version) {
+  return kScenarioColumns.size() - (version < 4 ? 1 : 0);
+}
+
+std::span<const char* const> scenario_columns(int version) {
+  return std::span(kScenarioColumns).first(scenario_column_count(version));
+}
 
 ScenarioNumbers numbers_of(const features::Scenario& scenario) {
   const features::Threat& threat = scenario.threat;
@@ -38,19 +45,25 @@ ScenarioNumbers numbers_of(const features::Scenario& scenario) {
                                                            state.idle_time_s,
                                                            state.position.x(),
                                                            state.position.y(),
-                                                           state.facing};
+                                                           state.facing,
+                                                           static_cast<float>(threat.kind)};
   ScenarioNumbers exact{};
   std::ranges::copy(numbers, exact.begin());
   return exact;
 }
 
-features::Scenario scenario_of(const ScenarioNumbers& numbers, motion::Target target) {
+/// Returns the scenario, whose kind must exist.
+features::Scenario scenario_of(const ScenarioNumbers& numbers, motion::Target target,
+                               const StoreHeader& header) {
   std::array<float, kScenarioColumns.size()> n{};
   std::ranges::transform(numbers, n.begin(), [](double x) { return static_cast<float>(x); });
   features::Scenario scenario;
   scenario.target = target;
   scenario.time_to_impact_s = n[0];
-  scenario.threat = {{n[1], n[2], n[3]}, {n[4], n[5], n[6]}, n[7], n[8]};
+  const auto kind = static_cast<std::size_t>(n[13]);
+  scenario.threat = {
+      {n[1], n[2], n[3]},       {n[4], n[5], n[6]},    n[7], n[8], header.kinds[kind].bounce,
+      header.kinds[kind].falls, static_cast<int>(kind)};
   scenario.state = {n[9], {n[10], n[11]}, n[12]};
   return scenario;
 }
@@ -58,9 +71,9 @@ features::Scenario scenario_of(const ScenarioNumbers& numbers, motion::Target ta
 /// Checksum of the whole row: the number, the target's index, the scenario's numbers and the
 /// trials. Half of a 64-bit hash is enough to detect accidental damage.
 std::int64_t checksum_of(std::uint64_t number, motion::Target target,
-                         const ScenarioNumbers& numbers, std::span<const std::byte> trials) {
+                         std::span<const double> numbers, std::span<const std::byte> trials) {
   const auto place = static_cast<std::uint64_t>(target);
-  std::vector<std::byte> bytes(sizeof number + sizeof place + sizeof numbers + trials.size());
+  std::vector<std::byte> bytes(sizeof number + sizeof place + numbers.size_bytes() + trials.size());
   std::byte* to = bytes.data();
   const auto put = [&to](const void* from, std::size_t size) {
     if (size > 0) std::memcpy(to, from, size);
@@ -68,7 +81,7 @@ std::int64_t checksum_of(std::uint64_t number, motion::Target target,
   };
   put(&number, sizeof number);
   put(&place, sizeof place);
-  put(numbers.data(), sizeof numbers);
+  put(numbers.data(), numbers.size_bytes());
   put(trials.data(), trials.size());
   return static_cast<std::int32_t>(database::content_hash(bytes));
 }
@@ -84,30 +97,34 @@ bool are_sound(std::span<const Trial> trials, const StoreHeader& header) {
 }
 
 /// Whether a float can hold the numbers, and they are those of a scenario.
-bool are_sound(const ScenarioNumbers& numbers, motion::Target target) {
+bool are_sound(const ScenarioNumbers& numbers, motion::Target target, const StoreHeader& header) {
   const auto is_bounded = [](double x) { return std::abs(x) <= double{features::kMaxExtent}; };
-  return std::ranges::all_of(numbers, is_bounded) &&
-         features::is_usable(scenario_of(numbers, target).threat);
+  const double kind = numbers.back();
+  return std::ranges::all_of(numbers, is_bounded) && kind >= 0 &&
+         kind < static_cast<double>(header.kinds.size()) && kind == std::floor(kind) &&
+         features::is_usable(scenario_of(numbers, target, header).threat);
 }
 
-std::string columns() {
+std::string columns(int version) {
   std::string names = "number, target";
-  for (const char* column : kScenarioColumns) names += std::string(", ") + column;
+  for (const char* column : scenario_columns(version)) names += std::string(", ") + column;
   return names + ", trials, checksum";
 }
 
 }  // namespace
 
-std::string observation_table_sql() {
+std::string observation_table_sql(int version) {
   std::string sql = "CREATE TABLE observation(number INTEGER PRIMARY KEY, target TEXT NOT NULL";
-  for (const char* column : kScenarioColumns) sql += std::string(", ") + column + " REAL NOT NULL";
+  for (const char* column : scenario_columns(version))
+    sql += std::string(", ") + column + " REAL NOT NULL";
   return sql + ", trials BLOB NOT NULL, checksum INTEGER NOT NULL)";
 }
 
 Statement prepare_insert(Database& database) {
   std::string marks = "?, ?";
   for (std::size_t i = 0; i < kScenarioColumns.size(); ++i) marks += ", ?";
-  return database.prepare("INSERT INTO observation(" + columns() + ") VALUES(" + marks + ", ?, ?)");
+  return database.prepare("INSERT INTO observation(" + columns(kStoreFormatVersion) + ") VALUES(" +
+                          marks + ", ?, ?)");
 }
 
 void insert(Statement& statement, const Observation& observation) {
@@ -122,12 +139,14 @@ void insert(Statement& statement, const Observation& observation) {
       .run();
 }
 
-Statement prepare_select(Database& database) {
-  return database.prepare("SELECT " + columns() + " FROM observation ORDER BY number");
+Statement prepare_select(Database& database, const StoreHeader& header) {
+  return database.prepare("SELECT " + columns(header.format_version) +
+                          " FROM observation ORDER BY number");
 }
 
-Statement prepare_select_one(Database& database) {
-  return database.prepare("SELECT " + columns() + " FROM observation WHERE number = ?");
+Statement prepare_select_one(Database& database, const StoreHeader& header) {
+  return database.prepare("SELECT " + columns(header.format_version) +
+                          " FROM observation WHERE number = ?");
 }
 
 Observation observation_of(const Statement& row, const StoreHeader& header,
@@ -136,13 +155,15 @@ Observation observation_of(const Statement& row, const StoreHeader& header,
   observation.number = static_cast<std::uint64_t>(row.integer(0));
   const auto target = motion::target_named(row.text(1));
   ScenarioNumbers numbers{};
-  for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = row.real(2 + static_cast<int>(i));
-  const std::span<const std::byte> trials = row.blob(kTrialsColumn);
+  const std::span stored = std::span(numbers).first(scenario_column_count(header.format_version));
+  for (std::size_t i = 0; i < stored.size(); ++i) stored[i] = row.real(2 + static_cast<int>(i));
+  const int trials_column = 2 + static_cast<int>(stored.size());
+  const std::span<const std::byte> trials = row.blob(trials_column);
   if (!target || trials.size() > header.clips.size() * kMaxTrialBytes ||
-      row.integer(kTrialsColumn + 1) != checksum_of(observation.number, *target, numbers, trials))
+      row.integer(trials_column + 1) != checksum_of(observation.number, *target, stored, trials))
     throw Error(path, kDamagedStore);
-  if (!are_sound(numbers, *target)) throw Error(path, kDamagedStore);
-  observation.scenario = scenario_of(numbers, *target);
+  if (!are_sound(numbers, *target, header)) throw Error(path, kDamagedStore);
+  observation.scenario = scenario_of(numbers, *target, header);
   observation.trials = decode_trials(trials);
   if (!are_sound(observation.trials, header)) throw Error(path, kDamagedStore);
   return observation;

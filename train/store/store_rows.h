@@ -12,17 +12,17 @@ namespace flinch::train {
 
 /// The table of a store with one row per scenario; docs/store.md describes it for users.
 
-/// Returns the statement that creates the table.
-std::string observation_table_sql();
+/// Returns the statement that creates the table of this version of the format.
+std::string observation_table_sql(int version);
 
 /// Prepares a statement that inserts one observation per run.
 Statement prepare_insert(Database& database);
 void insert(Statement& statement, const Observation& observation);
 
 /// Prepares a statement that yields all observations by number.
-Statement prepare_select(Database& database);
+Statement prepare_select(Database& database, const StoreHeader& header);
 /// Prepares a statement that yields the observation whose number is bound to it.
-Statement prepare_select_one(Database& database);
+Statement prepare_select_one(Database& database, const StoreHeader& header);
 
 /// Returns the observation in the statement's current row, without its features. Throws Error for a
 /// damaged row.

@@ -2,6 +2,7 @@
 #include "train/store/store_schema.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <span>
 
@@ -22,15 +23,41 @@ constexpr double kMaxMeasure = 1e12;
 /// Bytes of a text in `meta`. Ours have some hundred.
 constexpr std::size_t kMaxDescription = 1 << 14;
 
+/// The numbers of a kind of threat, one per column after `kind` and `name`.
+constexpr std::array<const char*, 12> kKindColumns{
+    "min_radius_m",         "max_radius_m",         "min_mass_kg",   "max_mass_kg",
+    "min_speed_mps",        "max_speed_mps",        "min_elevation", "max_elevation",
+    "min_time_to_impact_s", "max_time_to_impact_s", "restitution",   "friction"};
+using KindNumbers = std::array<double, kKindColumns.size()>;
+
+KindNumbers numbers_of(const features::KnownKind& kind) {
+  return {kind.radius_m.min,         kind.radius_m.max,       kind.mass_kg.min,
+          kind.mass_kg.max,          kind.speed_mps.min,      kind.speed_mps.max,
+          kind.elevation.min,        kind.elevation.max,      kind.time_to_impact_s.min,
+          kind.time_to_impact_s.max, kind.bounce.restitution, kind.bounce.friction};
+}
+
+features::KnownKind kind_of(const std::string& name, const KindNumbers& n, bool falls) {
+  return {name,         {n[0], n[1]}, {n[2], n[3]},   {n[4], n[5]},
+          {n[6], n[7]}, {n[8], n[9]}, {n[10], n[11]}, falls};
+}
+
+/// The names of these columns, each after a comma and before `rest`.
+std::string number_columns(const std::string& rest = "") {
+  std::string text;
+  for (const char* column : kKindColumns) text += std::string(", ") + column + rest;
+  return text;
+}
+
 /// A table of a store, as SQLite keeps its text.
 struct StoreTable {
   std::string_view name;
   std::string sql;  ///< the statement that creates it
 };
 
-/// All tables, in the order in which they are created.
-std::vector<StoreTable> store_tables() {
-  return {
+/// All tables of a store of this version, in the order in which they are created.
+std::vector<StoreTable> store_tables(int version) {
+  std::vector<StoreTable> tables{
       {"library", "CREATE TABLE library(file BLOB NOT NULL)"},
       {"meta", "CREATE TABLE meta(key TEXT PRIMARY KEY, value) WITHOUT ROWID"},
       {"clip",
@@ -43,8 +70,53 @@ std::vector<StoreTable> store_tables() {
       {"seal",
        "CREATE TABLE seal(first INTEGER NOT NULL, scenarios INTEGER NOT NULL, "
        "checksum INTEGER NOT NULL)"},
-      {"observation", observation_table_sql()},
+      {"observation", observation_table_sql(version)},
   };
+  if (version >= 4)
+    tables.push_back({"kind", "CREATE TABLE kind(kind INTEGER PRIMARY KEY, name TEXT NOT NULL" +
+                                  number_columns(" REAL NOT NULL") + ", falls INTEGER NOT NULL)"});
+  return tables;
+}
+
+void write_kinds(Database& database, const StoreHeader& header) {
+  std::string marks = "?, ?, ?";
+  for (std::size_t i = 0; i < kKindColumns.size(); ++i) marks += ", ?";
+  Statement insert = database.prepare("INSERT INTO kind(kind, name" + number_columns() +
+                                      ", falls) VALUES(" + marks + ")");
+  for (std::size_t i = 0; i < header.kinds.size(); ++i) {
+    insert.bind(static_cast<std::int64_t>(i)).bind(header.kinds[i].name);
+    for (const double number : numbers_of(header.kinds[i])) insert.bind(number);
+    insert.bind(std::int64_t{header.kinds[i].falls}).run();
+  }
+}
+
+bool is_sound(const features::KnownKind& kind) {
+  features::Threat threat;
+  threat.bounce = kind.bounce;
+  const auto is_range = [](const features::ValueRange& range) {
+    return std::abs(range.min) <= kMaxMeasure && range.min <= range.max &&
+           range.max <= kMaxMeasure;  // false for NaN
+  };
+  return database::fault_of_name(kind.name) == nullptr && features::is_usable(threat) &&
+         is_range(kind.radius_m) && is_range(kind.mass_kg) && is_range(kind.speed_mps) &&
+         is_range(kind.elevation) && is_range(kind.time_to_impact_s);
+}
+
+void read_kinds(Database& database, StoreHeader& header) {
+  if (header.format_version < 4) return;
+  header.kinds.clear();
+  Statement row =
+      database.prepare("SELECT kind, name, falls" + number_columns() + " FROM kind ORDER BY kind");
+  while (row.step()) {
+    KindNumbers numbers{};
+    for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = row.real(3 + static_cast<int>(i));
+    const features::KnownKind kind = kind_of(row.text(1), numbers, row.integer(2) != 0);
+    if (row.integer(0) != static_cast<std::int64_t>(header.kinds.size()) ||
+        header.kinds.size() == features::kMaxThreatKinds || !is_sound(kind))
+      throw Error(database.path(), kDamagedStore);
+    header.kinds.push_back(kind);
+  }
+  if (header.kinds.empty()) throw Error(database.path(), kDamagedStore);
 }
 
 void write_clips(Database& database, const StoreHeader& header) {
@@ -164,8 +236,8 @@ std::int64_t pragma(Database& database, const std::string& name) {
 
 /// Throws Error unless the file holds the tables of a store as write_header() makes them, and
 /// nothing else: no view, trigger, index or virtual table, no column that is computed.
-void require_tables(Database& database) {
-  const std::vector<StoreTable> tables = store_tables();
+void require_tables(Database& database, int version) {
+  const std::vector<StoreTable> tables = store_tables(version);
   std::size_t found = 0;
   Statement row = database.prepare("SELECT type, name, tbl_name, sql FROM sqlite_master");
   while (row.step()) {
@@ -183,16 +255,19 @@ void require_tables(Database& database) {
     throw Error(database.path(), kDamagedStore);
 }
 
-void require_store(Database& database) {
+/// Returns the version of its format.
+int require_store(Database& database) {
   if (pragma(database, "application_id") != kStoreApplicationId)
     throw Error(database.path(), "not a store; `flinch simulate` makes one");
   const std::int64_t version = pragma(database, "user_version");
-  if (version != kStoreFormatVersion)
+  if (version < kMinStoreFormatVersion || version > kStoreFormatVersion)
     throw Error(database.path(), "is a store of format " + std::to_string(version) +
                                      ", and this program reads format " +
-                                     std::to_string(kStoreFormatVersion) +
+                                     std::to_string(kStoreFormatVersion) + " and " +
+                                     std::to_string(kMinStoreFormatVersion) +
                                      "; delete it and run `flinch simulate` again");
-  require_tables(database);
+  require_tables(database, static_cast<int>(version));
+  return static_cast<int>(version);
 }
 
 void add_bytes(const void* from, std::size_t size, std::vector<std::byte>& to) {
@@ -206,8 +281,10 @@ std::int64_t checksum_of(Database& database, const ScenarioRange& range) {
   std::vector<std::byte> bytes;
   add_bytes(&range.first, sizeof range.first, bytes);
   add_bytes(&range.count, sizeof range.count, bytes);
-  for (const char* table :
-       {"meta ORDER BY key", "clip ORDER BY clip", "body ORDER BY body", "target ORDER BY name"}) {
+  std::vector<const char*> tables{"meta ORDER BY key", "clip ORDER BY clip", "body ORDER BY body",
+                                  "target ORDER BY name"};
+  if (pragma(database, "user_version") >= 4) tables.push_back("kind ORDER BY kind");
+  for (const char* table : tables) {
     Statement row = database.prepare(std::string("SELECT * FROM ") + table);
     while (row.step()) {
       for (int column = 0; column < row.column_count(); ++column) {
@@ -236,7 +313,7 @@ void require_row_count(Database& database, const char* table, int min, int max) 
 void write_header(Database& database, const StoreHeader& header) {
   database.execute("PRAGMA application_id = " + std::to_string(kStoreApplicationId));
   database.execute("PRAGMA user_version = " + std::to_string(kStoreFormatVersion));
-  for (const StoreTable& table : store_tables()) database.execute(table.sql);
+  for (const StoreTable& table : store_tables(kStoreFormatVersion)) database.execute(table.sql);
   write_meta(database, "library_hash", database::hash_text(header.library_hash));
   write_meta(database, "library_name", header.library_name);
   write_meta(database, "seed", std::to_string(header.seed));
@@ -248,16 +325,17 @@ void write_header(Database& database, const StoreHeader& header) {
   write_library_file(database, header);
   write_clips(database, header);
   write_bodies_and_targets(database, header);
+  write_kinds(database, header);
 }
 
 StoreHeader read_header(Database& database) {
-  require_store(database);
+  StoreHeader header;
+  header.format_version = require_store(database);
   require_row_count(database, "library", 1, 1);
   require_row_count(database, "meta", 8, 8);
   require_row_count(database, "body", motion::kBodyCount, motion::kBodyCount);
   require_row_count(database, "target", motion::kTargetCount, motion::kTargetCount);
   require_row_count(database, "seal", 0, 1);
-  StoreHeader header;
   header.library_hash = std::strtoull(meta(database, "library_hash").text(0).c_str(), nullptr, 16);
   header.library_name = meta(database, "library_name").text(0);
   header.seed = std::strtoull(meta(database, "seed").text(0).c_str(), nullptr, 10);
@@ -268,6 +346,7 @@ StoreHeader read_header(Database& database) {
   header.idle = static_cast<int>(meta(database, "idle_clip").integer(0));
   read_library_file(database, header);
   read_clips(database, header);
+  read_kinds(database, header);
   Statement row = database.prepare("SELECT name, x, y, z FROM target");
   while (row.step()) {
     const auto target = motion::target_named(row.text(0));

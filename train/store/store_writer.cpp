@@ -39,6 +39,13 @@ void require_wanted(const ScenarioRange& there, const ScenarioRange& wanted,
                         "; ask for these too, or choose another --out");
 }
 
+/// Rows of an earlier format have other columns.
+void require_current(const StoreHeader& stored, const std::string& path) {
+  if (stored.format_version != kStoreFormatVersion)
+    throw Error(path, "is a store of format " + std::to_string(stored.format_version) +
+                          ", which can be read but not continued; choose another --out");
+}
+
 /// Writes the whole database anew, so that the bytes depend on its contents only and not on the
 /// transactions that made it, as `copy`, which then replaces the file at `path`.
 void write_compacted(Database& database, const std::string& copy, const std::string& path) {
@@ -90,6 +97,7 @@ bool StoreWriter::File::has_finished() const {
 void StoreWriter::File::check_finished() const {
   if (!has_finished()) return;
   const StoreSummary finished = summarise_store(path);
+  require_current(finished.header, path);
   require_same_run(finished.header, header, path);
   require_wanted(finished.range, wanted, path);
 }
@@ -119,7 +127,9 @@ void StoreWriter::File::open_partial() {
     database->trust();
     start_partial();
   }
-  require_same_run(read_header(*database), header, partial());
+  const StoreHeader stored = read_header(*database);
+  require_current(stored, partial());
+  require_same_run(stored, header, partial());
   require_wanted(range_of_rows(*database), wanted, partial());
   break_seal(*database);
   missing = missing_rows(*database, wanted);
@@ -152,6 +162,7 @@ StoreWriter::StoreWriter(const std::string& path, const StoreHeader& header, Sce
   file_->path = database::link_target(path);
   file_->overwrite = overwrite;
   file_->header = header;
+  file_->header.format_version = kStoreFormatVersion;
   file_->wanted = wanted;
   if (fs::is_directory(path)) throw Error(path, "is a folder; name a file in it");
   file_->check_finished();
@@ -175,7 +186,7 @@ std::string StoreWriter::partial_path() const {
 }
 
 bool StoreWriter::holds(const Observation& observation) const {
-  Statement row = prepare_select_one(*file_->database);
+  Statement row = prepare_select_one(*file_->database, file_->header);
   return row.bind(static_cast<std::int64_t>(observation.number)).step() &&
          have_same_row(observation_of(row, file_->header, file_->partial()), observation);
 }

@@ -9,12 +9,12 @@
 namespace flinch::sim {
 namespace {
 
-constexpr double kRestitution = 0.7;
+constexpr features::Bounce kBounce;
 const Eigen::Vector3d kNormal = Eigen::Vector3d(1, 2, -0.5).normalized();
 const Eigen::Vector3d kPoint(0.3, -0.2, 1.1);
 
 Eigen::Vector3d tangent_of(const BodyState& ball, const BodyState& part) {
-  return impact_constraint(kPoint, kNormal, ball, part, kRestitution).tangent;
+  return impact_constraint(kPoint, kNormal, ball, part, kBounce).tangent;
 }
 
 TEST(ImpactConstraint, TangentIsAlongTheVelocityOfSlidingWithTheSpinOfBoth) {
@@ -50,7 +50,7 @@ TEST(ImpactConstraint, WithoutSlidingTheTangentTurnsWithThePart) {
     const Eigen::Vector3d expected = turn * tangent_of(ball, part);
     part.orientation = turn * part.orientation;
     const Eigen::Vector3d found =
-        impact_constraint(Eigen::Vector3d::Zero(), turn * kNormal, turned_ball, part, kRestitution)
+        impact_constraint(Eigen::Vector3d::Zero(), turn * kNormal, turned_ball, part, kBounce)
             .tangent;
     EXPECT_LT((found - expected).norm(), 1e-12) << i;
     EXPECT_NEAR(found.dot(turn * kNormal), 0, 1e-12);
@@ -61,8 +61,7 @@ TEST(BounceConstraint, TangentIsAlongTheBallsPathOverTheGround) {
   BodyState ball;
   ball.position = {3, 4, 0.105};
   ball.velocity = {6, -8, -5};
-  const ContactConstraint bounce =
-      bounce_constraint(ball, Eigen::Quaterniond::Identity(), kRestitution);
+  const ContactConstraint bounce = bounce_constraint(ball, Eigen::Quaterniond::Identity(), kBounce);
   EXPECT_LT((bounce.tangent - Eigen::Vector3d(0.6, -0.8, 0)).norm(), 1e-12);
   EXPECT_EQ(bounce.point, Eigen::Vector3d(3, 4, 0));
 }

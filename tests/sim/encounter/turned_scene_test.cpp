@@ -45,13 +45,15 @@ class TurnedScene : public testing::Test {
   SimulationOptions options_;
 
   /// Velocity with which a ball that touches the ground leaves it, the figure being elsewhere.
-  Eigen::Vector3d bounced(const Eigen::Vector3d& velocity) const {
+  Eigen::Vector3d bounced(const Eigen::Vector3d& velocity,
+                          const features::Bounce& bounce = {}) const {
     features::Ball ball;
+    ball.bounce = bounce;
     ball.position = {5, 0, ball.radius};
     ball.velocity = velocity;
     ball.gravity_mps2 = 0;
     Scene scene(figure_model_, standing_, &ball, features::kGravity_mps2);
-    scene.add_bounce(kRestitution);
+    scene.add_bounce();
     scene.step(standing_, kStep_s);
     return scene.flight()->velocity;
   }
@@ -94,6 +96,14 @@ TYPED_TEST(TurnedScene, ABallThrownAtTheGroundLeavesAlikeInEveryDirection) {
   }
 }
 
+TYPED_TEST(TurnedScene, ABallLeavesTheGroundWithItsOwnRestitutionAndFriction) {
+  for (const features::Bounce bounce : {features::Bounce{0.2, 0.1}, {0.95, 0.3}, {0.5, 0}}) {
+    const double along = 20 - bounce.friction * (1 + bounce.restitution) * 5;
+    const Eigen::Vector3d leaving = this->bounced({20, 0, -5}, bounce);
+    EXPECT_LT((leaving - Eigen::Vector3d(along, 0, bounce.restitution * 5)).norm(), 1e-5);
+  }
+}
+
 // A ball that does not slide on the ground while a part strikes it from the side.
 TYPED_TEST(TurnedScene, ABallHitWhileItStandsOnTheGroundLeavesAlike) {
   const auto leaving = [this](double degrees) {
@@ -105,8 +115,8 @@ TYPED_TEST(TurnedScene, ABallHitWhileItStandsOnTheGroundLeavesAlike) {
     ball.velocity = {0, 0, -1};
     TypeParam scene(this->figure_model_, start, &ball, features::kGravity_mps2);
     const Eigen::Vector3d normal = turn * Eigen::Vector3d(0.9, -0.3, 0.2).normalized();
-    scene.add_hit(Body::left_foot, {0, ball.position - ball.radius * normal, normal}, kRestitution);
-    scene.add_bounce(kRestitution);
+    scene.add_hit(Body::left_foot, {0, ball.position - ball.radius * normal, normal});
+    scene.add_bounce();
     scene.step(turned(this->standing_, turn), kStep_s);
     return Eigen::Vector3d(turn.conjugate() * scene.flight()->velocity);
   };

@@ -46,10 +46,9 @@ class FreeSphere {
       const motion::Clearance near =
           clearance(ball_.flight().position, ball_.flight().radius, shape);
       if (hits(ball_.flight(), shape, near)) {
-        contacts_.add_hit(ball_.body(), body_, Body::head, near, options_.restitution);
+        contacts_.add_hit(ball_.body(), body_, Body::head, near, ball_.flight().bounce);
       }
-      if (ahead.on_ground)
-        ball_.add_ground_contact(contacts_, Eigen::Quaterniond::Identity(), options_.restitution);
+      if (ahead.on_ground) ball_.add_ground_contact(contacts_, Eigen::Quaterniond::Identity());
       const double step_s = std::min(ahead.step_s, duration_s - time_s);
       ball_.step(world_, step_s);
       for (const ContactImpulse& hit : contacts_.impulses(step_s)) impulse_ += hit.impulse_ns;

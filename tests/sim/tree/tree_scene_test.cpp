@@ -137,7 +137,7 @@ TEST_F(TreeSceneTest, DrivenFiguresInContactMatchOde) {
     const Eigen::Vector3d normal = random.vector(1).normalized();
     const motion::Clearance near{0, thrown.position - thrown.radius * normal, normal};
     const auto run = [&](auto& scene) {
-      scene.add_hit(Body::right_thigh, near, 0.7);
+      scene.add_hit(Body::right_thigh, near);
       scene.add_supports(target, step_s, drive);
       scene.step(target, step_s, drive);
     };
@@ -159,7 +159,7 @@ TEST_F(TreeSceneTest, ABallAloneMatchesOde) {
   for (int i = 0; i < 3; ++i) {
     const auto run = [&](auto& scene) {
       scene.clear_contacts();
-      if (i == 0) scene.add_bounce(0.7);
+      if (i == 0) scene.add_bounce();
       scene.step_ball(1.0 / 120);
     };
     run(ode);
@@ -195,10 +195,10 @@ TEST_F(TreeSceneTest, FiguresInContactMatchOde) {
       const Body hit = body();
       const Eigen::Vector3d normal = random.vector(1).normalized();
       const motion::Clearance near{0, thrown.position - thrown.radius * normal, normal};
-      both([&](auto& scene) { scene.add_hit(hit, near, 0.7); });
+      both([&](auto& scene) { scene.add_hit(hit, near); });
       ++rubbed;
     }
-    if (i % 7 == 0) both([&](auto& scene) { scene.add_bounce(0.7); });
+    if (i % 7 == 0) both([&](auto& scene) { scene.add_bounce(); });
     for (int k = 0; k < i % 5; ++k) {
       const Body first = body();
       const Body second = body();
@@ -235,7 +235,7 @@ TEST_F(TreeSceneTest, ABallAloneBouncesBeforeTheFirstStepWhateverWasInMemory) {
                                              scenes::standing(figure_model_.skeleton));
   auto* scene = new (memory.data()) TreeScene(figure_model_, start, &ball, 9.81);
   scene->clear_contacts();
-  scene->add_bounce(0.7);
+  scene->add_bounce();
   scene->step_ball(0.001);
   EXPECT_NEAR(scene->flight()->velocity.z(), 0.7 * 4, 0.02);
   std::destroy_at(scene);

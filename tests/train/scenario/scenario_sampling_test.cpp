@@ -26,6 +26,7 @@ class ScenarioSampling : public testing::Test {
   database::ClipLibrary library_ = scenes::synthetic_library();
   motion::BodyModel model_ = motion::make_body_model(library_.character);
   ScenarioDistribution distribution_;
+  ThreatKind& kind_ = distribution_.kinds.front();
 };
 
 TEST_F(ScenarioSampling, ThreatsPassNearTheTargetsCentreAtTheTimeOfImpact) {
@@ -43,10 +44,10 @@ TEST_F(ScenarioSampling, ThreatsPassNearTheTargetsCentreAtTheTimeOfImpact) {
     const Eigen::Vector3d centre =
         motion::target_centre(model_, frames, scenario.target).cast<double>();
     const double distance = (at_impact - centre).norm();
-    EXPECT_LE(distance, distribution_.aim_radius_m + 1e-4) << "scenario " << number;
+    EXPECT_LE(distance, kind_.aim_radius_m + 1e-4) << "scenario " << number;
     farthest = std::max(farthest, distance);
   }
-  EXPECT_GT(farthest, 0.95 * distribution_.aim_radius_m);
+  EXPECT_GT(farthest, 0.95 * kind_.aim_radius_m);
 }
 
 TEST_F(ScenarioSampling, ThreatsAreWithinTheDistributionAndAboveTheGround) {
@@ -105,17 +106,103 @@ TEST_F(ScenarioSampling, TimesAndIdlePhasesAreOnTheirGrid) {
 TEST_F(ScenarioSampling, TheSameNumberGivesTheSameBits) {
   const features::Scenario once = sample(17);
   const features::Scenario again = sample(17);
-  EXPECT_EQ(std::memcmp(&once.threat, &again.threat, sizeof once.threat), 0);
+  EXPECT_EQ(std::memcmp(&once.threat.position, &again.threat.position, sizeof(Eigen::Vector3f)), 0);
+  EXPECT_EQ(std::memcmp(&once.threat.velocity, &again.threat.velocity, sizeof(Eigen::Vector3f)), 0);
+  EXPECT_EQ(once.threat.radius, again.threat.radius);
+  EXPECT_EQ(once.threat.mass_kg, again.threat.mass_kg);
   EXPECT_EQ(once.time_to_impact_s, again.time_to_impact_s);
   EXPECT_NE(once.threat.velocity, sample(18).threat.velocity);
   EXPECT_NE(once.threat.velocity, sample(17, 2).threat.velocity);
 }
 
 TEST_F(ScenarioSampling, RejectsADistributionWithoutFeasibleThreats) {
-  distribution_.max_speed_mps = 8;
-  distribution_.min_time_to_impact_s = 3;
-  distribution_.max_time_to_impact_s = 4;
+  kind_.speed_mps.max = 8;
+  kind_.time_to_impact_s = {3, 4};
   EXPECT_THROW(sample(0), Error);
+}
+
+TEST_F(ScenarioSampling, KindsAndTargetsComeByTheirWeightsAndNumbersFromTheirRanges) {
+  kind_.weight = 3;
+  ThreatKind rock;
+  rock.name = "rock";
+  rock.radius_m = {0.02, 0.04};
+  rock.mass_kg = {0.2, 0.4};
+  rock.speed_mps = {10, 12};
+  rock.azimuth = {{motion::radians(-30.0), motion::radians(0.0)},
+                  {motion::radians(170.0), motion::radians(190.0)}};
+  rock.elevation = {motion::radians(5.0), motion::radians(15.0)};
+  rock.time_to_impact_s = {0.4, 0.6};
+  rock.target_weight = {1, 0, 3, 0};
+  rock.aim_radius_m = 0.01;
+  rock.bounce = {0.25, 0.125};
+  rock.falls = false;
+  distribution_.kinds.push_back(rock);
+  int rocks = 0;
+  int pelvises = 0;
+  int ahead = 0;
+  ValueRange mass{1, 0};
+  ValueRange time{1, 0};
+  for (int number = 0; number < kScenarios; ++number) {
+    const features::Scenario scenario = sample(static_cast<std::uint64_t>(number));
+    const features::Threat& threat = scenario.threat;
+    if (threat.kind == 0) {
+      EXPECT_EQ(threat.bounce, features::Bounce{});
+      EXPECT_TRUE(threat.falls);
+      continue;
+    }
+    ASSERT_EQ(threat.kind, 1);
+    ++rocks;
+    EXPECT_EQ(threat.bounce, rock.bounce);
+    EXPECT_FALSE(threat.falls);
+    EXPECT_GE(threat.radius, 0.02F);
+    EXPECT_LE(threat.radius, 0.04F);
+    EXPECT_GE(threat.velocity.norm(), 10 - 1e-4F);
+    EXPECT_LE(threat.velocity.norm(), 12 + 1e-4F);
+    mass = {std::min(mass.min, double{threat.mass_kg}), std::max(mass.max, double{threat.mass_kg})};
+    const auto time_s = double{scenario.time_to_impact_s};
+    time = {std::min(time.min, time_s), std::max(time.max, time_s)};
+    const Eigen::Vector3d from = -threat.velocity.cast<double>().normalized();
+    EXPECT_GE(motion::degrees(std::asin(from.z())), 5 - 1e-3);
+    EXPECT_LE(motion::degrees(std::asin(from.z())), 15 + 1e-3);
+    const double azimuth = motion::degrees(std::atan2(from.y(), from.x()));
+    const bool is_ahead = azimuth > -30.001 && azimuth < 0.001;
+    EXPECT_TRUE(is_ahead || std::abs(azimuth) > 169.999) << azimuth;
+    ahead += is_ahead;
+    const motion::PerTarget<Eigen::Vector3f> centres =
+        target_centres(library_.character.skeleton, model_,
+                       features::idle_pose(idle(), scenario.state, scenario.time_to_impact_s));
+    const Eigen::Vector3f there = threat.position + scenario.time_to_impact_s * threat.velocity;
+    EXPECT_LT((there - centres[scenario.target]).norm(), 0.01F + 1e-4F);
+    const bool is_pelvis = scenario.target == motion::Target::pelvis;
+    EXPECT_TRUE(is_pelvis || scenario.target == motion::Target::head);
+    pelvises += is_pelvis;
+    const GridCell cell = grid_cell_of(distribution_, idle(), scenario);
+    EXPECT_EQ(time_to_impact_s(distribution_, cell.time), scenario.time_to_impact_s);
+  }
+  // Within four standard deviations of a binomial distribution.
+  EXPECT_NEAR(rocks, kScenarios / 4, 4 * std::sqrt(kScenarios * 0.25 * 0.75));
+  EXPECT_NEAR(pelvises, 0.75 * rocks, 4 * std::sqrt(rocks * 0.75 * 0.25));
+  EXPECT_NEAR(ahead, 0.6 * rocks, 4 * std::sqrt(rocks * 0.6 * 0.4));
+  EXPECT_LT(mass.min, 0.21);
+  EXPECT_GT(mass.max, 0.39);
+  EXPECT_NEAR(time.min, 0.4, 1e-6);
+  EXPECT_NEAR(time.max, 0.6, 1e-6);
+}
+
+// (1 + 0.5) 2 kg 9 m/s and (1 + 0.7) 0.27 kg 30 m/s.
+TEST_F(ScenarioSampling, TheLargestImpulseIsThatOfTheKindThatCanGiveMost) {
+  EXPECT_DOUBLE_EQ(largest_impulse_ns(distribution_), 13.77);
+  ThreatKind heavy;
+  heavy.mass_kg = {1, 2};
+  heavy.speed_mps = {5, 9};
+  heavy.bounce.restitution = 0.5;
+  distribution_.kinds.push_back(heavy);
+  EXPECT_DOUBLE_EQ(largest_impulse_ns(distribution_), 27);
+}
+
+TEST(MinFeasibleElevation, OfAStraightFlightIsThatOfALine) {
+  // From 0.2 m above the ground to 1.1 m, 10 m along the line.
+  EXPECT_NEAR(std::sin(min_feasible_elevation(20, 0.5, 0.2, 1.1, false)), -0.09, 1e-12);
 }
 
 TEST(MinFeasibleElevation, PutsTheStartOnTheGround) {

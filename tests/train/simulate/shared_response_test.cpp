@@ -49,7 +49,7 @@ class SharedResponse : public testing::Test {
     return most;
   }
 
-  static constexpr ScenarioDistribution kDistribution{};
+  static inline const ScenarioDistribution kDistribution;
   static inline const database::ClipLibrary* library_ = nullptr;
   static inline const runtime::PreparedLibrary* prepared_ = nullptr;
   static inline const SharedResponses* shared_ = nullptr;

@@ -185,7 +185,7 @@ double difference(const Trial& a, const Trial& b) {
 TEST(SharedTrials, MatchFullSimulations) {
   const database::ClipLibrary library = scenes::synthetic_library();
   SimulationPlan plan;
-  plan.distribution.min_time_to_impact_s = 0.5;  // so that many responses start later
+  plan.distribution.kinds[0].time_to_impact_s.min = 0.5;  // so that many responses start later
   const SimulationSetup setup(library, plan);
   sim::ThrowSimulator throws(setup.simulator);
   int compared = 0;

@@ -61,7 +61,7 @@ TEST(HostileStore, MayHoldOnlyTheTablesOfAStore) {
            // What runs when the store is continued.
            "CREATE TRIGGER t AFTER DELETE ON seal BEGIN DELETE FROM observation; END",
            "CREATE TRIGGER t AFTER INSERT ON observation BEGIN INSERT INTO observation SELECT "
-           "new.number + 1, 'head', 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, x'', 0; END",
+           "new.number + 1, 'head', 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, x'', 0; END",
            "CREATE TABLE other(x)",
            "CREATE INDEX i ON observation(target)",
            "CREATE INDEX i ON meta(abs(length(value)))",
@@ -84,7 +84,8 @@ TEST(HostileStore, MayHoldOnlyTheTablesOfAStore) {
 
 TEST(HostileStore, WithATableOfEndlessRowsIsRefused) {
   const TemporaryFolder folder;
-  for (const char* table : {"observation", "body", "clip", "library", "meta", "target", "seal"}) {
+  for (const char* table :
+       {"observation", "body", "clip", "library", "meta", "target", "kind", "seal"}) {
     const std::string path = folder / "forged.partial";
     std::filesystem::remove(path);
     write_made_up_store(path, kForgedCount);
@@ -123,6 +124,15 @@ TEST(HostileStore, ValuesOutOfBoundsAreRefusedThoughTheChecksumIsRight) {
            "UPDATE clip SET peak_s = 1e300 WHERE clip = 1",
            "UPDATE clip SET direction_degrees = 1e300 WHERE clip = 1",
            "UPDATE target SET x = 1e300",
+           "UPDATE kind SET restitution = 1.5",
+           "UPDATE kind SET friction = -1",
+           "UPDATE kind SET name = ''",
+           "UPDATE kind SET min_mass_kg = 9e999",
+           "UPDATE kind SET min_speed_mps = 40",
+           "UPDATE kind SET kind = 1",
+           "DELETE FROM kind",
+           "WITH RECURSIVE n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n LIMIT 40) INSERT INTO "
+           "kind SELECT i, 'k' || i, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 0, 0, 1 FROM n",
            "WITH RECURSIVE n(i) AS (SELECT 10 UNION ALL SELECT i + 1 FROM n LIMIT 20000) INSERT "
            "INTO clip(clip, name, work_j) SELECT i, 'c' || i, 1 FROM n",
        }) {

@@ -125,6 +125,34 @@ TEST(Store, AnExtendedStoreHasTheSameBytes) {
   EXPECT_TRUE(read_file(folder / "grown") == read_file(folder / "whole"));
 }
 
+TEST(Store, KeepsTheKindOfEachThreat) {
+  const TemporaryFolder folder;
+  StoreHeader header = made_up_header();
+  header.kinds = {{.name = "stone",
+                   .radius_m = {0.125, 0.25},
+                   .mass_kg = {0.5, 0.75},
+                   .speed_mps = {1, 2},
+                   .elevation = {-0.5, 0.5},
+                   .time_to_impact_s = {0.25, 0.75},
+                   .bounce = {0.25, 0.75},
+                   .falls = false},
+                  {.name = "ball", .bounce = {0.5, 0.125}}};
+  std::vector<Observation> observations = made_up_observations(header, 0, 4);
+  observations[1].scenario.threat.kind = observations[2].scenario.threat.kind = 1;
+  StoreWriter writer(folder / "a", header, {0, 4});
+  writer.append(observations);
+  writer.finish();
+  const Store store = read_store(folder / "a");
+  EXPECT_EQ(store.header.kinds, header.kinds);
+  for (std::size_t i = 0; i < 4; ++i) {
+    const features::Threat& threat = store.observations[i].scenario.threat;
+    const std::size_t kind = i == 1 || i == 2 ? 1 : 0;
+    EXPECT_EQ(threat.kind, static_cast<int>(kind));
+    EXPECT_EQ(threat.bounce, header.kinds[kind].bounce);
+    EXPECT_EQ(threat.falls, header.kinds[kind].falls);
+  }
+}
+
 TEST(Store, OfAnotherRunIsRejectedAndUnchanged) {
   const TemporaryFolder folder;
   const StoreHeader header = made_up_header();
@@ -139,6 +167,10 @@ TEST(Store, OfAnotherRunIsRejectedAndUnchanged) {
   EXPECT_THAT(error_of([&] { StoreWriter(path, other, kWanted); }), HasSubstr("--seed 5"));
   other = header;
   other.distribution = "{}";
+  EXPECT_THAT(error_of([&] { StoreWriter(path, other, kWanted); }),
+              HasSubstr("scenario distribution"));
+  other = header;
+  other.kinds[0].bounce.restitution = 0.5;
   EXPECT_THAT(error_of([&] { StoreWriter(path, other, kWanted); }),
               HasSubstr("scenario distribution"));
   other = header;
@@ -175,19 +207,28 @@ TEST(Store, RejectsOtherFilesByName) {
 
 TEST(Store, RejectsDamagedRows) {
   const TemporaryFolder folder;
-  for (const char* damage :
-       {"UPDATE observation SET trials = x'0000' WHERE number = 3",
-        "UPDATE observation SET target = 'nose' WHERE number = 3",
-        "UPDATE observation SET threat_x = 1e999 WHERE number = 3",
-        "UPDATE observation SET mass_kg = 0.28 WHERE number = 3",
-        "UPDATE observation SET number = 5 WHERE number = 4",
-        "DELETE FROM observation WHERE number = 4", "DELETE FROM observation",
-        "UPDATE seal SET scenarios = 4", "UPDATE clip SET work_j = 1 WHERE clip = 2",
-        "UPDATE body SET name = 'nose' WHERE body = 2", "DROP TABLE observation",
-        "UPDATE meta SET value = 999 WHERE key = 'idle_clip'", "DELETE FROM meta",
-        "DELETE FROM clip", "DELETE FROM library", "UPDATE library SET file = x'464C'",
-        "UPDATE library SET file = substr(file, 1, length(file) - 1)",
-        "UPDATE meta SET value = '1' WHERE key = 'library_hash'"}) {
+  for (const char* damage : {"UPDATE observation SET trials = x'0000' WHERE number = 3",
+                             "UPDATE observation SET target = 'nose' WHERE number = 3",
+                             "UPDATE observation SET threat_x = 1e999 WHERE number = 3",
+                             "UPDATE observation SET mass_kg = 0.28 WHERE number = 3",
+                             "UPDATE observation SET number = 5 WHERE number = 4",
+                             "DELETE FROM observation WHERE number = 4",
+                             "DELETE FROM observation",
+                             "UPDATE kind SET restitution = 0.5",
+                             "UPDATE kind SET kind = 1",
+                             "DELETE FROM kind",
+                             "UPDATE observation SET kind = 1 WHERE number = 3",
+                             "UPDATE seal SET scenarios = 4",
+                             "UPDATE clip SET work_j = 1 WHERE clip = 2",
+                             "UPDATE body SET name = 'nose' WHERE body = 2",
+                             "DROP TABLE observation",
+                             "UPDATE meta SET value = 999 WHERE key = 'idle_clip'",
+                             "DELETE FROM meta",
+                             "DELETE FROM clip",
+                             "DELETE FROM library",
+                             "UPDATE library SET file = x'464C'",
+                             "UPDATE library SET file = substr(file, 1, length(file) - 1)",
+                             "UPDATE meta SET value = '1' WHERE key = 'library_hash'"}) {
     const std::string path = folder / "damaged";
     std::filesystem::remove(path);
     write_store(path, made_up_header(), 5);

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+#include "features/threat.h"
+#include "motion/rotation.h"
+
+namespace flinch::features {
+
+/// Numbers from `min` to `max`, both of them included; a single number if they are equal.
+struct ValueRange {
+  double min = 0;
+  double max = 0;
+
+  bool operator==(const ValueRange&) const = default;
+};
+
+/// A kind of threats that a store or a selector knows, and the ranges of its numbers. The defaults
+/// are a volleyball thrown or spiked. Angles in radians.
+struct KnownKind {
+  std::string name = "volleyball";
+  ValueRange radius_m{kVolleyballRadius_m, kVolleyballRadius_m};
+  ValueRange mass_kg{kVolleyballMass_kg, kVolleyballMass_kg};
+  ValueRange speed_mps{8, 30};                                          ///< at the impact
+  ValueRange elevation{motion::radians(-10.0), motion::radians(45.0)};  ///< at the impact
+  ValueRange time_to_impact_s{0.25, 1.2};                               ///< from perception
+  Bounce bounce{};
+  bool falls = true;  ///< or flies straight
+
+  bool operator==(const KnownKind&) const = default;
+};
+
+/// Largest number of kinds in a store or a selector.
+inline constexpr std::size_t kMaxThreatKinds = 32;
+
+}  // namespace flinch::features

@@ -1,0 +1,109 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""A file says what is thrown, and every later step keeps to it."""
+
+import pathlib
+import re
+import sqlite3
+import unittest
+
+from flinch_program import StoreTest
+
+DOCS = pathlib.Path(__file__).resolve().parents[2] / "docs"
+
+
+def block_of(page):
+    """The page's one block of TOML."""
+    block, = re.findall(r"^```toml\n(.*?)^```$", (DOCS / page).read_text(), re.MULTILINE | re.DOTALL)
+    return block
+
+
+class Threats(StoreTest):
+    scenarios = 12
+
+    def file(self, text, name="threats.toml"):
+        path = self.folder / name
+        path.write_text(text)
+        return path
+
+    def test_the_default_file_gives_the_default_store(self):
+        whole = self.make_whole()
+        threats = self.file(self.succeed("threats").stdout)
+        store = self.folder / "store"
+        self.succeed(*self.command(store, "--threats", threats))
+        self.assertEqual(store.read_bytes(), whole)
+        document = self.document("threats")
+        self.assertEqual([kind["name"] for kind in document["kinds"]], ["volleyball"])
+        self.assertEqual(self.document("info", store)["distribution"]["kinds"], document["kinds"])
+
+    def test_the_page_s_kinds_are_thrown(self):
+        store = self.folder / "store"
+        self.succeed(*self.command(store, "--threats", self.file(block_of("threats.md")),
+                                   scenarios=60))
+        kinds = self.document("info", store)["distribution"]["kinds"]
+        self.assertEqual([kind["name"] for kind in kinds], ["snowball", "icicle"])
+        with sqlite3.connect(f"file:{store}?mode=ro", uri=True) as database:
+            rows = database.execute("SELECT kind, target, radius_m, mass_kg FROM observation").fetchall()
+            stored = database.execute("SELECT name, restitution, friction, falls FROM kind "
+                                      "ORDER BY kind").fetchall()
+        self.assertEqual(stored, [("snowball", 0, 0.2, 1), ("icicle", 0.7, 0.5, 0)])
+        self.assertEqual({kind for kind, *_ in rows}, {0, 1})
+        for kind, target, radius, mass in rows:
+            if kind == 1:
+                self.assertEqual(target, "head")
+                self.assertAlmostEqual(radius, 0.02)
+                self.assertAlmostEqual(mass, 0.05)
+            else:
+                self.assertTrue(0.03 <= radius <= 0.05 and 0.0599 <= mass <= 0.2001, (radius, mass))
+        report = self.document("compare", store, "--models", "knn")
+        groups = {group["value"] for group in report["groups"] if group["group"] == "kind"}
+        self.assertLessEqual(groups, {"snowball", "icicle"})
+        self.assertTrue(groups)
+
+    def test_stores_of_other_threats_are_neither_continued_nor_merged(self):
+        self.make_whole()
+        before = self.whole.read_bytes()
+        balls = self.file(self.succeed("threats", "--name", "balls").stdout)
+        line = self.fail_with(1, *self.command(self.whole, "--threats", balls, scenarios=20))
+        self.assertIn("another scenario distribution", line)
+        self.assertEqual(self.whole.read_bytes(), before)
+        rest = self.folder / "rest"
+        self.succeed(*self.command(rest, "--threats", "balls", "--first", 12, scenarios=4))
+        line = self.fail_with(1, "merge", self.whole, rest, "--out", self.folder / "all")
+        self.assertIn("another scenario distribution", line)
+        line = self.fail_with(1, "compare", self.whole, "--test", rest, "--models", "knn")
+        self.assertIn("other kinds of threats", line)
+
+    def test_the_largest_damage_is_that_of_the_heaviest_blow(self):
+        text = '[[kind]]\nname = "a"\nmass_kg = 2\nspeed_mps = 10\nrestitution = 0.5\n'
+        store = self.folder / "store"
+        self.succeed(*self.command(store, "--threats", self.file(text)))
+        model = self.document("compare", store, "--models", "knn")["cost_model"]
+        self.assertAlmostEqual(model["reference_damage_ns"], 1.5 * 2 * 10)
+
+    def test_bad_files_are_refused_with_their_line(self):
+        cases = {
+            'x = 1\n': ":1: the file has an unknown key",
+            '[[kind]]\nname = "a"\nmass_kg = -1\n': ":3: [[kind]] has mass_kg -1",
+            '[[kind]]\nname = "a"\nspeed_mps = [9, 3]\n': ":3: [[kind]] has speed_mps from 9 to 3",
+            '[[kind]]\nname = "a"\nweight = 0\n': "only kinds of weight 0",
+            '[[kind]]\nspeed_mps = 3\n': "needs name",
+            '[[kind\n': ":1: not TOML",
+        }
+        for text, words in cases.items():
+            with self.subTest(text):
+                path = self.file(text)
+                line = self.fail_with(1, *self.command(self.folder / "store", "--threats", path))
+                self.assertTrue(line.startswith(f"flinch: {path}:"), line)
+                self.assertIn(words, line)
+        self.assertIn("--threats", self.fail_with(2, *self.command("store", "--threats", "cats")))
+        path = self.file('[[kind]]\nname = "a"\n')
+        self.assertIn("is an input", self.fail_with(1, *self.command(path, "--threats", path)))
+        low = self.file('[[kind]]\nname = "low"\nspeed_mps = 1\ntime_to_impact_s = 10\n')
+        line = self.fail_with(1, *self.command(self.folder / "store", "--threats", low))
+        self.assertIn("no low of the distribution stays above the ground", line)
+        self.assertEqual(sorted(p.name for p in self.folder.iterdir()), ["threats.toml"])
+
+
+if __name__ == "__main__":
+    unittest.main()
