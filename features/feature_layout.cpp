@@ -13,10 +13,19 @@ static_assert(sizeof(Geometry) == sizeof(float) * kGeometryCount);
 
 constexpr auto kPaperCount = static_cast<std::size_t>(kFeatureCount);
 
+constexpr std::size_t kThreatPlace = kPaperCount + static_cast<std::size_t>(kGeometryCount);
+constexpr std::size_t kKindPlace = kThreatPlace + 2;
+
+constexpr std::array<std::string_view, 2 + kMaxThreatKinds> kThreatNames{
+    "radius_m", "mass_kg", "kind_0",  "kind_1",  "kind_2",  "kind_3",
+    "kind_4",   "kind_5",  "kind_6",  "kind_7",  "kind_8",  "kind_9",
+    "kind_10",  "kind_11", "kind_12", "kind_13", "kind_14", "kind_15"};
+
 constexpr std::array<std::string_view, kMaxFeatures> kAllNames = [] {
   std::array<std::string_view, kMaxFeatures> names;
   std::copy(kFeatureNames.begin(), kFeatureNames.end(), names.begin());
   std::copy(kGeometryNames.begin(), kGeometryNames.end(), names.begin() + kFeatureCount);
+  std::copy(kThreatNames.begin(), kThreatNames.end(), names.begin() + kThreatPlace);
   return names;
 }();
 
@@ -64,8 +73,9 @@ std::vector<std::string> Layout::names() const {
 }
 
 bool Layout::has_geometry() const {
-  return std::any_of(component_.begin(), component_.begin() + size_,
-                     [](std::uint8_t place) { return place >= kPaperCount; });
+  return std::any_of(component_.begin(), component_.begin() + size_, [](std::uint8_t place) {
+    return place >= kPaperCount && place < kThreatPlace;
+  });
 }
 
 std::span<const FeatureSet> feature_sets() {
@@ -73,7 +83,7 @@ std::span<const FeatureSet> feature_sets() {
       {{"geometry", "how the threat meets the body",
         layout_of(joined(kGeometryNames, kTimeAndTarget))},
        {"paper", "the threat at perception, and the character ahead", layout_of(kFeatureNames)},
-       {"both", "all that either has", layout_of(kAllNames)}}};
+       {"both", "all that either has", layout_of(joined(kFeatureNames, kGeometryNames))}}};
   return kSets;
 }
 
@@ -108,13 +118,38 @@ Layout without(const Layout& layout, const FeatureGroup& group) {
   return Layout::of(kept).value_or(Layout{});
 }
 
-FeatureVector arranged(const Layout& layout, const Features& features, const Geometry& geometry) {
+Layout with_kinds(const Layout& layout, std::span<const KnownKind> kinds) {
+  std::vector<std::string> names = layout.names();
+  const auto varies = [&](ValueRange KnownKind::*range) {
+    return std::ranges::any_of(kinds, [&](const KnownKind& kind) {
+      return (kind.*range).max != (kinds.front().*range).min ||
+             (kind.*range).min != (kinds.front().*range).min;
+    });
+  };
+  if (varies(&KnownKind::radius_m)) names.emplace_back(kThreatNames[0]);
+  if (varies(&KnownKind::mass_kg)) names.emplace_back(kThreatNames[1]);
+  for (std::size_t i = 0; kinds.size() > 1 && i < kinds.size(); ++i)
+    names.emplace_back(kThreatNames[2 + i]);
+  return Layout::of(names).value_or(layout);
+}
+
+FeatureVector arranged(const Layout& layout, const Features& features, const Geometry& geometry,
+                       const Threat& threat) {
   const auto paper = std::bit_cast<std::array<float, kFeatureCount>>(features);
   const auto ours = std::bit_cast<std::array<float, kGeometryCount>>(geometry);
   FeatureVector vector{};
   for (std::size_t i = 0; i < static_cast<std::size_t>(layout.size()); ++i) {
     const std::size_t place = layout.component_[i];
-    const float value = place < kPaperCount ? paper[place] : ours[place - kPaperCount];
+    float value = 0;
+    if (place < kPaperCount) {
+      value = paper[place];
+    } else if (place < kThreatPlace) {
+      value = ours[place - kPaperCount];
+    } else if (place < kKindPlace) {
+      value = place == kThreatPlace ? threat.radius : threat.mass_kg;
+    } else if (place - kKindPlace == static_cast<std::size_t>(threat.kind)) {
+      value = 1;
+    }
     vector[i] = std::isfinite(value) ? value : 0;
   }
   return vector;
@@ -128,7 +163,7 @@ FeatureVector feature_vector(const Layout& layout, const Scenario& scenario,
     geometry =
         geometry_of(scenario, predict_character(figure, scenario.state, scenario.time_to_impact_s));
   }
-  return arranged(layout, features, geometry);
+  return arranged(layout, features, geometry, scenario.threat);
 }
 
 FeatureVector feature_vector(const Layout& layout, const Scenario& scenario,
@@ -136,7 +171,8 @@ FeatureVector feature_vector(const Layout& layout, const Scenario& scenario,
   motion::Motion still;
   still.poses.emplace_back();
   const PredictedCharacter ahead{Eigen::Vector3f::Zero(), centres};
-  return arranged(layout, features_of(scenario, still), geometry_of(scenario, ahead));
+  return arranged(layout, features_of(scenario, still), geometry_of(scenario, ahead),
+                  scenario.threat);
 }
 
 }  // namespace flinch::features

@@ -12,7 +12,8 @@
 namespace flinch::features {
 
 /// Names and order of a feature vector's components; stored with a selector. Any subset of
-/// kFeatureNames and kGeometryNames, each at most once.
+/// kFeatureNames, kGeometryNames, "radius_m", "mass_kg" and "kind_0" to "kind_15" (1 for the
+/// threat's kind, 0 for others), each at most once.
 class Layout {
  public:
   /// Makes an empty layout.
@@ -32,10 +33,10 @@ class Layout {
 
  private:
   friend FeatureVector arranged(const Layout& layout, const Features& features,
-                                const Geometry& geometry);
+                                const Geometry& geometry, const Threat& threat);
 
   int size_ = 0;
-  /// Indices into kFeatureNames followed by kGeometryNames; 0 beyond the size.
+  /// Indices into the names of all components; 0 beyond the size.
   std::array<std::uint8_t, kMaxFeatures> component_{};
 };
 
@@ -62,6 +63,10 @@ struct FeatureGroup {
 std::span<const FeatureGroup> feature_groups();
 /// Returns the layout without the components of a group; unchanged if it has none of them.
 Layout without(const Layout& layout, const FeatureGroup& group);
+
+/// Returns the layout with the components that tell these kinds of threats apart, and their sizes
+/// and masses, as far as they differ; unchanged where all threats are alike.
+Layout with_kinds(const Layout& layout, std::span<const KnownKind> kinds);
 
 /// Returns the components of a scenario in the layout's order, 0 beyond its size. The bits are the
 /// same in training and in the game. Takes a few microseconds at most; allocates nothing.

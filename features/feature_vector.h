@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "features/known_kind.h"
 #include "features/scenario.h"
 
 namespace flinch::features {
@@ -38,8 +39,9 @@ inline constexpr std::array<std::string_view, kFeatureCount> kFeatureNames{
 /// Returns the features of a scenario, for a character that idles with `idle`.
 Features features_of(const Scenario& scenario, const motion::Motion& idle);
 
-/// Largest number of features that a selector may use.
-inline constexpr int kMaxFeatures = kFeatureCount + 17;
+/// Largest number of features that a selector may use: these, those of Geometry, radius and mass,
+/// and one for each kind of threat.
+inline constexpr int kMaxFeatures = kFeatureCount + 17 + 2 + static_cast<int>(kMaxThreatKinds);
 
 /// Components in the order of a layout (features/feature_layout.h); 0 beyond its size.
 using FeatureVector = std::array<float, kMaxFeatures>;

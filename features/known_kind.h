@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <string>
 
 #include "features/threat.h"
@@ -32,6 +33,16 @@ struct KnownKind {
 };
 
 /// Largest number of kinds in a store or a selector.
-inline constexpr std::size_t kMaxThreatKinds = 32;
+inline constexpr std::size_t kMaxThreatKinds = 16;
+
+/// The numbers of a kind in the order in which files hold them: the ends of its ranges, in the
+/// order of the struct, then restitution and friction.
+using KindNumbers = std::array<double, 12>;
+KindNumbers numbers_of(const KnownKind& kind);
+KnownKind kind_of(const std::string& name, const KindNumbers& numbers, bool falls);
+
+/// Whether all numbers are finite and bounded, no range is the wrong way round, restitution is from
+/// 0 to 1 and friction at least 0. Names are not checked.
+bool is_sound(const KnownKind& kind);
 
 }  // namespace flinch::features

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "features/feature_layout.h"
+#include "features/known_kind.h"
 #include "models/candidate.h"
 #include "models/knn.h"
 #include "models/network.h"
@@ -38,6 +39,8 @@ struct Selector {
   features::Scaling scaling;
   std::variant<SvmModel, KnnModel, NetworkModel, PairwiseModel> model;
   double brawn = 0.5;  ///< used for the labels that it was fitted to
+  /// The kinds of threats that it was fitted to; Threat::kind is an index of these.
+  std::vector<features::KnownKind> kinds{features::KnownKind{}};
   /// Centres of the idling character's targets, by Target, in the frame of the features, m. A
   /// threat described without a character is aimed at them.
   motion::PerTarget<Eigen::Vector3f> target_centres{

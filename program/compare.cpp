@@ -38,7 +38,7 @@ void tell(const std::string& what) {
 
 train::Store read_with_features(const std::string& path, const std::string& set) {
   train::Store store = train::read_store(path);
-  derive_features(features::feature_set_named(set)->layout, store);
+  derive_features(train::layout_for(set, store.header), store);
   return store;
 }
 

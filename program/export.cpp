@@ -49,10 +49,9 @@ void export_data(const ExportOptions& options) {
       {{options.file, database::FileKind::text, libsvm ? " 1:" : "number,target,"}},
       {options.source, options.scaling, vulnerability_file(options.cost)},
       overwrite_of(options.force));
-  const features::Layout& layout = features::feature_set_named(options.features)->layout;
   const train::VulnerabilityProfile vulnerability = vulnerability_of(options.cost);
   train::Store store = train::read_store(options.source);
-  derive_features(layout, store);
+  derive_features(train::layout_for(options.features, store.header), store);
   const train::CostModel cost_model =
       make_cost_model(store.header, vulnerability, options.cost.brawn);
   const train::Labels labels = train::label(store.observations, cost_model);

@@ -221,6 +221,23 @@ std::string vulnerability_name(const models::ResponseCosts& costs) {
   return shipped.empty() ? "unnamed" : std::string(shipped);
 }
 
+Json kinds_document(std::span<const features::KnownKind> kinds) {
+  const auto range = [](const features::ValueRange& of) { return Json::array({of.min, of.max}); };
+  Json list = Json::array();
+  for (const features::KnownKind& kind : kinds)
+    list.push_back({{"name", kind.name},
+                    {"radius_m", range(kind.radius_m)},
+                    {"mass_kg", range(kind.mass_kg)},
+                    {"speed_mps", range(kind.speed_mps)},
+                    {"elevation_degrees",
+                     {rounded_degrees(kind.elevation.min), rounded_degrees(kind.elevation.max)}},
+                    {"time_to_impact_s", range(kind.time_to_impact_s)},
+                    {"restitution", kind.bounce.restitution},
+                    {"friction", kind.bounce.friction},
+                    {"flight", kind.falls ? "falling" : "straight"}});
+  return list;
+}
+
 Json selector_document(const runtime::SelectorFile& file) {
   const models::Selector& selector = file.selector;
   Json clips = Json::array();
@@ -229,7 +246,8 @@ Json selector_document(const runtime::SelectorFile& file) {
   Json document{{"kind", "selector"},
                 {"library_hash", database::hash_text(selector.library_hash)},
                 {"brawn", selector.brawn},
-                {"features", selector.layout.names()}};
+                {"features", selector.layout.names()},
+                {"threats", kinds_document(selector.kinds)}};
   if (selector.costs) {
     document["vulnerability_name"] = vulnerability_name(*selector.costs);
     for (const motion::Body body : motion::kBodies)
@@ -257,6 +275,9 @@ void print_selector(const runtime::SelectorFile& file) {
                 << key << ": "
                 << (document[key].is_string() ? document[key].get<std::string>()
                                               : document[key].dump());
+  std::cout << "\nthreats: ";
+  for (const features::KnownKind& kind : file.selector.kinds)
+    std::cout << (&kind == &file.selector.kinds.front() ? "" : ", ") << printable(kind.name);
   std::cout << "\nclips: " << file.selector.clips.size();
   if (file.library) {
     std::cout << ", in this file: " << pose_count(*file.library) << " poses at "

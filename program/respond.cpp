@@ -109,7 +109,7 @@ void run_respond(const RespondOptions& options) {
                           overwrite_of(options.force));
   const runtime::Library library = load_runtime_library(options.selector);
   const motion::PerTarget<Eigen::Vector3f>& centres = library.selector().target_centres;
-  const features::ThreatDescription threat = described(options.threat, centres);
+  const features::ThreatDescription threat = described(options.threat, library.selector());
   lookahead::LookAheadWorkspace look_ahead;
   if (options.look_ahead) look_ahead = look_ahead_workspace(library, options.selector);
   const ResponseRecording recording =

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "models/selector.h"
+#include "models/training_range.h"
 #include "motion/error.h"
 #include "motion/rotation.h"
 #include "program/command.h"
@@ -37,6 +38,33 @@ Json candidate_document(const models::Selector& selector, const models::Candidat
   }
   if (clip.annotation) document.update(to_json(clip));
   return document;
+}
+
+/// What of a threat is outside of the selector's training.
+models::OutsideTrainings outside_of(const models::Selector& selector,
+                                    const features::ThreatDescription& threat) {
+  features::Scenario scenario;
+  scenario.threat =
+      features::threat_from_description(threat, selector.target_centres[threat.target], 0);
+  scenario.target = threat.target;
+  scenario.time_to_impact_s = threat.time_to_impact_s;
+  return models::outside_training(selector, scenario);
+}
+
+Json outside_document(const models::OutsideTrainings& outside) {
+  Json list = Json::array();
+  for (const models::OutsideTraining& number : outside)
+    list.push_back({{"name", number.name},
+                    {"value", number.value},
+                    {"trained", {number.trained.min, number.trained.max}}});
+  return list;
+}
+
+void print_outside(const models::OutsideTrainings& outside) {
+  for (const models::OutsideTraining& number : outside)
+    std::cout << "outside training: " << number.name << ' ' << fixed(number.value, 3)
+              << ", trained from " << fixed(number.trained.min, 3) << " to "
+              << fixed(number.trained.max, 3) << '\n';
 }
 
 Json document_of(const models::Selector& selector, const ThreatOptions& threat,
@@ -130,7 +158,7 @@ void run_look_ahead(const SelectOptions& options) {
   const runtime::Library library = load_runtime_library(options.selector);
   lookahead::LookAheadWorkspace workspace = look_ahead_workspace(library, options.selector);
   const models::Selector& selector = library.selector();
-  const features::ThreatDescription threat = described(options.threat, selector.target_centres);
+  const features::ThreatDescription threat = described(options.threat, selector);
   const features::Threat thrown =
       features::threat_from_description(threat, selector.target_centres[threat.target], 0);
   const runtime::Perception perception{{thrown, threat.target, threat.time_to_impact_s, {}}, 0};
@@ -138,8 +166,10 @@ void run_look_ahead(const SelectOptions& options) {
   const lookahead::LookAheadStatus status =
       lookahead::perceive(character, perception, {.candidates = *options.look_ahead}, workspace);
   if (status.status != runtime::Status::ok) throw Error("", message_of(status.status));
+  const models::OutsideTrainings outside = outside_of(selector, threat);
   if (!options.json) {
     print_foreseen(selector, options.threat, status);
+    print_outside(outside);
     return;
   }
   Json list = Json::array();
@@ -150,6 +180,7 @@ void run_look_ahead(const SelectOptions& options) {
          {"target", options.threat.target},
          {"time_to_impact_s", options.threat.time_to_impact_s},
          {"encounters", status.encounters},
+         {"outside_training", outside_document(outside)},
          {"candidates", list}});
 }
 
@@ -159,14 +190,18 @@ void run_select(const SelectOptions& options) {
     return;
   }
   const models::Selector selector = load_selector_file(options.selector).selector;
-  const features::ThreatDescription threat = described(options.threat, selector.target_centres);
+  const features::ThreatDescription threat = described(options.threat, selector);
   const std::pmr::vector<models::Candidate> candidates = models::candidates(
       selector, train::described_features(selector.layout, threat, selector.target_centres),
       threat.target);
+  const models::OutsideTrainings outside = outside_of(selector, threat);
   if (options.json) {
-    print(document_of(selector, options.threat, candidates));
+    Json document = document_of(selector, options.threat, candidates);
+    document["outside_training"] = outside_document(outside);
+    print(document);
   } else {
     print_text(selector, options.threat, candidates);
+    print_outside(outside);
   }
 }
 

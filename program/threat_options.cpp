@@ -20,31 +20,59 @@ std::vector<std::string> target_names() {
   return names;
 }
 
+/// Returns the index of the kind that the options name, or of the first.
+int kind_index(const ThreatOptions& options, const models::Selector& selector) {
+  if (!options.kind) return 0;
+  std::string names;
+  for (std::size_t i = 0; i < selector.kinds.size(); ++i) {
+    if (selector.kinds[i].name == *options.kind) return static_cast<int>(i);
+    names += (i == 0 ? "" : ", ") + selector.kinds[i].name;
+  }
+  throw Error(
+      "", "the selector was not trained for --threat " + *options.kind + "; it knows: " + names);
+}
+
+}  // namespace
+
 std::vector<Option> threat_options(ThreatOptions& threat) {
   return {
+      {"--threat", "kind of threat, one that the selector was trained for (default: its first)",
+       &threat.kind},
       {"--azimuth", "direction it comes from, degrees: 0 the front, 90 the character's left",
        &threat.azimuth, Range{-360, 360}},
       {"--elevation",
        "angle above the horizontal at the impact, degrees (default: level, or "
        "as high as a falling ball must)",
        &threat.elevation, Range{-89, 89}},
-      {"--speed", "speed at the impact, m/s", &threat.speed_mps, Range{0.1, kMaxSpeed_mps}},
+      {"--speed", "speed at the impact, m/s (default: 20, or the nearest of its kind)",
+       &threat.speed_mps, Range{0.1, kMaxSpeed_mps}},
       {"--target", "threatened part: head, trunk, pelvis or legs", &threat.target,
        OneOf{target_names()}},
       {"--time-to-impact", "time from perception, s", &threat.time_to_impact_s, Range{0.01, 10}},
-      {"--radius", "radius of the ball, m", &threat.radius_m,
-       Range{reaction::kMinBallRadius_m, reaction::kMaxBallRadius_m}},
-      {"--mass", "mass of the ball, kg", &threat.mass_kg,
-       Range{reaction::kMinBallMass_kg, reaction::kMaxBallMass_kg}}};
+      {"--radius", "radius of the ball, m (default: a volleyball's, or the nearest of its kind)",
+       &threat.radius_m, Range{reaction::kMinBallRadius_m, reaction::kMaxBallRadius_m}},
+      {"--mass", "mass of the ball, kg (default: a volleyball's, or the nearest of its kind)",
+       &threat.mass_kg, Range{reaction::kMinBallMass_kg, reaction::kMaxBallMass_kg}}};
 }
 
 features::ThreatDescription described(const ThreatOptions& options,
-                                      const motion::PerTarget<Eigen::Vector3f>& centres) {
+                                      const models::Selector& selector) {
+  constexpr double kUsualSpeed_mps = 20;
   features::ThreatDescription threat;
+  threat.kind = kind_index(options, selector);
+  const features::KnownKind& kind = selector.kinds[static_cast<std::size_t>(threat.kind)];
+  const auto given_or_near = [](const std::optional<double>& given, double usual,
+                                const features::ValueRange& range) {
+    return given.value_or(std::clamp(usual, range.min, range.max));
+  };
+  const double speed_mps = given_or_near(options.speed_mps, kUsualSpeed_mps, kind.speed_mps);
+  const double radius_m =
+      given_or_near(options.radius_m, features::kVolleyballRadius_m, kind.radius_m);
+  const double mass_kg = given_or_near(options.mass_kg, features::kVolleyballMass_kg, kind.mass_kg);
   threat.target = *motion::target_named(options.target);
-  const double min_elevation = rounded_degrees(
-      train::min_feasible_elevation(options.speed_mps, options.time_to_impact_s, options.radius_m,
-                                    double{centres[threat.target].z()}));
+  const double min_elevation = rounded_degrees(train::min_feasible_elevation(
+      speed_mps, options.time_to_impact_s, radius_m,
+      double{selector.target_centres[threat.target].z()}, kind.falls));
   const double elevation = options.elevation.value_or(std::max(0.0, min_elevation));
   if (min_elevation >= 90)
     throw Error("", "a ball this slow would come from below the ground " +
@@ -55,10 +83,12 @@ features::ThreatDescription described(const ThreatOptions& options,
                         fixed(min_elevation, 1) + ", raise --speed or shorten --time-to-impact");
   threat.azimuth = static_cast<float>(motion::radians(options.azimuth));
   threat.elevation = static_cast<float>(motion::radians(elevation));
-  threat.speed_mps = static_cast<float>(options.speed_mps);
+  threat.speed_mps = static_cast<float>(speed_mps);
   threat.time_to_impact_s = static_cast<float>(options.time_to_impact_s);
-  threat.radius = static_cast<float>(options.radius_m);
-  threat.mass_kg = static_cast<float>(options.mass_kg);
+  threat.radius = static_cast<float>(radius_m);
+  threat.mass_kg = static_cast<float>(mass_kg);
+  threat.bounce = kind.bounce;
+  threat.falls = kind.falls;
   return threat;
 }
 

@@ -70,7 +70,7 @@ void run_train(const TrainOptions& options) {
                           overwrite_of(options.force));
   const train::VulnerabilityProfile vulnerability = vulnerability_of(options.cost);
   train::Store store = train::read_store(options.store);
-  derive_features(features::feature_set_named(options.features)->layout, store);
+  derive_features(train::layout_for(options.features, store.header), store);
   const train::CostModel cost_model =
       make_cost_model(store.header, vulnerability, options.cost.brawn);
   const train::Training training =

@@ -189,6 +189,13 @@ bool is_part_sound(const models::ResponseCosts& costs, std::size_t clip_count) {
           database::fault_of_name(costs.vulnerability_name) == nullptr);
 }
 
+bool is_part_sound(const std::vector<features::KnownKind>& kinds) {
+  return !kinds.empty() && kinds.size() <= features::kMaxThreatKinds &&
+         std::ranges::all_of(kinds, [](const features::KnownKind& kind) {
+           return database::fault_of_name(kind.name) == nullptr && features::is_sound(kind);
+         });
+}
+
 }  // namespace
 
 bool is_sound(const models::Selector& selector) {
@@ -202,7 +209,7 @@ bool is_sound(const models::Selector& selector) {
          clip_count <= database::kMaxClips &&
          std::all_of(selector.clips.begin(), selector.clips.end(), is_clip_sound) &&
          feature_count > 0 && is_part_sound(selector.scaling, feature_count) &&
-         selector.brawn >= 0 && selector.brawn <= 1 &&
+         selector.brawn >= 0 && selector.brawn <= 1 && is_part_sound(selector.kinds) &&
          (!selector.costs || is_part_sound(*selector.costs, clip_count)) &&
          std::all_of(selector.target_centres.begin(), selector.target_centres.end(), is_near) &&
          std::visit(

@@ -123,6 +123,11 @@ bool has_bounded_size(const schema::Selector& stored, std::size_t content_size) 
   unfolded.add(stored.least()).add(stored.most()).add(stored.library());
   if (const schema::ResponseCosts* costs = stored.costs())
     unfolded.add(costs->vulnerability()).add(costs->work_j()).add(costs->vulnerability_name());
+  if (stored.kinds() != nullptr) {
+    if (stored.kinds()->size() > features::kMaxThreatKinds) return false;
+    for (const schema::Kind* kind : *stored.kinds())
+      unfolded.add(kind->name()).add(kind->numbers());
+  }
   if (const schema::Svm* svm = stored.model_as_Svm()) {
     add_vectors(*svm, unfolded);
   } else if (const schema::Knn* knn = stored.model_as_Knn()) {
@@ -151,6 +156,19 @@ std::optional<models::ResponseCosts> read_costs(const schema::ResponseCosts& sto
   if (stored.vulnerability_name() != nullptr)
     costs.vulnerability_name = stored.vulnerability_name()->str();
   return costs;
+}
+
+/// Returns nothing where a kind has another count of numbers.
+std::optional<std::vector<features::KnownKind>> read_kinds(
+    const flatbuffers::Vector<flatbuffers::Offset<schema::Kind>>& stored) {
+  std::vector<features::KnownKind> kinds;
+  for (const schema::Kind* kind : stored) {
+    features::KindNumbers numbers{};
+    if (kind->numbers()->size() != numbers.size()) return std::nullopt;
+    std::copy(kind->numbers()->begin(), kind->numbers()->end(), numbers.begin());
+    kinds.push_back(features::kind_of(kind->name()->str(), numbers, kind->falls()));
+  }
+  return kinds;
 }
 
 /// Returns nothing unless this build computes every feature.
@@ -187,6 +205,11 @@ bool read_stored(const schema::Selector& stored, models::Selector& selector) {
   if (stored.costs() != nullptr) {
     selector.costs = read_costs(*stored.costs());
     if (!selector.costs) return false;
+  }
+  if (stored.kinds() != nullptr) {
+    auto kinds = read_kinds(*stored.kinds());
+    if (!kinds) return false;
+    selector.kinds = std::move(*kinds);
   }
   if (!is_sound(selector)) return false;
   if (auto* knn = std::get_if<models::KnnModel>(&selector.model)) models::build_leaves(*knn);

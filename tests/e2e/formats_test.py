@@ -94,7 +94,9 @@ class Formats(ProgramTest):
     def test_selectors_of_today_are_read_and_choose_as_ever(self):
         for path in self.files("selector", 3):
             with self.subTest(path.name):
-                self.assertEqual(self.document("info", path)["library_hash"], "e101abd6b2137305")
+                selector = self.document("info", path)
+                self.assertEqual(selector["library_hash"], "e101abd6b2137305")
+                self.assertEqual([kind["name"] for kind in selector["threats"]], ["volleyball"])
                 chosen = self.document("select", path, "--azimuth", 40, "--target", "head")
                 self.assertEqual(chosen["clip"], CHOSEN[path.name])
 

@@ -7,7 +7,7 @@ import re
 import sqlite3
 import unittest
 
-from flinch_program import StoreTest
+from flinch_program import StoreTest, run
 
 DOCS = pathlib.Path(__file__).resolve().parents[2] / "docs"
 
@@ -55,10 +55,34 @@ class Threats(StoreTest):
                 self.assertAlmostEqual(mass, 0.05)
             else:
                 self.assertTrue(0.03 <= radius <= 0.05 and 0.0599 <= mass <= 0.2001, (radius, mass))
+        self.check_selector(store)
         report = self.document("compare", store, "--models", "knn")
         groups = {group["value"] for group in report["groups"] if group["group"] == "kind"}
         self.assertLessEqual(groups, {"snowball", "icicle"})
         self.assertTrue(groups)
+
+    def check_selector(self, store):
+        selector = self.folder / "selector"
+        self.succeed("train", store, "--out", selector, "--model", "knn")
+        info = self.document("info", selector)
+        self.assertEqual(info["features"][-4:], ["radius_m", "mass_kg", "kind_0", "kind_1"])
+        self.assertEqual([kind["name"] for kind in info["threats"]], ["snowball", "icicle"])
+        self.assertEqual(info["threats"][0]["speed_mps"], [8, 20])
+        self.assertEqual(info["threats"][1]["flight"], "straight")
+        self.assertIn("threats: snowball, icicle", self.succeed("info", selector).stdout)
+        inside = ["select", selector, "--threat", "icicle", "--elevation", 40]
+        self.assertEqual(self.document(*inside, "--time-to-impact", 0.4)["outside_training"], [])
+        outside, = self.document(*inside, "--time-to-impact", 0.9)["outside_training"]
+        self.assertEqual((outside["name"], outside["trained"]), ("time_to_impact_s", [0.25, 0.5]))
+        self.assertAlmostEqual(outside["value"], 0.9, places=6)
+        text = self.succeed(*inside, "--mass", 0.06, "--speed", 30).stdout
+        self.assertIn("outside training: mass_kg 0.060, trained from 0.050 to 0.050", text)
+        self.assertIn("outside training: speed_mps 30.000, trained from 10.000 to 15.000", text)
+        ahead = self.document(*inside, "--mass", 0.06, "--look-ahead", 4)
+        self.assertEqual([number["name"] for number in ahead["outside_training"]], ["mass_kg"])
+        line = self.fail_with(1, "select", selector, "--threat", "hail")
+        self.assertIn("not trained for --threat hail; it knows: snowball, icicle", line)
+        self.succeed("respond", selector, "--threat", "icicle", "--out", self.folder / "hit.bvh")
 
     def test_stores_of_other_threats_are_neither_continued_nor_merged(self):
         self.make_whole()
@@ -99,10 +123,11 @@ class Threats(StoreTest):
         self.assertIn("--threats", self.fail_with(2, *self.command("store", "--threats", "cats")))
         path = self.file('[[kind]]\nname = "a"\n')
         self.assertIn("is an input", self.fail_with(1, *self.command(path, "--threats", path)))
-        low = self.file('[[kind]]\nname = "low"\nspeed_mps = 1\ntime_to_impact_s = 10\n')
-        line = self.fail_with(1, *self.command(self.folder / "store", "--threats", low))
-        self.assertIn("no low of the distribution stays above the ground", line)
         self.assertEqual(sorted(p.name for p in self.folder.iterdir()), ["threats.toml"])
+        low = self.file('[[kind]]\nname = "low"\nspeed_mps = 1\ntime_to_impact_s = 10\n')
+        done = run(*self.command(self.folder / "store", "--threats", low))
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("no low of the distribution stays above the ground", done.stderr)
 
 
 if __name__ == "__main__":

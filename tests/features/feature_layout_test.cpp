@@ -70,6 +70,41 @@ TEST(Layout, EveryComponentIsInExactlyOneGroup) {
   }
 }
 
+TEST(Layout, TellsKindsSizesAndMassesApartWhereTheyDiffer) {
+  const Layout& paper = layout("paper");
+  const auto added = [&](std::vector<KnownKind> kinds) {
+    std::vector<std::string> names = with_kinds(paper, kinds).names();
+    names.erase(names.begin(), names.begin() + paper.size());
+    return names;
+  };
+  using Names = std::vector<std::string>;
+  EXPECT_EQ(added({KnownKind{}}), Names{});
+  KnownKind other;
+  EXPECT_EQ(added({KnownKind{}, other}), (Names{"kind_0", "kind_1"}));
+  other.mass_kg = {1, 1};
+  EXPECT_EQ(added({KnownKind{}, other}), (Names{"mass_kg", "kind_0", "kind_1"}));
+  EXPECT_EQ(added({other}), Names{}) << "one mass";
+  other.mass_kg = {1, 2};
+  other.radius_m = {0.1, 0.2};
+  EXPECT_EQ(added({other}), (Names{"radius_m", "mass_kg"}));
+  EXPECT_EQ(added(std::vector<KnownKind>(kMaxThreatKinds)).back(), "kind_15");
+}
+
+TEST(FeatureVectors, HoldTheThreatsSizeMassAndKind) {
+  const tests::SwayingFigure figure;
+  std::mt19937 random(9);
+  const Layout of_threat = *Layout::of(
+      std::vector<std::string>{"kind_2", "mass_kg", "kind_0", "speed_mps", "radius_m", "kind_1"});
+  Scenario scenario = random_scenario(random);
+  scenario.threat.radius = 0.25F;
+  scenario.threat.mass_kg = 3;
+  scenario.threat.kind = 2;
+  const FeatureVector x = feature_vector(of_threat, scenario, idling(figure));
+  EXPECT_EQ((std::vector<float>{x[0], x[1], x[2], x[4], x[5]}),
+            (std::vector<float>{1, 3, 0, 0.25F, 0}));
+  EXPECT_NEAR(x[3], scenario.threat.velocity.norm(), 1e-4F);
+}
+
 TEST(FeatureVectors, FollowTheLayoutsOrder) {
   const tests::SwayingFigure figure;
   std::mt19937 random(5);

@@ -59,6 +59,21 @@ TEST(SelectorFault, OfAnyModelIsNotWritten) {
        [](Selector& s) { s.target_centres[motion::Target::legs].z() = kNan; }});
 }
 
+TEST(SelectorFault, OfKindsIsNotWritten) {
+  expect_refused(
+      tests::knn_selector(),
+      {[](Selector& s) { s.kinds.clear(); },
+       [](Selector& s) { s.kinds.resize(features::kMaxThreatKinds + 1); },
+       [](Selector& s) { s.kinds[1].name = ""; }, [](Selector& s) { s.kinds[1].name = "bell\a"; },
+       [](Selector& s) { s.kinds[1].mass_kg.min = kNanDouble; },
+       [](Selector& s) {
+         s.kinds[1].speed_mps = {9, 3};
+       },
+       [](Selector& s) { s.kinds[1].radius_m.max = 1e300; },
+       [](Selector& s) { s.kinds[1].bounce.restitution = 1.5; },
+       [](Selector& s) { s.kinds[1].bounce.friction = -1; }});
+}
+
 TEST(SelectorFault, OfCostsIsNotWritten) {
   expect_refused(
       tests::knn_selector(),

@@ -116,6 +116,7 @@ void expect_same(const Selector& a, const Selector& b) {
   EXPECT_EQ(bits_of(a.scaling.max), bits_of(b.scaling.max));
   EXPECT_EQ(bits_of({a.brawn}), bits_of({b.brawn}));
   EXPECT_EQ(a.target_centres, b.target_centres);
+  EXPECT_EQ(a.kinds, b.kinds);
   ASSERT_TRUE(a.costs && b.costs);
   EXPECT_EQ(a.costs->vulnerability, b.costs->vulnerability);
   EXPECT_EQ(a.costs->reference_damage_ns, b.costs->reference_damage_ns);

@@ -54,6 +54,12 @@ Selector selector_without_model() {
   costs.min_time_s = 0.25F;
   costs.time_step_s = 1.0F / 30;
   costs.vulnerability_name = "armour";
+  selector.kinds.push_back({.name = "stone",
+                            .radius_m = {1.0 / 30, 1.0 / 20},
+                            .mass_kg = {1.0 / 7, 1.0 / 3},
+                            .elevation = {-1.0 / 3, 1},
+                            .bounce = {1.0 / 3, 2.0 / 3},
+                            .falls = false});
   for (std::size_t i = 0; i < 6 * selector.clips.size(); ++i)
     costs.work_j.push_back(static_cast<float>(i) / 3);
   return selector;

@@ -61,7 +61,8 @@ features::FeatureVector with_noise(const models::Selector& selector, const Obser
   for (int i = 0; i < selector.layout.size(); ++i) {
     const auto k = static_cast<std::size_t>(i);
     const double normal = random.normal();
-    if (selector.layout.name(i).starts_with("target_")) continue;
+    const std::string_view name = selector.layout.name(i);
+    if (name.starts_with("target_") || name.starts_with("kind_")) continue;
     const double half_range = 0.5 * (selector.scaling.max[k] - selector.scaling.min[k]);
     noisy[k] += static_cast<float>(level * half_range * normal);
   }
@@ -73,15 +74,16 @@ struct NamedLayout {
   features::Layout layout;
 };
 
-std::vector<NamedLayout> ablated_layouts() {
+std::vector<NamedLayout> ablated_layouts(std::span<const features::KnownKind> kinds) {
   std::vector<NamedLayout> layouts;
   for (const features::FeatureSet& set : features::feature_sets()) {
     const std::string name(set.name);
-    layouts.push_back({name, set.layout});
+    const features::Layout all = with_kinds(set.layout, kinds);
+    layouts.push_back({name, all});
+    if (all != set.layout) layouts.push_back({name + " without size, mass and kind", set.layout});
     for (const features::FeatureGroup& group : features::feature_groups()) {
-      const features::Layout less = without(set.layout, group);
-      if (less != set.layout)
-        layouts.push_back({name + " without " + std::string(group.name), less});
+      const features::Layout less = without(all, group);
+      if (less != all) layouts.push_back({name + " without " + std::string(group.name), less});
     }
   }
   return layouts;
@@ -163,7 +165,7 @@ std::vector<TransferRow> transfer_rows(const StudyPlan& plan, const ProgressCall
 std::vector<AblationRow> ablation_rows(const StudyPlan& plan, const ProgressCallback& progress) {
   TrainTestSplit split = plan.split;
   std::vector<AblationRow> rows;
-  for (const NamedLayout& named : ablated_layouts()) {
+  for (const NamedLayout& named : ablated_layouts(split.header.kinds)) {
     derive_features(named.layout, split.header, split.fitted);
     derive_features(named.layout, split.header, split.tested);
     split.header.layout = named.layout;

@@ -6,6 +6,10 @@
 
 namespace flinch::train {
 
+features::Layout layout_for(std::string_view set, const StoreHeader& header) {
+  return features::with_kinds(features::feature_set_named(set)->layout, header.kinds);
+}
+
 void derive_features(const features::Layout& layout, const StoreHeader& header,
                      std::span<Observation> observations) {
   database::ClipLibrary library;

@@ -2,10 +2,15 @@
 #pragma once
 
 #include <span>
+#include <string_view>
 
 #include "train/store/store.h"
 
 namespace flinch::train {
+
+/// Returns the layout of a feature set (features::feature_sets) for the threats of a store: with
+/// size, mass and kind where these differ.
+features::Layout layout_for(std::string_view set, const StoreHeader& header);
 
 /// Computes the features of a layout for observations, from their scenarios and the library in
 /// their store's header, as a game computes them. Throws Error if that library cannot be used.

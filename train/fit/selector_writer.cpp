@@ -104,6 +104,13 @@ Offset<schema::ResponseCosts> store(FlatBufferBuilder& builder,
                                      costs.time_count, costs.min_time_s, costs.time_step_s, name);
 }
 
+Offset<schema::Kind> store(FlatBufferBuilder& builder, const features::KnownKind& kind) {
+  const auto name = builder.CreateString(kind.name);
+  const features::KindNumbers of_kind = features::numbers_of(kind);
+  const auto numbers = builder.CreateVector(of_kind.data(), of_kind.size());
+  return schema::CreateKind(builder, name, numbers, kind.falls);
+}
+
 // Stores the library at a multiple of 16 bytes, so that it can be read in place.
 Offset<flatbuffers::Vector<std::uint8_t>> store(FlatBufferBuilder& builder,
                                                 std::span<const std::byte> library_file) {
@@ -132,10 +139,16 @@ void store(FlatBufferBuilder& builder, const models::Selector& selector,
   if (!library_file.empty()) library = store(builder, library_file);
   Offset<schema::ResponseCosts> costs;
   if (selector.costs) costs = store(builder, *selector.costs);
+  Offset<flatbuffers::Vector<Offset<schema::Kind>>> kinds;
+  if (selector.kinds != models::Selector{}.kinds) {
+    std::vector<Offset<schema::Kind>> each;
+    for (const features::KnownKind& known : selector.kinds) each.push_back(store(builder, known));
+    kinds = builder.CreateVector(each);
+  }
   schema::FinishSelectorBuffer(
       builder,
       schema::CreateSelector(builder, selector.library_hash, clips, selector.idle, names, least,
-                             most, selector.brawn, centres, kind, model, library, costs));
+                             most, selector.brawn, centres, kind, model, library, costs, kinds));
 }
 
 }  // namespace

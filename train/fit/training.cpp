@@ -185,6 +185,7 @@ Training train_selector(const StoreHeader& header, std::span<const Observation> 
   selector.clips = header.clips;
   selector.idle = header.idle;
   selector.layout = header.layout;
+  selector.kinds = header.kinds;
   selector.scaling = scaling_of(header, observations);
   selector.brawn = cost_model.brawn;
   selector.target_centres = header.idle_target_centres;

@@ -170,9 +170,11 @@ bool is_on_grid(double time_s, double from_s, double step_s) {
   return std::abs(steps - std::round(steps)) < 1e-6;
 }
 
-/// Scenarios share responses, so the times of all kinds are on one grid.
-void require_grid(const TomlReader& reader, const ValueRange& time_s, double from_s,
-                  double step_s) {
+/// Scenarios share responses, so the times of all kinds are on one grid. Checks the last kind.
+void require_grid(const TomlReader& reader, const std::vector<ThreatKind>& kinds) {
+  const double step_s = ScenarioDistribution{{}}.time_to_impact_step_s;
+  const double from_s = kinds.front().time_to_impact_s.min;
+  const ValueRange& time_s = kinds.back().time_to_impact_s;
   if (is_on_grid(time_s.min, from_s, step_s) && is_on_grid(time_s.max, from_s, step_s)) return;
   reader.fail("time_to_impact_s", "has time_to_impact_s that is not a whole number of steps of " +
                                       shown(step_s) + " s from " + shown(from_s) + " s");
@@ -195,24 +197,19 @@ ScenarioDistribution parse_threats(std::string_view text, const std::string& pat
     whole.fail("kind", "needs at least one [[kind]]");
   if (kinds->size() > features::kMaxThreatKinds)
     whole.fail("kind", "has more than " + std::to_string(features::kMaxThreatKinds) + " kinds");
-  ScenarioDistribution distribution;
-  distribution.kinds.clear();
+  std::vector<ThreatKind> read;
   double total_weight = 0;
   for (const toml::node& node : *kinds) {
     const TomlReader reader(*node.as_table(), path, "[[kind]]");
     ThreatKind kind = kind_of(reader);
-    if (std::ranges::find(distribution.kinds, kind.name, &ThreatKind::name) !=
-        distribution.kinds.end())
+    if (std::ranges::find(read, kind.name, &ThreatKind::name) != read.end())
       reader.fail("name", "has the name of another, " + kind.name);
-    const double from_s = distribution.kinds.empty()
-                              ? kind.time_to_impact_s.min
-                              : distribution.kinds.front().time_to_impact_s.min;
-    require_grid(reader, kind.time_to_impact_s, from_s, distribution.time_to_impact_step_s);
     total_weight += kind.weight;
-    distribution.kinds.push_back(std::move(kind));
+    read.push_back(std::move(kind));
+    require_grid(reader, read);
   }
   if (total_weight <= 0) whole.fail("kind", "has only kinds of weight 0; give one more");
-  return distribution;
+  return {std::move(read)};
 }
 
 bool is_threat_file(std::string_view name) {

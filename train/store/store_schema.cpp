@@ -28,19 +28,7 @@ constexpr std::array<const char*, 12> kKindColumns{
     "min_radius_m",         "max_radius_m",         "min_mass_kg",   "max_mass_kg",
     "min_speed_mps",        "max_speed_mps",        "min_elevation", "max_elevation",
     "min_time_to_impact_s", "max_time_to_impact_s", "restitution",   "friction"};
-using KindNumbers = std::array<double, kKindColumns.size()>;
-
-KindNumbers numbers_of(const features::KnownKind& kind) {
-  return {kind.radius_m.min,         kind.radius_m.max,       kind.mass_kg.min,
-          kind.mass_kg.max,          kind.speed_mps.min,      kind.speed_mps.max,
-          kind.elevation.min,        kind.elevation.max,      kind.time_to_impact_s.min,
-          kind.time_to_impact_s.max, kind.bounce.restitution, kind.bounce.friction};
-}
-
-features::KnownKind kind_of(const std::string& name, const KindNumbers& n, bool falls) {
-  return {name,         {n[0], n[1]}, {n[2], n[3]},   {n[4], n[5]},
-          {n[6], n[7]}, {n[8], n[9]}, {n[10], n[11]}, falls};
-}
+static_assert(kKindColumns.size() == features::KindNumbers{}.size());
 
 /// The names of these columns, each after a comma and before `rest`.
 std::string number_columns(const std::string& rest = "") {
@@ -90,29 +78,18 @@ void write_kinds(Database& database, const StoreHeader& header) {
   }
 }
 
-bool is_sound(const features::KnownKind& kind) {
-  features::Threat threat;
-  threat.bounce = kind.bounce;
-  const auto is_range = [](const features::ValueRange& range) {
-    return std::abs(range.min) <= kMaxMeasure && range.min <= range.max &&
-           range.max <= kMaxMeasure;  // false for NaN
-  };
-  return database::fault_of_name(kind.name) == nullptr && features::is_usable(threat) &&
-         is_range(kind.radius_m) && is_range(kind.mass_kg) && is_range(kind.speed_mps) &&
-         is_range(kind.elevation) && is_range(kind.time_to_impact_s);
-}
-
 void read_kinds(Database& database, StoreHeader& header) {
   if (header.format_version < 4) return;
   header.kinds.clear();
   Statement row =
       database.prepare("SELECT kind, name, falls" + number_columns() + " FROM kind ORDER BY kind");
   while (row.step()) {
-    KindNumbers numbers{};
+    features::KindNumbers numbers{};
     for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = row.real(3 + static_cast<int>(i));
-    const features::KnownKind kind = kind_of(row.text(1), numbers, row.integer(2) != 0);
+    const features::KnownKind kind = features::kind_of(row.text(1), numbers, row.integer(2) != 0);
     if (row.integer(0) != static_cast<std::int64_t>(header.kinds.size()) ||
-        header.kinds.size() == features::kMaxThreatKinds || !is_sound(kind))
+        header.kinds.size() == features::kMaxThreatKinds || !features::is_sound(kind) ||
+        database::fault_of_name(kind.name) != nullptr)
       throw Error(database.path(), kDamagedStore);
     header.kinds.push_back(kind);
   }
