@@ -10,15 +10,10 @@
 #include "reaction/reaction.h"
 
 namespace flinch::program {
+namespace {
 
 // A ball that falls is faster elsewhere than where it hits: by at most 100 m/s in 10 s.
 constexpr double kMaxSpeed_mps = 0.9 * reaction::kMaxBallSpeed_mps;
-
-std::vector<std::string> target_names() {
-  std::vector<std::string> names;
-  for (const motion::Target target : motion::kTargets) names.emplace_back(motion::name_of(target));
-  return names;
-}
 
 /// Returns the index of the kind that the options name, or of the first.
 int kind_index(const ThreatOptions& options, const models::Selector& selector) {
@@ -33,6 +28,12 @@ int kind_index(const ThreatOptions& options, const models::Selector& selector) {
 }
 
 }  // namespace
+
+std::vector<std::string> target_names() {
+  std::vector<std::string> names;
+  for (const motion::Target target : motion::kTargets) names.emplace_back(motion::name_of(target));
+  return names;
+}
 
 std::vector<Option> threat_options(ThreatOptions& threat) {
   return {
