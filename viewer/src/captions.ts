@@ -33,7 +33,7 @@ export function showCaptions(
     const { name, kind } = chooser.selector.library.clips[clip]!;
     const isBest = takes.length > 1 && trial !== null && costs[i]! <= least * 1.01;
     const numbers = trial
-      ? `damage ${trial.damage_ns.toFixed(2)} N s · work ${trial.work_j.toFixed(0)} J · cost ${costs[i]!.toFixed(2)}`
+      ? `cost ${costs[i]!.toFixed(2)} · damage ${trial.damage_ns.toFixed(2)} N s · work ${trial.work_j.toFixed(0)} J`
       : "the ball hits nothing";
     const caption = element(
       "div",

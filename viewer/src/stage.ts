@@ -28,6 +28,7 @@ import { Figure } from "./figure";
 import { kRate, type Ball, type Frame, type Recording } from "./recording";
 
 const kMostBalls = 3;
+const kShift = 0.1; // of a cell's height
 const kMostTrail = 4 * kRate; // frames
 
 export interface Palette {
@@ -178,6 +179,9 @@ export class Stage {
     const [across, down] = [width / this.columns, height / this.rows];
     this.camera.aspect = across / down;
     this.camera.fov = this.camera.aspect < 0.8 ? 46 : 38;
+    // Several figures stand higher in their cells, above their captions.
+    const shift = this.cells.length > 1 ? kShift * down : 0;
+    this.camera.setViewOffset(across, down, 0, shift, across, down);
     this.camera.updateProjectionMatrix();
     this.cells.forEach((cell, i) => {
       const left = (i % this.columns) * across;
