@@ -270,8 +270,10 @@ export class App {
   private showPage(): void {
     const { mode, figure, camera } = this.view;
     document.body.className = mode;
-    for (const made of byId("modes").querySelectorAll("button"))
+    for (const made of byId("modes").querySelectorAll("button")) {
       made.ariaPressed = String(made.dataset.mode === mode);
+      if (made.dataset.mode === mode) made.scrollIntoView({ block: "nearest", inline: "nearest" });
+    }
     const isStaged = mode !== "rose" && mode !== "tournament";
     byId("stage").hidden = !isStaged;
     byId("transport").hidden = !isStaged;
