@@ -4,12 +4,12 @@
 # unlike its velocity.
 #
 # Expected: BodyNode::getLinearMomentum() is the mass times getCOMLinearVelocity(), and the momentum
-# of a skeleton, which DART has no function for, is the sum over its bodies. All velocities and
-# accelerations of a BodyNode are in world coordinates unless one asks for others.
+# of a skeleton is the sum over its bodies. All velocities and accelerations of a BodyNode are in
+# world coordinates unless one asks for others.
 # Seen: both momenta are in the axes of the body, and the angular one is about the body's origin, or
 # a pivot in its coordinates. A body of 2 kg that moves at 1 m/s along X has 2 along X only while it
-# is not turned: after a quarter turn about Z it has -2 along Y. The sum over bodies that are turned
-# otherwise is nothing. Header and reference say "Return linear momentum", without a frame.
+# is not turned: after a quarter turn about Z it has -2 along Y. A sum over bodies that are turned
+# otherwise means nothing. Header and reference say "Return linear momentum", without a frame.
 # Flinch: does not use it.
 set -eu
 folder=$(mktemp -d)

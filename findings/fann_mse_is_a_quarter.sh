@@ -7,10 +7,10 @@
 # networks that are off by as much have the same error, whatever their output activation.
 # Seen: for the activations between -1 and 1 (SIGMOID_SYMMETRIC, ELLIOT_SYMMETRIC,
 # LINEAR_PIECE_SYMMETRIC, GAUSSIAN_SYMMETRIC, SIN_SYMMETRIC) the difference is halved first, so the
-# error is a quarter. Training stops by it too: with a desired error of 0.01 a tanh network stops at
-# a true 0.04. So a choice of the output activation by the least error takes a symmetric one that is
-# up to twice as far off. The manual's pages on fann_get_MSE and on the activations do not say so.
-# Flinch: does not use it. Its own networks' errors are computed from outputs and targets.
+# error is a quarter. Training to a desired error stops by the same figure. So a choice of the
+# output activation by the least error takes a symmetric one that is up to twice as far off. The
+# manual's pages on fann_get_MSE and on the activations do not say so.
+# Flinch: does not use it.
 set -eu
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT

@@ -6,7 +6,7 @@
 # Seen: evolve() calls GARandomSeed, which does nothing where the seed is the one that was set last.
 # The second run goes on in the stream of the first. With another seed set between them the runs are
 # alike. So a sweep over populations or rates with one seed compares runs of different streams, and
-# a run alone is not what it was as the second one.
+# none but the first can be had again alone.
 # Flinch: does not use it. Each of its draws is a function of seed and counter.
 set -eu
 folder=$(mktemp -d)

@@ -11,7 +11,7 @@
 # "nearest", each nearly a half turn, and the distance that comes with it is negative. SO3_Adaptor
 # is the Euclidean distance of the four numbers, which its comment says, so of 100 rotations none is
 # found by its negative.
-# Flinch: compares rotations by their angle, and searches numbers only by FLANN.
+# Flinch: searches numbers only, by FLANN.
 set -eu
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT

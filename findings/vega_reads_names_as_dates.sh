@@ -4,12 +4,12 @@
 # such as "walk 1" becomes dates, and different names become the same one.
 #
 # Expected: "auto" finds out which columns of a .csv are numbers or dates, and leaves names alone.
-# Seen: a date is what JavaScript's Date.parse takes, and in V8 that is any word with a number
-# behind it: "walk 1" is the first of January 2001, "run 1" too, and "fall 40" is in the year 2040.
-# Bars for each clip are then bars for each month, and the means of "walk 1" and "run 1" are one.
-# One name in the column that V8 does not take, "walk 13", and all of them stay names. The
-# predecessor has an open issue about it (vega/datalib 95); Vega's documentation of "auto" does not
-# speak of it.
+# Seen: a date is what JavaScript's Date.parse takes, and in V8 that is also a word with a month's
+# or a year's number behind it: "walk 1" is the first of January 2001, "run 1" too, and "fall 40" is
+# in the year 2040. Bars for each clip are then bars for each month, and the means of "walk 1" and
+# "run 1" are one. One name in the column that V8 does not take, "walk 13", and all of them stay
+# names. The predecessor has an open issue about it (vega/datalib 95); Vega's documentation of
+# "auto" does not speak of it.
 # Flinch: its tables hold clips' names as they are, and its own charts are not by Vega. Who charts a
 # table by Vega says parse: {"clip": "string"}.
 set -eu
