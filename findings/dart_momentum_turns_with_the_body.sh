@@ -47,8 +47,8 @@ int main() {
   }
 }
 CPP
-g++ -std=c++17 -w -O1 -I usr/include -I usr/include/eigen3 momentum.cpp -o momentum -L "$library" -ldart \
-  -Wl,-rpath-link,"$library" -lassimp -lfcl -lccd -loctomap
+g++ -std=c++17 -w -O1 -I usr/include -I usr/include/eigen3 momentum.cpp -o momentum -L "$library" \
+  -Wl,-rpath-link,"$library" -ldart -lassimp -lfcl -lccd -loctomap
 LD_LIBRARY_PATH=$library ./momentum | sed 's/-0\b/0/g' | tee seen
 printf '%s\n' 'turned by 0: velocity 1 0, momentum 2 0' 'turned by 90: velocity 1 0, momentum 0 -2' |
   cmp -s - seen || {

@@ -16,8 +16,8 @@ set -eu
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 cd "$folder"
-for package in libfcl-dev=0.7.0-3+b1 libfcl0.7=0.7.0-3+b1 libccd-dev libccd2 liboctomap-dev liboctomap1.9 \
-  libeigen3-dev; do
+for package in libfcl-dev=0.7.0-3+b1 libfcl0.7=0.7.0-3+b1 libccd-dev libccd2 liboctomap-dev \
+  liboctomap1.9 libeigen3-dev; do
   apt-get -o APT::Sandbox::User=root download -q "$package" >/dev/null
 done
 for package in *.deb; do dpkg-deb -x "$package" .; done
@@ -48,8 +48,8 @@ int main() {
   }
 }
 CPP
-g++ -std=c++17 -w -O1 -I usr/include -I usr/include/eigen3 through.cpp -o through -L "$library" -lfcl -lccd \
-  -Wl,-rpath-link,"$library"
+g++ -std=c++17 -w -O1 -I usr/include -I usr/include/eigen3 through.cpp -o through -L "$library" \
+  -lfcl -lccd -Wl,-rpath-link,"$library"
 LD_LIBRARY_PATH=$library ./through | tee seen
 printf 'from %s\n' '1.0 m to -1 m, default: no touch at 1.000, true at 0.445' \
   '1.0 m to -1 m, advancement: touch at 0.445, true at 0.445' \

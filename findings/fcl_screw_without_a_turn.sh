@@ -15,8 +15,8 @@ set -eu
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 cd "$folder"
-for package in libfcl-dev=0.7.0-3+b1 libfcl0.7=0.7.0-3+b1 libccd-dev libccd2 liboctomap-dev liboctomap1.9 \
-  libeigen3-dev; do
+for package in libfcl-dev=0.7.0-3+b1 libfcl0.7=0.7.0-3+b1 libccd-dev libccd2 liboctomap-dev \
+  liboctomap1.9 libeigen3-dev; do
   apt-get -o APT::Sandbox::User=root download -q "$package" >/dev/null
 done
 for package in *.deb; do dpkg-deb -x "$package" .; done
@@ -48,8 +48,8 @@ int main() {
   }
 }
 CPP
-g++ -std=c++17 -w -O1 -I usr/include -I usr/include/eigen3 screw.cpp -o screw -L "$library" -lfcl -lccd \
-  -Wl,-rpath-link,"$library"
+g++ -std=c++17 -w -O1 -I usr/include -I usr/include/eigen3 screw.cpp -o screw -L "$library" \
+  -lfcl -lccd -Wl,-rpath-link,"$library"
 LD_LIBRARY_PATH=$library ./screw | tee seen
 printf 'turn %s, way %s: the screw ends at %s, the interpolation at %s\n' 0.000 0.5 0.25 0.50 \
   0.000 1.0 1.00 1.00 0.000 2.0 4.00 2.00 0.001 0.5 0.50 0.50 0.001 1.0 1.00 1.00 \

@@ -43,7 +43,8 @@ for (const [name, distance] of Object.entries(distances)) {
 }
 JS
 node nearest.mjs | tee seen
-printf '%s of 200 are not the nearest\n' 'Euclidean: 0' 'cosine: 30' 'Mahalanobis: 11' | cmp -s - seen || {
+printf '%s of 200 are not the nearest\n' 'Euclidean: 0' 'cosine: 30' 'Mahalanobis: 11' |
+  cmp -s - seen || {
   echo "the behaviour has changed" >&2
   exit 1
 }
