@@ -40,7 +40,7 @@ struct Selector {
   std::variant<SvmModel, KnnModel, NetworkModel, PairwiseModel> model;
   double brawn = 0.5;  ///< used for the labels that it was fitted to
   /// The kinds of threats that it was fitted to; Threat::kind is an index of these.
-  std::vector<features::KnownKind> kinds{features::KnownKind{}};
+  std::vector<features::KnownKind> kinds = std::vector<features::KnownKind>(1);
   /// Centres of the idling character's targets, by Target, in the frame of the features, m. A
   /// threat described without a character is aimed at them.
   motion::PerTarget<Eigen::Vector3f> target_centres{

@@ -16,7 +16,7 @@ namespace flinch::train {
 
 /// Distribution of the scenarios that are trained for. Kinds of threats by default: a volleyball.
 struct ScenarioDistribution {
-  std::vector<ThreatKind> kinds{ThreatKind{}};  ///< at least one
+  std::vector<ThreatKind> kinds = std::vector<ThreatKind>(1);  ///< at least one
   /// Times to impact are the least of all kinds plus a whole number of steps, so that scenarios can
   /// share responses. The step is three frames at 60 Hz: a response that starts one step later has
   /// its frames at the same times before the impact.

@@ -31,9 +31,10 @@ struct StoreHeader {
   std::string library_name;
   std::vector<std::byte> library_file;  ///< the whole file, for the selectors that are trained
   std::uint64_t seed = 0;
-  std::string distribution;                                       ///< JSON text, see describe()
-  std::string simulation;                                         ///< JSON text, see describe()
-  std::vector<features::KnownKind> kinds{features::KnownKind{}};  ///< that Threat::kind counts
+  std::string distribution;  ///< JSON text, see describe()
+  std::string simulation;    ///< JSON text, see describe()
+  std::vector<features::KnownKind> kinds =
+      std::vector<features::KnownKind>(1);  ///< that Threat::kind counts
   /// Largest impulse that a threat of the distribution can give, N·s. D* is the largest
   /// vulnerability times this.
   double reference_impulse_ns = 1;
