@@ -35,8 +35,7 @@ flinch::program::Program flinch_program() {
           .commands = {author_command(), import_command(), annotate_command(), info_command(),
                        simulate_command(), merge_command(), train_command(), compare_command(),
                        export_command(), select_command(), respond_command(), threats_command(),
-                       evolve_command(),
-                       view_command()}};
+                       evolve_command(), view_command()}};
 }
 
 }  // namespace
