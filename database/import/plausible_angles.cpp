@@ -22,27 +22,35 @@ bool is_rotation(BvhChannel channel) {
   return channel >= BvhChannel::x_rotation;
 }
 
+// Calls use(index into values) for every angle, frame by frame, until it returns false.
 template <class Use>
 void for_each_angle(const Bvh& bvh, Use use) {
   const auto width = static_cast<std::size_t>(bvh.channel_count);
-  for (const BvhJoint& joint : bvh.joints) {
-    for (std::size_t i = 0; i < joint.channels.size(); ++i) {
-      if (!is_rotation(joint.channels[i])) continue;
-      const std::size_t first = static_cast<std::size_t>(joint.first_channel) + i;
-      for (std::size_t at = first; at < bvh.values.size(); at += width) use(at);
+  for (std::size_t frame = 0; frame < bvh.values.size(); frame += width) {
+    for (const BvhJoint& joint : bvh.joints) {
+      for (std::size_t i = 0; i < joint.channels.size(); ++i) {
+        const std::size_t at = frame + static_cast<std::size_t>(joint.first_channel) + i;
+        if (is_rotation(joint.channels[i]) && !use(at)) return;
+      }
     }
   }
 }
 
+// The search ends at the first angle above kMaxRadians.
 double largest_angle(const Bvh& bvh) {
   double largest = 0;
-  for_each_angle(bvh,
-                 [&](std::size_t at) { largest = std::max(largest, std::abs(bvh.values[at])); });
+  for_each_angle(bvh, [&](std::size_t at) {
+    largest = std::max(largest, std::abs(bvh.values[at]));
+    return largest <= kMaxRadians;
+  });
   return largest;
 }
 
 Bvh read_as_radians(Bvh bvh) {
-  for_each_angle(bvh, [&](std::size_t at) { bvh.values[at] = motion::degrees(bvh.values[at]); });
+  for_each_angle(bvh, [&](std::size_t at) {
+    bvh.values[at] = motion::degrees(bvh.values[at]);
+    return true;
+  });
   return bvh;
 }
 

@@ -15,10 +15,12 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string_view>
 #include <utility>
 
 #include "database/files/file_io.h"
+#include "database/files/file_kind.h"
 #include "database/files/text_encoding.h"
 #include "motion/error.h"
 
@@ -136,6 +138,7 @@ class SceneMaker {
     mark_bones();
     add_animation();
     resolve_helpers();
+    remove_geometric_helpers();
     check_numbers();
     return std::move(scene_);
   }
@@ -162,7 +165,7 @@ class SceneMaker {
       node.local = transform_of(from->mTransformation);
       node.has_mesh = from->mNumMeshes > 0;
       node.is_helper = name.find(kHelper) != std::string_view::npos;
-      index_.emplace(name, scene_.nodes.size());
+      if (!index_.emplace(name, scene_.nodes.size()).second) repeated_.emplace(name);
       scene_.nodes.push_back(std::move(node));
       // The last child first: nodes keep the file's order.
       for (unsigned i = from->mNumChildren; i > 0; --i) {
@@ -176,7 +179,12 @@ class SceneMaker {
     scene_.warnings.emplace_back("names that are not UTF-8 are read as Latin-1");
   }
 
+  // Assimp's skins and animations tell nodes by their names.
   SceneNode* node_named(std::string_view name) {
+    if (repeated_.contains(name)) {
+      fail("has several nodes named `" + printable_text(name) +
+           "`, of which one moves; give each its own name");
+    }
     const auto found = index_.find(name);
     return found == index_.end() ? nullptr : &scene_.nodes[found->second];
   }
@@ -268,6 +276,16 @@ class SceneMaker {
     }
   }
 
+  // The geometric transform of an FBX node moves its mesh alone, not its joint and its children.
+  // Assimp 5.2.5 puts helpers for it above the node and inverse ones above the children.
+  void remove_geometric_helpers() {
+    for (SceneNode& node : scene_.nodes) {
+      if (node.is_helper && node.name.find("_Geometric") != std::string::npos) {
+        node.local = Eigen::Affine3d::Identity();
+      }
+    }
+  }
+
   // The nodes directly above that are parts of this one's transform.
   std::vector<SceneNode*> helpers_of(const SceneNode& node) {
     std::vector<SceneNode*> helpers;
@@ -334,8 +352,26 @@ class SceneMaker {
   const aiScene& from_;
   Scene scene_;
   std::map<std::string, std::size_t, std::less<>> index_;
+  std::set<std::string, std::less<>> repeated_;  // names of several nodes
   bool has_guessed_encoding_ = false;
 };
+
+// Assimp does not add animation layers: of two that move one joint it keeps the later. It does not
+// tell of them, but every layer and every stack of them has its class in the file, in text
+// `AnimLayer::`, in binary after "\0\1".
+bool has_animation_layers(std::string_view bytes) {
+  const auto count = [&](const std::string& name) {
+    std::size_t found = 0;
+    for (const std::string& mark : {"\"" + name + "::", std::string("\0\1", 2) + name}) {
+      for (std::size_t at = bytes.find(mark); at != std::string_view::npos;
+           at = bytes.find(mark, at + 1)) {
+        ++found;
+      }
+    }
+    return found;
+  };
+  return count("AnimLayer") > std::max<std::size_t>(count("AnimStack"), 1);
+}
 
 }  // namespace
 
@@ -355,7 +391,14 @@ Scene read_scene(const std::string& path) {
   if (scene == nullptr || scene->mRootNode == nullptr) {
     throw Error(path, "cannot be read: " + printable_text(importer.GetErrorString()));
   }
-  return SceneMaker(*scene, path).scene();
+  Scene made = SceneMaker(*scene, path).scene();
+  if (const std::string bytes = read_file(path);
+      file_kind_of(bytes) == FileKind::fbx && has_animation_layers(bytes)) {
+    made.warnings.emplace_back(
+        "has animation layers, which are not added: where several move one joint, one of them is "
+        "read; merge them, or bake the motion into one");
+  }
+  return made;
 }
 
 }  // namespace flinch::database

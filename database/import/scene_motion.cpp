@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <utility>
 
 #include "database/import/frame_selection.h"
+#include "database/import/role_map.h"
 #include "motion/error.h"
 #include "motion/rotation.h"
 
@@ -45,18 +47,40 @@ class FigureFinder {
   explicit FigureFinder(const Scene& scene) : nodes_(scene.nodes) {
     const std::size_t count = nodes_.size();
     marked_below_.resize(count);
+    meshes_below_.resize(count);
     children_.resize(count);
     for (std::size_t i = count; i-- > 0;) {
       marked_below_[i] += is_marked(nodes_[i]) ? 1 : 0;
+      meshes_below_[i] += nodes_[i].has_mesh ? 1 : 0;
+      has_skin_ = has_skin_ || nodes_[i].is_bone;
       if (nodes_[i].parent < 0) continue;
       marked_below_[parent(i)] += marked_below_[i];
+      meshes_below_[parent(i)] += meshes_below_[i];
       ++children_[parent(i)];
     }
   }
 
-  Figure figure(const std::string& path) const {
-    const std::size_t root = largest_root();
-    if (marked_below_[root] < 2) throw Error(path, "has no animated figure");
+  /// Returns where the figure may begin, the likeliest first: at the topmost marked node with the
+  /// most below, or, where no skin tells the bones, at a node above it without motion of its own.
+  std::vector<std::size_t> roots(const std::string& path) const {
+    std::vector<std::size_t> roots;
+    std::size_t most = 1;  // marked nodes of the roots so far; a figure has more
+    const auto consider = [&](std::size_t node) {
+      if (nodes_[node].is_helper || marked_below_[node] <= most) return;
+      roots.push_back(node);
+      most = marked_below_[node];
+    };
+    std::size_t node = largest_root();
+    consider(node);
+    while (!has_skin_ && node > 0 && parent(node) > 0) {
+      node = parent(node);
+      consider(node);
+    }
+    if (roots.empty()) throw Error(path, "has no animated figure");
+    return roots;
+  }
+
+  Figure figure(std::size_t root, const std::string& path) const {
     Figure figure;
     std::vector<int> joint_at(nodes_.size(), -1);  // the joint that a node is or is part of
     for (std::size_t i = root; i < nodes_.size(); ++i) {
@@ -64,7 +88,7 @@ class FigureFinder {
       const int above = i == root ? -1 : joint_at[parent(i)];
       if (nodes_[i].is_helper) {
         joint_at[i] = above;
-      } else if (marked_below_[i] > 0) {
+      } else if (marked_below_[i] > 0 || is_still_bone(i)) {
         joint_at[i] = static_cast<int>(figure.joints.size());
         figure.joints.push_back({i, above});
       } else if (children_[i] == 0 && !nodes_[i].has_mesh) {
@@ -80,6 +104,11 @@ class FigureFinder {
  private:
   std::size_t parent(std::size_t node) const {
     return static_cast<std::size_t>(nodes_[node].parent);
+  }
+
+  // Without a skin, a node without motion of its own, on the way to others.
+  bool is_still_bone(std::size_t node) const {
+    return !has_skin_ && children_[node] > 0 && meshes_below_[node] == 0;
   }
 
   // The topmost marked node with the most below; nodes without a mark above it only place it.
@@ -98,6 +127,8 @@ class FigureFinder {
 
   const std::vector<SceneNode>& nodes_;
   std::vector<std::size_t> marked_below_;  // marked nodes of each tree, with its root
+  std::vector<std::size_t> meshes_below_;
+  bool has_skin_ = false;
   std::vector<std::size_t> children_;
 };
 
@@ -173,18 +204,37 @@ struct FrameTimes {
   int count = 1;
 };
 
+/// The longest time between two keys that differ; 0 for a constant.
+template <class Value>
+double longest_way_s(const std::vector<double>& times_s, const std::vector<Value>& values) {
+  double longest_s = 0;
+  for (std::size_t k = 1; k < times_s.size(); ++k) {
+    if (values[k].isApprox(values[k - 1], 1e-6)) continue;
+    longest_s = std::max(longest_s, times_s[k] - times_s[k - 1]);
+  }
+  return longest_s;
+}
+
+bool is_human(const Bvh& bvh) try {
+  map_roles(bvh, {});
+  return true;
+} catch (const Error&) {
+  return false;
+}
+
 class MotionMaker {
  public:
-  explicit MotionMaker(const Scene& scene)
-      : scene_(scene), figure_(FigureFinder(scene).figure(scene.path)) {
+  MotionMaker(const Scene& scene, Figure figure) : scene_(scene), figure_(std::move(figure)) {
     for (const SceneNode& node : scene.nodes) own_.push_back(parts_of(node.local));
     for (const Affine3d& transform : global_transforms(nullptr)) rest_.push_back(transform);
   }
 
   Bvh motion() {
-    const FrameTimes times = frame_times();
+    const std::vector<bool> is_used = nodes_of_figure();
+    const FrameTimes times = frame_times(is_used);
     tolerance_s_ = 1e-3 * times.interval_s;
     make_joints(times);
+    warn_of_wide_gaps(is_used);
     for (int frame = 0; frame < times.count; ++frame) {
       add_frame(times.start_s + frame * times.interval_s);
     }
@@ -210,12 +260,45 @@ class MotionMaker {
     return global;
   }
 
-  FrameTimes frame_times() const {
+  // Whether each node moves the figure: its joints and what is above them.
+  std::vector<bool> nodes_of_figure() const {
+    std::vector<bool> is_used(scene_.nodes.size());
+    for (const Figure::Joint& joint : figure_.joints) {
+      for (int i = static_cast<int>(joint.node); i >= 0;) {
+        const auto node = static_cast<std::size_t>(i);
+        if (is_used[node]) break;
+        is_used[node] = true;
+        i = scene_.nodes[node].parent;
+      }
+    }
+    return is_used;
+  }
+
+  void warn_of_wide_gaps(const std::vector<bool>& is_used) {
+    double longest_s = 0;
+    for (std::size_t i = 0; i < scene_.nodes.size(); ++i) {
+      if (!is_used[i]) continue;
+      const SceneTrack& track = scene_.nodes[i].track;
+      longest_s = std::max({longest_s, longest_way_s(track.position_times_s, track.positions),
+                            longest_way_s(track.rotation_times_s, track.rotations)});
+    }
+    if (longest_s <= kSparse_s) return;
+    char text[160];
+    std::snprintf(text, sizeof text,
+                  "keys are up to %.2f s apart, and the motion between them is straight, whatever "
+                  "curves the file has; save it with one key per frame",
+                  longest_s);
+    bvh_.warnings.emplace_back(text);
+  }
+
+  FrameTimes frame_times(const std::vector<bool>& is_used) const {
     double first_s = 0;
     double last_s = 0;
     std::size_t keys = 0;
     std::vector<double> intervals_s;
-    for (const SceneNode& node : scene_.nodes) {
+    for (std::size_t i = 0; i < scene_.nodes.size(); ++i) {
+      if (!is_used[i]) continue;
+      const SceneNode& node = scene_.nodes[i];
       for (const std::vector<double>* times :
            {&node.track.position_times_s, &node.track.rotation_times_s}) {
         if (times->size() < 2) continue;  // a single key is a constant
@@ -353,7 +436,13 @@ class MotionMaker {
 }  // namespace
 
 Bvh scene_motion(const Scene& scene) {
-  return MotionMaker(scene).motion();
+  const FigureFinder finder(scene);
+  std::vector<Bvh> motions;
+  for (const std::size_t root : finder.roots(scene.path)) {
+    motions.push_back(MotionMaker(scene, finder.figure(root, scene.path)).motion());
+    if (is_human(motions.back())) return std::move(motions.back());
+  }
+  return std::move(motions.front());
 }
 
 }  // namespace flinch::database

@@ -119,6 +119,13 @@ class Reading(ProgramTest):
         self.assertIn("--frames 1:40, or frames in a manifest", line)
         self.succeed("import", path, "--out", out, "--frames", "1:40")
 
+    def test_a_figure_of_no_human_size_names_the_option(self):
+        path = self.file("tiny.bvh", STANDING)
+        out = self.folder / "out"
+        line = self.fail_with(1, "import", path, "--out", out, "--unit", "mm", "--frames", "1:2")
+        self.assertIn(f"{path}: the skeleton is not between 0.2 m and 20 m tall; say the unit with "
+                      "--unit", line)
+
     def test_source_tables_that_are_for_no_file_are_told(self):
         self.file("a.bvh", STANDING)
         idle = '[[idle]]\nname = "a"\nfile = "a.bvh"\n'

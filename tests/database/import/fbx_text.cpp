@@ -25,10 +25,15 @@ class Writer {
   }
 
   std::string text() {
-    objects_ << "AnimationStack: 10, \"AnimStack::take\", \"\" {\n}\n"
-             << "AnimationLayer: " << kLayer << ", \"AnimLayer::base\", \"\" {\n}\n";
-    connections_ << "C: \"OO\"," << kLayer << ",10\n";
+    objects_ << "AnimationStack: 10, \"AnimStack::take\", \"\" {\n}\n";
+    for (int layer = kLayer; layer < kLayer + settings_.layer_count; ++layer) {
+      objects_ << "AnimationLayer: " << layer << ", \"AnimLayer::base\", \"\" {\n}\n";
+      connections_ << "C: \"OO\"," << layer << ",10\n";
+    }
     for (std::size_t i = 0; i < bvh_.joints.size(); ++i) add_joint(static_cast<int>(i));
+    for (int layer = kLayer + 1; layer < kLayer + settings_.layer_count; ++layer) {
+      add_curves(bvh_.joints[0], kFirstJoint, BvhChannel::x_rotation, "Lcl Rotation", layer);
+    }
     std::ostringstream text;
     text << "; FBX 7.4.0 project file\nFBXHeaderExtension:  {\nFBXHeaderVersion: 1003\n"
          << "FBXVersion: 7400\n}\nGlobalSettings:  {\nVersion: 1000\nProperties70:  {\n"
@@ -64,6 +69,10 @@ class Writer {
              << "\n"
              << property("PostRotation", "Vector3D", "Vector") << list(settings_.post_rotation)
              << "\n"
+             << property("GeometricTranslation", "Vector3D", "Vector")
+             << list(settings_.geometric_translation) << "\n"
+             << property("GeometricRotation", "Vector3D", "Vector")
+             << list(settings_.geometric_rotation) << "\n"
              << property("Lcl Translation", "Lcl Translation", "") << list(joint.offset) << "\n"
              << property("Lcl Rotation", "Lcl Rotation", "") << "0,0,0\n}\n}\n";
     const int parent = joint.parent < 0 ? 0 : kFirstJoint + joint.parent;
@@ -72,11 +81,12 @@ class Writer {
     add_curves(joint, id, BvhChannel::x_rotation, "Lcl Rotation");
   }
 
-  void add_curves(const BvhJoint& joint, int joint_id, BvhChannel first, const std::string& name) {
+  void add_curves(const BvhJoint& joint, int joint_id, BvhChannel first, const std::string& name,
+                  int layer = kLayer) {
     const int node = next_id_++;
     objects_ << "AnimationCurveNode: " << node << ", \"AnimCurveNode::" << name
              << "\", \"\" {\n}\n";
-    connections_ << "C: \"OO\"," << node << ',' << kLayer << "\nC: \"OP\"," << node << ','
+    connections_ << "C: \"OO\"," << node << ',' << layer << "\nC: \"OP\"," << node << ','
                  << joint_id << ", \"" << name << "\"\n";
     for (std::size_t i = 0; i < joint.channels.size(); ++i) {
       const int axis = static_cast<int>(joint.channels[i]) - static_cast<int>(first);

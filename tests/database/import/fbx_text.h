@@ -15,6 +15,10 @@ struct FbxSettings {
   /// Of every joint, degrees about X, Y and Z; rotations are then pre * rotation * post^-1.
   Eigen::Vector3d pre_rotation = Eigen::Vector3d::Zero();
   Eigen::Vector3d post_rotation = Eigen::Vector3d::Zero();
+  /// Of every joint's mesh, which no joint moves with.
+  Eigen::Vector3d geometric_translation = Eigen::Vector3d::Zero();
+  Eigen::Vector3d geometric_rotation = Eigen::Vector3d::Zero();  ///< degrees
+  int layer_count = 1;                                           ///< the second one turns the root
 };
 
 /// Returns the joints and the motion of a BVH file as a minimal FBX file of version 7.4, in text.

@@ -123,6 +123,7 @@ TEST(SceneMotion, KeysSetByHandBecomeFramesAtThirtyHertz) {
   EXPECT_NEAR(bvh.frame_time_s, 1.0 / 30, 1e-12);
   const Vector3d knee(0, 1 - 0.5 * std::cos(0.5), -0.5 * std::sin(0.5));
   EXPECT_LT((forward_kinematics(bvh, 15).position[1] - knee).norm(), 1e-9);
+  EXPECT_THAT(bvh.warnings, testing::ElementsAre(HasSubstr("keys are up to 1.00 s apart")));
 }
 
 TEST(SceneMotion, FewKeysCannotMakeManyFrames) {

@@ -11,6 +11,7 @@
 #include "motion/default_character.h"
 #include "motion/rotation.h"
 #include "tests/database/import/fbx_text.h"
+#include "tests/database/import/gltf_files.h"
 #include "tests/database/import/synthetic_figure.h"
 #include "tests/scenes/allow_leaks.h"
 #include "tests/scenes/error_of.h"
@@ -23,13 +24,17 @@ using Eigen::AngleAxisd;
 using Eigen::Quaterniond;
 using Eigen::Vector3d;
 using motion::Role;
+using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::IsEmpty;
 using testing::StartsWith;
 using tests::AllowLeaks;
 using tests::error_of;
 using tests::fbx_text;
 using tests::FbxSettings;
+using tests::GltfSettings;
 using tests::TemporaryFolder;
+using tests::write_gltf;
 
 // Two seconds at 60 Hz of a figure that waves and walks off, in centimetres.
 Bvh waving(const Quaterniond& axes = tests::SyntheticRig().axes) {
@@ -139,6 +144,108 @@ TEST(Scene, PreAndPostRotationsOfFbxAreAllowedFor) {
       }
     }
   }
+}
+
+// As of bones of 3ds Max, whose boxes lie elsewhere than their joints.
+TEST(Scene, TransformsOfFbxMeshesMoveNoJoint) {
+  const Bvh bvh = waving();
+  expect_same_places(
+      read_fbx(bvh, {.geometric_translation = {10, 20, 30}, .geometric_rotation = {40, 50, 60}}),
+      bvh, 0.01);
+}
+
+TEST(Scene, AnimationLayersOfFbxAreNoted) {
+  EXPECT_THAT(read_fbx(waving(), {.layer_count = 2}).warnings,
+              ElementsAre(HasSubstr("animation layers, which are not added")));
+}
+
+Bvh read_gltf(const Bvh& bvh, const GltfSettings& settings) {
+  const TemporaryFolder folder;
+  return read_source_file(write_gltf(folder, bvh, settings));
+}
+
+TEST(Scene, AGltfFileHoldsTheSameMotionAsABvhFile) {
+  const Bvh bvh = waving();
+  const Bvh found = read_gltf(bvh, {});
+  expect_same_places(found, bvh, 0.01);
+  EXPECT_EQ(found.channel_count, bvh.channel_count);
+  EXPECT_THAT(found.warnings, IsEmpty());
+}
+
+TEST(Scene, ArmaturesOfGltfThatAreScaledAndSeveralSkinsAreAllowedFor) {
+  const Bvh bvh = waving();
+  for (const double scale : {0.01, 1.0, 100.0}) {
+    for (const int skins : {0, 1, 3}) {
+      const Bvh found = read_gltf(bvh, {.armature_scale = scale, .skin_count = skins});
+      expect_same_places(found, bvh, 0.01);
+      EXPECT_THAT(found.warnings, IsEmpty());
+    }
+  }
+}
+
+TEST(Scene, DenseKeysAreReadWhateverTheirCurvesAndSparseOnesAreNoted) {
+  const Bvh bvh = waving();
+  for (const char* curve : {"LINEAR", "STEP", "CUBICSPLINE"}) {
+    const Bvh dense = read_gltf(bvh, {.interpolation = curve});
+    expect_same_places(dense, bvh, 0.01);
+    EXPECT_THAT(dense.warnings, IsEmpty()) << curve;
+    const Bvh sparse = read_gltf(bvh, {.interpolation = curve, .key_step = 30});
+    EXPECT_THAT(sparse.warnings, ElementsAre(HasSubstr("keys are up to 0.50 s apart"))) << curve;
+    const BvhFrame places = forward_kinematics(sparse, sparse.frame_count - 1);  // at a key
+    const BvhFrame wanted = forward_kinematics(bvh, bvh.frame_count - 1);
+    for (std::size_t i = 0; i < wanted.position.size(); ++i) {
+      EXPECT_LT((places.position[i] - 0.01 * wanted.position[i]).norm(), 1e-5);
+    }
+  }
+}
+
+// Also where none of them is above all that move.
+TEST(Scene, JointsWithoutKeysBelongToTheFigure) {
+  std::vector<motion::Pose> poses;
+  for (int k = 0; k < 60; ++k) {
+    motion::Pose pose = motion::rest_pose(motion::default_character().skeleton);
+    pose.rotation[Role::left_upper_arm] =
+        motion::rotation_about(Eigen::Vector3f::UnitX(), 0.02F * static_cast<float>(k));
+    pose.rotation[Role::right_thigh] =
+        motion::rotation_about(Eigen::Vector3f::UnitY(), -0.01F * static_cast<float>(k));
+    poses.push_back(pose);
+  }
+  Bvh bvh = tests::synthetic_bvh(motion::default_character().skeleton, tests::SyntheticRig(), poses,
+                                 1.0 / 60);
+  GltfSettings settings;
+  for (const BvhJoint& joint : bvh.joints) settings.still.insert(joint.name);
+  settings.still.erase("left_upper_arm");
+  settings.still.erase("right_thigh");
+  bvh.joints[0].offset = forward_kinematics(bvh, 0).position[0];
+  for (const bool has_ball : {false, true}) {
+    settings.has_ball = has_ball;
+    expect_same_places(read_gltf(bvh, settings), bvh, 0.01);
+  }
+}
+
+TEST(Scene, WhatMovesBesideTheFigureDoesNotMakeItsTakeLonger) {
+  const Bvh bvh = waving();
+  expect_same_places(read_gltf(bvh, {.has_ball = true}), bvh, 0.01);
+}
+
+TEST(Scene, OfAnAnimationWithoutLengthAndAnotherTheOtherIsTaken) {
+  const Bvh bvh = waving();
+  const Bvh found = read_gltf(bvh, {.has_bind_pose = true});
+  expect_same_places(found, bvh, 0.01);
+  EXPECT_THAT(found.warnings, ElementsAre(HasSubstr("of its 2 animations")));
+}
+
+TEST(Scene, NodesThatMoveAndShareANameAreRefused) {
+  const auto read = [](const std::string& name) {
+    return error_of([&] {
+      read_gltf(waving(), {.renamed = {{"left_foot", name}, {"right_foot", name}}});
+    });
+  };
+  EXPECT_THAT(read("foot"), HasSubstr("has several nodes named `foot`"));
+  EXPECT_THAT(error_of([] {
+                read_gltf(waving(), {.renamed = {{"head", "Armature"}}});
+              }),
+              HasSubstr("`Armature`"));
 }
 
 TEST(Scene, AnFbxFileGoesThroughTheSameImportAsABvhFile) {
