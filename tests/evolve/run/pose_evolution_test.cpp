@@ -78,6 +78,14 @@ TEST(PoseEvolution, GivesTheSameBitsOnOneThreadAndWhenInterrupted) {
   }
 }
 
+TEST(PoseEvolution, MeetsTheBallsOfItsNumberInEachGeneration) {
+  const std::vector<GenerationRecord>& history = finished().evolution.history;
+  for (std::size_t k = 0; k < history.size(); ++k) {
+    const auto score = finished().trial.test({&history[k].best, 1}, k, 1);
+    EXPECT_EQ((*score)[0].fitness(), history[k].best_fitness) << "generation " << k;
+  }
+}
+
 TEST(PoseEvolution, ProtectsFromBallsThatNoGenerationMet) {
   const double pain =
       clip_pain(finished().trial, library().idle_clip(), finished().pose.clip.clip, kUnseenDraw, 4);
