@@ -17,18 +17,22 @@ class BodyContactsTest : public testing::Test {
   FigureModel figure_model_{motion::default_character()};
   BodyContacts body_contacts_{figure_model_};
   motion::PerBody<double> impulse_;
+  std::vector<double> charged_;  // for the contacts of the last step
 
   void step(double time_s, const std::vector<ContactImpulse>& contacts) {
     body_contacts_.begin_step(time_s);
     for (const ContactImpulse& contact : contacts) {
       if (!contact.second) body_contacts_.add_hit(contact.first);
     }
-    for (const ContactImpulse& contact : contacts) body_contacts_.add_impulse(contact, impulse_);
+    charged_.clear();
+    for (const ContactImpulse& contact : contacts)
+      charged_.push_back(body_contacts_.add_impulse(contact, impulse_));
   }
 };
 
 TEST_F(BodyContactsTest, ABodyPassesOnAtMostTheImpulseItReceived) {
   step(0, {{Body::left_hand, {}, 5}, {Body::head, Body::left_hand, 8}});
+  EXPECT_EQ(charged_, (std::vector<double>{5, 5}));
   EXPECT_DOUBLE_EQ(impulse_[Body::left_hand], 5 + 5);
   EXPECT_DOUBLE_EQ(impulse_[Body::head], 5);
 }
