@@ -19,11 +19,17 @@ constexpr std::int64_t kMillion = 1'000'000;
 
 StoreHeader header_of_many_clips() {
   StoreHeader header = made_up_header();
+  database::ClipLibrary library = scenes::synthetic_library();
   while (header.clips.size() < kClips) {
-    header.clips.push_back(header.clips.back());
-    header.clips.back().name += "_";
+    library.clips.push_back(library.clips.back());
+    library.clips.back().name += "_";
+    header.clips.push_back({library.clips.back().name, library.clips.back().annotation});
     header.clip_work_j.push_back(250);
   }
+  const std::string file = database::library_bytes(library);
+  const auto bytes = std::as_bytes(std::span(file));
+  header.library_file.assign(bytes.begin(), bytes.end());
+  header.library_hash = database::verify_file(database::kLibraryFormat, bytes).hash;
   return header;
 }
 
