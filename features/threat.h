@@ -17,7 +17,8 @@ inline constexpr double kVolleyballRadius_m = 0.105;
 /// The mass of a volleyball.
 inline constexpr double kVolleyballMass_kg = 0.27;
 
-/// How a ball leaves what it hits, a body or the ground; in double, as physics computes with it.
+/// Restitution and friction of a ball's contacts with bodies and the ground. Doubles, because the
+/// simulation computes in double.
 struct Bounce {
   /// Share of the closing speed with which it leaves again (Newton's coefficient), from 0 to 1.
   double restitution = 0.7;

@@ -64,7 +64,7 @@ bool ResponseTrial::comes_near(const features::Ball& ball, std::size_t frame, do
   const motion::PerBody<sim::BodyState>& from = reference_.places_at_frame(frame);
   const motion::PerBody<sim::BodyState>& to = reference_.places_at_frame(frame + 1);
   return std::ranges::any_of(motion::kBodies, [&](Body body) {
-    if (!(bodies & sim::set_of(body))) return false;
+    if (!sim::contains(bodies, body)) return false;
     sim::BodyState part = from[body];
     part.velocity = rate_hz * (to[body].position - part.position);
     part.angular_velocity.setZero();

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 
+#include "database/files/file_kind.h"
 #include "features/feature_layout.h"
 #include "motion/error.h"
 #include "train/fit/training.h"
@@ -56,7 +57,7 @@ std::vector<Option> cost_options(CostOptions& options) {
 }
 
 std::string vulnerability_file(const CostOptions& options) {
-  return train::is_vulnerability_file(options.vulnerability) ? options.vulnerability : "";
+  return database::names_toml_file(options.vulnerability) ? options.vulnerability : "";
 }
 
 train::VulnerabilityProfile vulnerability_of(const CostOptions& options) {

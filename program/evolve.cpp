@@ -111,9 +111,9 @@ std::string clip_name(const EvolveOptions& options) {
   return "evolved_" + options.target + "_" + azimuth + "_" + options.style;
 }
 
-std::size_t encounters(const evolve::Evolution& evolution, const EvolveOptions& options) {
-  return evolution.history.size() * options.population * evolve::kJointFailures.size() *
-         evolve::kGridCells;
+/// Number of encounters that testing this many poses takes.
+std::size_t encounters_of(std::size_t poses) {
+  return poses * evolve::kJointFailures.size() * evolve::kGridCells;
 }
 
 void write_log(const std::string& path, const EvolveOptions& options,
@@ -124,7 +124,7 @@ void write_log(const std::string& path, const EvolveOptions& options,
     const std::size_t poses = (k + 1) * options.population;
     csv += std::to_string(k) + "," + fixed(record.best_fitness, 6) + "," +
            fixed(record.mean_fitness, 6) + "," + std::to_string(poses) + "," +
-           std::to_string(poses * evolve::kJointFailures.size() * evolve::kGridCells) + "\n";
+           std::to_string(encounters_of(poses)) + "\n";
   }
   database::write_file_atomically(path, csv);
 }
@@ -159,6 +159,7 @@ void print_result(const EvolveOptions& options, const database::ClipLibrary& lib
                   const evolve::PoseTrial& trial, const evolve::Evolution& evolution,
                   const evolve::EvolvedPose& pose, double pain_ns) {
   const double idle_ns = trial.idle_pain();
+  const std::size_t poses = evolution.history.size() * options.population;
   const bool converged = has_converged(genetic_options(options), evolution.history);
   if (options.json) {
     print({{"kind", "evolution"},
@@ -168,8 +169,8 @@ void print_result(const EvolveOptions& options, const database::ClipLibrary& lib
            {"clip", pose.clip.clip.name},
            {"generations", evolution.history.size()},
            {"converged", converged},
-           {"poses", evolution.history.size() * options.population},
-           {"encounters", encounters(evolution, options)},
+           {"poses", poses},
+           {"encounters", encounters_of(poses)},
            {"pain_ns", pain_ns},
            {"idle_pain_ns", idle_ns},
            {"pain_share", pain_ns / idle_ns}});
@@ -178,7 +179,7 @@ void print_result(const EvolveOptions& options, const database::ClipLibrary& lib
   std::cout << printable(options.out) << ": library " << printable(library.name) << ", "
             << database::hash_text(library.hash) << ", " << library.clips.size() << " clips\n"
             << pose.clip.clip.name << ", after " << evolution.history.size() << " generations, "
-            << (converged ? "converged" : "not converged") << ", " << encounters(evolution, options)
+            << (converged ? "converged" : "not converged") << ", " << encounters_of(poses)
             << " encounters\n"
             << "pain of unseen balls: " << fixed(pain_ns, 2) << " N s each, "
             << fixed(100 * pain_ns / idle_ns, 1) << " % of standing still (" << fixed(idle_ns, 2)

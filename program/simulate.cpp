@@ -9,6 +9,7 @@
 #include <optional>
 #include <thread>
 
+#include "database/files/file_kind.h"
 #include "database/files/library_writer.h"
 #include "motion/error.h"
 #include "program/clock.h"
@@ -152,7 +153,8 @@ void write_store(const SimulateOptions& options, const train::SimulationSetup& s
 
 void simulate(const SimulateOptions& options, train::Messenger& messenger) {
   if (messenger.rank() == 0) {
-    const std::string threat_file = train::is_threat_file(options.threats) ? options.threats : "";
+    const std::string threat_file =
+        database::names_toml_file(options.threats) ? options.threats : "";
     database::check_outputs({train::store_output(options.store)}, {options.library, threat_file},
                             overwrite_of(options.force));
   }

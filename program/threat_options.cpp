@@ -12,7 +12,8 @@
 namespace flinch::program {
 namespace {
 
-// A ball that falls is faster elsewhere than where it hits: by at most 100 m/s in 10 s.
+// The speed is that at the impact. A ball that falls may be faster before it, by up to 100 m/s
+// after 10 s, and must not exceed there what a reaction accepts.
 constexpr double kMaxSpeed_mps = 0.9 * reaction::kMaxBallSpeed_mps;
 
 /// Returns the index of the kind that the options name, or of the first.

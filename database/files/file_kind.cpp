@@ -87,6 +87,10 @@ FileKind file_kind_of(std::string_view bytes) {
   return std::all_of(start.begin(), start.end(), is_text_byte) ? FileKind::text : FileKind::unknown;
 }
 
+bool names_toml_file(std::string_view name) {
+  return name.ends_with(".toml");
+}
+
 std::string refusal_of(LoadStatus status, const FileFormat& format, std::string_view file) {
   if (status != LoadStatus::other_version) return message_of(status);
   const auto version = static_cast<unsigned char>(file.at(format.magic.size()));

@@ -30,6 +30,9 @@ enum class FileKind : std::uint8_t {
 
 FileKind file_kind_of(std::string_view bytes);
 
+/// Whether a name, where what is shipped has names too, is that of a TOML file: it ends in ".toml".
+bool names_toml_file(std::string_view name);
+
 /// Returns why a file was refused that is of this format: the status' message, or the two versions
 /// if they differ.
 std::string refusal_of(LoadStatus status, const FileFormat& format, std::string_view file);

@@ -79,7 +79,7 @@ void JointTree::put_step(const TreeStep& step, TreeLanes<kLanes>& lanes, std::si
     put(now.orientation.coeffs(), to.orientation, lane);
     put(now.velocity, to.velocity, lane);
     put(now.angular_velocity, to.angular_velocity, lane);
-    const Twist impulse = step.pushed & set_of(body) ? step.impulses[body] : Twist{};
+    const Twist impulse = contains(step.pushed, body) ? step.impulses[body] : Twist{};
     put(impulse.linear, to.impulse, lane);
     put(impulse.angular, to.angular_impulse, lane);
     const BodyState& target = step.target.body[body];
@@ -142,7 +142,7 @@ void JointTree::propagate(std::span<const BodyImpulse> body_impulses,
   }
   for (std::size_t i = motion::kBodyCount - 1; i > 0; --i) {
     const Body body = motion::kBodies[i];
-    if (!(propagated.chain & set_of(body))) continue;
+    if (!contains(propagated.chain, body)) continue;
     const Link& link = links_[body];
     const Twist& at_joint = own[body];
     propagated.moment[body] = at_joint.angular;

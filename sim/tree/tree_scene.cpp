@@ -170,7 +170,7 @@ void TreeScene::set_forces(const ReferenceState& target, double step_s, const Dr
                         ? feedforward_impulse(figure_model_, body,
                                               drive.feedforward_from->body[body], target.body[body])
                         : Twist{};
-    if (dragged_ & set_of(body))
+    if (contains(dragged_, body))
       pushes_[body].linear += step_s * ground_drag(figure_model_, body, bodies_[body]);
   });
 }

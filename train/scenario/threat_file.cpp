@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "database/files/file_io.h"
+#include "database/files/file_kind.h"
 #include "database/files/toml_reader.h"
 #include "database/library/library_bounds.h"
 #include "motion/error.h"
@@ -212,12 +213,8 @@ ScenarioDistribution parse_threats(std::string_view text, const std::string& pat
   return {std::move(read)};
 }
 
-bool is_threat_file(std::string_view name) {
-  return name.ends_with(".toml");
-}
-
 ScenarioDistribution find_threats(const std::string& name_or_file) {
-  if (is_threat_file(name_or_file))
+  if (database::names_toml_file(name_or_file))
     return parse_threats(database::read_file(name_or_file), name_or_file);
   std::string names;
   for (const ThreatFile& file : threat_files()) {

@@ -26,10 +26,7 @@ std::span<const ThreatFile> threat_files();
 /// one grid, and more than features::kMaxThreatKinds kinds.
 ScenarioDistribution parse_threats(std::string_view text, const std::string& path);
 
-/// Whether a name is that of a file: it ends in ".toml".
-bool is_threat_file(std::string_view name);
-
-/// Returns the shipped distribution with that name or, if is_threat_file(), the one in that file.
+/// Returns the shipped distribution with that name or, if it ends in ".toml", the one in that file.
 /// Throws Error as parse_threats does, and for a name that is not shipped.
 ScenarioDistribution find_threats(const std::string& name_or_file);
 

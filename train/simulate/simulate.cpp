@@ -27,11 +27,12 @@ constexpr std::uint64_t kBatchSize = 128;
 /// store, so the largest is of some twenty seconds of work.
 constexpr std::uint64_t kMinUncachedBatchSize = 1024;
 constexpr std::uint64_t kMaxUncachedBatchSize = 8192;
+/// Then the second batch is already as large as it may be. The first, a small one, soon tells the
+/// rate.
+constexpr std::uint64_t kUncachedGrowth = 8192;
 
-/// Batches double in size, unless responses are rehearsed again for every batch: then a first one
-/// that soon tells the rate is followed by few and large ones.
 RangeSizes range_sizes(const MemoryPlan& memory) {
-  return {memory.batch_size, memory.keeps_all() ? 1 : kMaxUncachedBatchSize};
+  return {memory.batch_size, memory.keeps_all() ? 1 : kUncachedGrowth};
 }
 
 using Json = nlohmann::ordered_json;
@@ -228,11 +229,11 @@ MemoryPlan plan_memory(const SimulationSetup& setup, std::uint64_t max_bytes, in
   // With R bytes of responses, of which c are kept, and batches of b bytes, N scenarios of s bytes
   // each cost N s / b times the rehearsing of R - c. For a given sum M of b and c that is
   // proportional to (R - M + b) / b, which falls as b rises: memory is worth most in batches.
-  const std::uint64_t batch_bytes = each * scenario_bytes(setup);
+  const std::uint64_t step_bytes = each * scenario_bytes(setup);  // a scenario more per thread
   const std::uint64_t more =
-      std::min(plan.response_bytes / batch_bytes, kMaxUncachedBatchSize - kMinUncachedBatchSize);
+      std::min(plan.response_bytes / step_bytes, kMaxUncachedBatchSize - kMinUncachedBatchSize);
   plan.batch_size = kMinUncachedBatchSize + more;
-  plan.response_bytes -= more * batch_bytes;
+  plan.response_bytes -= more * step_bytes;
   return plan;
 }
 

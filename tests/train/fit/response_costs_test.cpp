@@ -32,7 +32,8 @@ TEST(ResponseCosts, HoldTheConstantsOfTheCostModel) {
   EXPECT_EQ(costs.reference_work_j, 400);
 }
 
-// So a file keeps the bytes that it had before tables had names in it.
+// A selector of the default table has no name of a table in its file, which so has the same bytes
+// as those that earlier versions wrote.
 TEST(ResponseCosts, NameEveryVulnerabilityTableButTheDefault) {
   CostModel model;
   EXPECT_EQ(response_costs(three_clips(), {}, model).vulnerability_name, "");

@@ -76,4 +76,18 @@ inline std::vector<Observation> made_up_observations(const StoreHeader& header, 
   return observations;
 }
 
+/// More scenarios than any test appends.
+inline constexpr ScenarioRange kWanted{0, 200};
+
+/// Writes a whole store, or completes one, in batches of 16 scenarios.
+inline void write_store(const std::string& path, const StoreHeader& header, std::uint64_t count) {
+  StoreWriter writer(path, header, {0, count});
+  while (!writer.missing().empty()) {
+    const ScenarioRange missing = writer.missing().front();
+    writer.append(
+        made_up_observations(header, missing.first, std::min(missing.end(), missing.first + 16)));
+  }
+  writer.finish();
+}
+
 }  // namespace flinch::train
