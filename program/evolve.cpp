@@ -235,41 +235,42 @@ void run_evolve(const EvolveOptions& options) {
 
 Command evolve_command() {
   auto options = std::make_shared<EvolveOptions>();
-  return {.name = "evolve",
-          .summary = "Find a pose that protects against a throw by a genetic algorithm",
-          .required = {{"LIB", "library to add the pose's clip and its mirror image to",
-                        &options->library},
-                       {"--out", "library file to write", &options->out}},
-          .optional =
-              {{"--target", "threatened part: head, trunk, pelvis or legs", &options->target,
-                OneOf{target_names()}},
-               {"--azimuth", "direction the ball comes from, degrees: 0 the front, 90 the left",
-                &options->azimuth, Range{-180, 180}},
-               {"--elevation", "angle above the horizontal, degrees", &options->elevation,
-                Range{-10, 60}},
-               {"--speed", "speed of the ball, m/s", &options->speed_mps, Range{5, 60}},
-               {"--style",
-                "free; hands: only hands block; near, far: block near the target or far from it",
-                &options->style, OneOf{names_of(evolve::kStyles)}},
-               {"--population", "poses in a generation, even", &options->population, Range{0, 1e5}},
-               {"--tournament", "poses in a tournament, a multiple of 4", &options->tournament,
-                Range{0, 1e5}},
-               {"--mutation", "mutation scheme of Rose (2006), figure 5.1", &options->mutation,
-                OneOf{names_of(evolve::kMutationSchemes)}},
-               {"--generations", "the most generations", &options->generations, Range{1, 1e4}},
-               {"--seed", "seed of all random numbers", &options->seed},
-               {"--pain", "TOML file with how much an impulse hurts at each place", &options->pain},
-               {"--log", "CSV file with every generation", &options->log},
-               {"--threads", "number of threads (default: one per processor)", &options->threads,
-                Range{1, 1024}},
-               force_option(options->force),
-               json_option(options->json)},
-          .notes =
-              "After Ctrl-C, run the same command again: whole generations are kept in\n"
-              "OUT.evolution until the run is over.\n\n"
-              "Example:\n  flinch evolve default.flinchlib --azimuth 30 --style hands --out "
-              "evolved.flinchlib --log run.csv",
-          .run = [options] { run_evolve(*options); }};
+  return {
+      .name = "evolve",
+      .summary = "Find a pose that protects against a throw by a genetic algorithm",
+      .required = {{"LIB", "library to add the pose's clip and its mirror image to",
+                    &options->library},
+                   {"--out", "library file to write", &options->out}},
+      .optional =
+          {{"--target", "threatened part: head, trunk, pelvis or legs", &options->target,
+            OneOf{target_names()}},
+           {"--azimuth", "direction the ball comes from, degrees: 0 the front, 90 the left",
+            &options->azimuth, Range{-180, 180}},
+           {"--elevation", "angle above the horizontal, degrees", &options->elevation,
+            Range{-10, 60}},
+           {"--speed", "speed of the ball, m/s", &options->speed_mps, Range{5, 60}},
+           {"--style",
+            "free; hands: only hands block; near, far: block near the target or far from it",
+            &options->style, OneOf{names_of(evolve::kStyles)}},
+           {"--population", "poses in a generation, even", &options->population, Range{0, 1e5}},
+           {"--tournament", "poses in a tournament, a multiple of 4", &options->tournament,
+            Range{0, 1e5}},
+           {"--mutation", "mutation scheme of Rose (2006), figure 5.1", &options->mutation,
+            OneOf{names_of(evolve::kMutationSchemes)}},
+           {"--generations", "maximum number of generations", &options->generations, Range{1, 1e4}},
+           {"--seed", "seed of all random numbers", &options->seed},
+           {"--pain", "TOML file with how much an impulse hurts at each place", &options->pain},
+           {"--log", "CSV file with every generation", &options->log},
+           {"--threads", "number of threads (default: one per processor)", &options->threads,
+            Range{1, 1024}},
+           force_option(options->force),
+           json_option(options->json)},
+      .notes =
+          "After Ctrl-C, run the same command again: whole generations are kept in\n"
+          "OUT.evolution until the run is over.\n\n"
+          "Example:\n  flinch evolve default.flinchlib --azimuth 30 --style hands --out "
+          "evolved.flinchlib --log run.csv",
+      .run = [options] { run_evolve(*options); }};
 }
 
 }  // namespace flinch::program
