@@ -12,6 +12,9 @@
 #include <string_view>
 #include <type_traits>
 
+#include "motion/error.h"
+#include "program/config_file.h"
+
 namespace flinch::program {
 namespace {
 
@@ -134,10 +137,46 @@ void show_default(const Option& option, CLI::Option* added) {
   }
 }
 
+/// Returns the option or argument of this name; null for one that no file may set.
+CLI::Option* configurable_option(CLI::App& command, const std::string& name) {
+  if (name == "config" || name == "help") return nullptr;
+  CLI::Option* option = command.get_option_no_throw((name.size() == 1 ? "-" : "--") + name);
+  return option != nullptr ? option : command.get_option_no_throw(name);
+}
+
+/// Stores a file's value in an option that the command line leaves out.
+void set_option(CLI::App& command, const ConfigValue& value) {
+  CLI::Option* option = configurable_option(command, value.name);
+  if (option == nullptr)
+    throw Error(value.where, "[" + command.get_name() + "] has the key \"" + value.name +
+                                 "\", which is no option; see flinch " + command.get_name() +
+                                 " --help");
+  if (!option->empty()) return;
+  try {
+    option->add_result(value.values);
+    option->run_callback();
+  } catch (const CLI::ParseError& error) {
+    throw Error(value.where, error.what());
+  }
+}
+
+void add_config_option(CLI::App& command) {
+  const auto read = [&command](const std::string& path) {
+    std::vector<std::string> commands;
+    for (const CLI::App* other : command.get_parent()->get_subcommands({}))
+      commands.push_back(other->get_name());
+    for (const ConfigValue& value : read_config(path, command.get_name(), commands))
+      set_option(command, value);
+  };
+  command.add_option_function<std::string>(
+      "--config", read, "TOML file with a table of options, [" + command.get_name() + "]");
+}
+
 void add_command(CLI::App& app, const Command& command) {
   CLI::App* added = app.add_subcommand(command.name, command.summary);
   for (const Option& option : command.required) add_option(*added, option)->required();
   for (const Option& option : command.optional) show_default(option, add_option(*added, option));
+  add_config_option(*added);
   added->footer(command.notes);
 }
 
