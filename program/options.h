@@ -12,9 +12,9 @@
 namespace flinch::program {
 
 /// Where an option stores its value: a bool is a flag, a vector takes one or more values.
-using Destination =
-    std::variant<bool*, std::uint64_t*, double*, std::string*, std::optional<int>*,
-                 std::optional<double>*, std::optional<std::string>*, std::vector<std::string>*>;
+using Destination = std::variant<bool*, std::uint64_t*, double*, std::string*, std::optional<int>*,
+                                 std::optional<std::uint64_t>*, std::optional<double>*,
+                                 std::optional<std::string>*, std::vector<std::string>*>;
 
 /// Accepts numbers from `min` to `max`, and not nan.
 struct Range {

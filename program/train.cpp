@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include <array>
 #include <iostream>
 #include <memory>
+#include <optional>
 
 #include "database/library/library.h"
 #include "program/command.h"
@@ -15,12 +17,22 @@ namespace flinch::program {
 
 namespace {
 
+/// Where parameters come from that no option gives.
+constexpr std::array kParameterSources{"cross-validation", "libsvm"};
+
 struct TrainOptions {
   std::string store;
   std::string selector;
   std::string model{train::name_of(train::kDefaultMethod)};
   std::string features;
   CostOptions cost;
+  std::optional<std::uint64_t> seed;
+  std::string parameters{kParameterSources[0]};
+  std::optional<int> k;
+  std::optional<int> degree;
+  std::optional<double> c;
+  std::optional<double> gamma;
+  std::optional<double> coef0;
   bool force = false;
   bool json = false;
 };
@@ -35,6 +47,15 @@ std::vector<std::string> warnings_on(const train::Store& store) {
   return {std::to_string(count) +
           " scenarios are too few to trust the selector; simulate at least " +
           std::to_string(kEnoughScenarios)};
+}
+
+train::FixedParameters fixed_parameters(const TrainOptions& options) {
+  return {.k = options.k,
+          .c = options.c,
+          .gamma = options.gamma,
+          .degree = options.degree,
+          .coef0 = options.coef0,
+          .libsvm_defaults = options.parameters == kParameterSources[1]};
 }
 
 Json parameters_of(const train::Training& training) {
@@ -52,6 +73,7 @@ Json summary_of(const TrainOptions& options, const train::Store& store,
                {"features", options.features},
                {"library_hash", database::hash_text(store.header.library_hash)},
                {"scenarios", store.observations.size()},
+               {"seed", options.seed.value_or(store.header.seed)},
                {"brawn", options.cost.brawn},
                {"vulnerability", vulnerability},
                {"parameters", parameters_of(training)},
@@ -64,6 +86,19 @@ Json summary_of(const TrainOptions& options, const train::Store& store,
   return summary;
 }
 
+std::vector<Option> fitting_options(TrainOptions& options) {
+  const OneOf sources{{kParameterSources.begin(), kParameterSources.end()}};
+  return {
+      {"--seed", "seed of the folds of cross-validation (default: the store's)", &options.seed},
+      {"--parameters", "what chooses the parameters that are not given below", &options.parameters,
+       sources},
+      {"-k", "number of neighbours of knn, knn_cost", &options.k, Range{1, models::kMaxNeighbours}},
+      {"--c", "C of svm, svm_rbf, pairwise_cost", &options.c, Range{1e-6, 1e6}},
+      {"--gamma", "gamma of the kernel of svm, svm_rbf", &options.gamma, Range{1e-6, 1e6}},
+      {"--degree", "degree of the kernel of svm", &options.degree, Range{1, 10}},
+      {"--coef0", "coef0 of the kernel of svm", &options.coef0, Range{-1e3, 1e3}}};
+}
+
 void run_train(const TrainOptions& options) {
   database::check_outputs({{options.selector, database::FileKind::selector, ""}},
                           {options.store, vulnerability_file(options.cost)},
@@ -73,9 +108,9 @@ void run_train(const TrainOptions& options) {
   derive_features(train::layout_for(options.features, store.header), store);
   const train::CostModel cost_model =
       make_cost_model(store.header, vulnerability, options.cost.brawn);
-  const train::Training training =
-      train::train_selector(store.header, store.observations, cost_model,
-                            *train::method_named(options.model), store.header.seed);
+  const train::Training training = train::train_selector(
+      store.header, store.observations, cost_model, *train::method_named(options.model),
+      options.seed.value_or(store.header.seed), fixed_parameters(options));
   train::write_selector(training.selector, store.header.library_file, options.selector);
   const Json summary = summary_of(options, store, vulnerability.name, training);
   if (options.json) {
@@ -85,7 +120,9 @@ void run_train(const TrainOptions& options) {
   std::cout << printable(options.selector) << ": " << options.model << " of "
             << store.observations.size() << " scenarios of " << printable(store.header.library_name)
             << '\n';
-  std::cout << "parameters, chosen by cross-validation: " << training.parameters
+  const bool all_chosen = fixed_parameters(options) == train::FixedParameters{};
+  std::cout << (all_chosen ? "parameters, chosen by cross-validation: " : "parameters: ")
+            << training.parameters
             << "\nmean regret in cross-validation: " << training.cross_validated_regret_ns
             << " N s\n";
   for (const std::string& warning : warnings_on(store)) std::cout << "note: " << warning << '\n';
@@ -102,6 +139,7 @@ Command train_command() {
           .optional = join({{{"--model", "model to fit", &options->model, OneOf{method_names()}},
                              features_option(options->features)},
                             cost_options(options->cost),
+                            fitting_options(*options),
                             {force_option(options->force), json_option(options->json)}}),
           .notes = "Example:\n  flinch train real.flinchobs --out real.flinch",
           .run = [options] { run_train(*options); }};

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <cstddef>
 
 #include "models/fit/cross_validation.h"
@@ -20,6 +21,7 @@ namespace flinch::train {
 namespace {
 
 constexpr int kMaxFolds = 5;
+constexpr int kMaxDegree = 10;  // (gamma x·y + coef0)^degree: beyond it, floats overflow
 
 /// Result of fitting a method to a training set.
 struct Fitted {
@@ -28,11 +30,12 @@ struct Fitted {
   double mean_regret_ns = 0;
 };
 using Fit = Fitted (*)(const models::TrainingSet&, std::span<const int> folds,
-                       const models::LossFunction& regret);
+                       const models::LossFunction& regret, const FixedParameters& fixed);
 
 Fitted fit_knn(const models::TrainingSet& set, std::span<const int> folds,
-               const models::LossFunction& regret) {
-  const auto chosen = models::choose_parameters(set, models::knn_grid(), folds, regret);
+               const models::LossFunction& regret, const FixedParameters& fixed) {
+  const std::vector<models::KnnParameters> grid = narrow(models::knn_grid(), fixed);
+  const auto chosen = models::choose_parameters(set, grid, folds, regret);
   const models::KnnParameters& parameters = chosen.parameters;
   const bool majority = parameters.vote == models::KnnVote::majority;
   return {models::fit_knn(set, parameters),
@@ -41,8 +44,9 @@ Fitted fit_knn(const models::TrainingSet& set, std::span<const int> folds,
 }
 
 Fitted fit_knn_cost(const models::TrainingSet& set, std::span<const int> folds,
-                    const models::LossFunction& regret) {
-  const auto chosen = models::choose_parameters(set, models::knn_cost_grid(), folds, regret);
+                    const models::LossFunction& regret, const FixedParameters& fixed) {
+  const std::vector<models::KnnParameters> grid = narrow(models::knn_cost_grid(), fixed);
+  const auto chosen = models::choose_parameters(set, grid, folds, regret);
   return {models::fit_knn(set, chosen.parameters), {{"k", chosen.parameters.k}}, chosen.mean_score};
 }
 
@@ -69,9 +73,10 @@ models::TunedParameters<Parameters> choose_on_subset(const models::TrainingSet& 
 }
 
 Fitted fit_svm_with(models::SvmKernel kernel, const models::TrainingSet& set,
-                    std::span<const int> folds, const models::LossFunction& regret) {
-  const auto chosen =
-      choose_on_subset(set, models::svm_grid(set.feature_count, kernel), folds, regret);
+                    std::span<const int> folds, const models::LossFunction& regret,
+                    const FixedParameters& fixed) {
+  const auto grid = narrow(models::svm_grid(set.feature_count, kernel), fixed, set.feature_count);
+  const auto chosen = choose_on_subset(set, grid, folds, regret);
   const models::SvmParameters& parameters = chosen.parameters;
   std::vector<NamedValue> named;
   if (kernel == models::SvmKernel::polynomial) {
@@ -85,17 +90,17 @@ Fitted fit_svm_with(models::SvmKernel kernel, const models::TrainingSet& set,
 }
 
 Fitted fit_svm(const models::TrainingSet& set, std::span<const int> folds,
-               const models::LossFunction& regret) {
-  return fit_svm_with(models::SvmKernel::polynomial, set, folds, regret);
+               const models::LossFunction& regret, const FixedParameters& fixed) {
+  return fit_svm_with(models::SvmKernel::polynomial, set, folds, regret, fixed);
 }
 
 Fitted fit_svm_rbf(const models::TrainingSet& set, std::span<const int> folds,
-                   const models::LossFunction& regret) {
-  return fit_svm_with(models::SvmKernel::rbf, set, folds, regret);
+                   const models::LossFunction& regret, const FixedParameters& fixed) {
+  return fit_svm_with(models::SvmKernel::rbf, set, folds, regret, fixed);
 }
 
 Fitted fit_network(const models::TrainingSet& set, std::span<const int> folds,
-                   const models::LossFunction& regret) {
+                   const models::LossFunction& regret, const FixedParameters& /*has none*/) {
   const models::NetworkParameters parameters;
   const auto validation =
       models::validate_network(set, parameters, models::limit_folds(folds), regret);
@@ -110,8 +115,8 @@ Fitted fit_network(const models::TrainingSet& set, std::span<const int> folds,
 }
 
 Fitted fit_pairwise_cost(const models::TrainingSet& set, std::span<const int> folds,
-                         const models::LossFunction& regret) {
-  const auto chosen = choose_on_subset(set, models::pairwise_grid(), folds, regret);
+                         const models::LossFunction& regret, const FixedParameters& fixed) {
+  const auto chosen = choose_on_subset(set, narrow(models::pairwise_grid(), fixed), folds, regret);
   return {models::fit_pairwise(set, chosen.parameters),
           {{"c", chosen.parameters.c}, {"nearness", chosen.parameters.nearness}},
           chosen.mean_score};
@@ -134,6 +139,39 @@ constexpr auto kMethods = motion::all_enumerators<Method, 6>();
 
 const MethodEntry& entry_of(Method method) {
   return kMethodEntries[method];
+}
+
+/// Throws Error for a given parameter that the method does not have or that is out of range.
+void check(Method method, const FixedParameters& fixed) {
+  const bool has_kernel = method == Method::svm || method == Method::svm_rbf;
+  const bool has_neighbours = method == Method::knn || method == Method::knn_cost;
+  struct Given {
+    std::string_view name;
+    bool is_given = false;
+    bool is_of_method = false;
+    bool is_in_range = true;
+  };
+  const auto positive = [](double value) { return std::isfinite(value) && value > 0; };
+  const std::array given{
+      Given{"k", fixed.k.has_value(), has_neighbours,
+            fixed.k.value_or(1) >= 1 && fixed.k.value_or(1) <= models::kMaxNeighbours},
+      Given{"c", fixed.c.has_value(), has_kernel || method == Method::pairwise_cost,
+            positive(fixed.c.value_or(1))},
+      Given{"gamma", fixed.gamma.has_value(), has_kernel, positive(fixed.gamma.value_or(1))},
+      Given{"degree", fixed.degree.has_value(), method == Method::svm,
+            fixed.degree.value_or(1) >= 1 && fixed.degree.value_or(1) <= kMaxDegree},
+      Given{"coef0", fixed.coef0.has_value(), method == Method::svm,
+            std::isfinite(fixed.coef0.value_or(0))},
+      Given{"libsvm's defaults", fixed.libsvm_defaults, has_kernel},
+  };
+  for (const Given& parameter : given) {
+    if (!parameter.is_given) continue;
+    const std::string name(parameter.name);
+    if (!parameter.is_of_method)
+      throw Error("", name + " cannot be given for " + std::string(name_of(method)) +
+                          ", which has no such parameter");
+    if (!parameter.is_in_range) throw Error("", name + " is out of its range");
+  }
 }
 
 std::string text_of(const NamedValue& parameter) {
@@ -169,14 +207,16 @@ std::span<const Method> methods() {
 }
 
 Training train_selector(const StoreHeader& header, std::span<const Observation> observations,
-                        const CostModel& cost_model, Method method, std::uint64_t seed) {
+                        const CostModel& cost_model, Method method, std::uint64_t seed,
+                        const FixedParameters& fixed) {
+  check(method, fixed);
   if (observations.size() < 2)
     throw Error("", "training needs at least 2 scenarios and there are " +
                         std::to_string(observations.size()) + "; simulate more");
   if (!std::ranges::is_sorted(observations, {}, &Observation::number)) {
     std::vector<Observation> sorted(observations.begin(), observations.end());
     std::ranges::stable_sort(sorted, {}, &Observation::number);
-    return train_selector(header, sorted, cost_model, method, seed);
+    return train_selector(header, sorted, cost_model, method, seed, fixed);
   }
   const Labels labels = label(observations, cost_model);
   Training training;
@@ -199,7 +239,7 @@ Training train_selector(const StoreHeader& header, std::span<const Observation> 
     return cost_of_choice(observations, labels, i, chosen) -
            cost_of_choice(observations, labels, i, labels.clip[i]);
   };
-  Fitted fitted = entry_of(method).fit(set, folds, regret);
+  Fitted fitted = entry_of(method).fit(set, folds, regret, fixed);
   selector.model = std::move(fitted.model);
   training.cross_validated_regret_ns = fitted.mean_regret_ns;
   training.parameters = text_of(fitted.parameters);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "models/selector.h"
+#include "train/fit/fixed_parameters.h"
 #include "train/objective/cost.h"
 #include "train/store/store.h"
 
@@ -49,11 +50,13 @@ struct Training {
   double cross_validated_regret_ns = 0;  ///< mean over the folds, each held out once
 };
 
-/// Labels the observations, chooses the method's parameters from its grid by cross-validation with
-/// the mean regret as score (folds drawn from `seed`), and fits to all observations. Throws Error
-/// for fewer than two observations. The result is the same to the bit for any number of threads and
-/// any order of observations: they are taken in the order of their numbers.
+/// Labels the observations, chooses the parameters that are not fixed from the method's grid by
+/// cross-validation with the mean regret as score (folds drawn from `seed`), and fits to all
+/// observations. Throws Error for fewer than two observations, and for a fixed parameter that the
+/// method does not have or that is out of range. The result is the same to the bit for any number
+/// of threads and any order of observations: they are taken in the order of their numbers.
 Training train_selector(const StoreHeader& header, std::span<const Observation> observations,
-                        const CostModel& cost_model, Method method, std::uint64_t seed);
+                        const CostModel& cost_model, Method method, std::uint64_t seed,
+                        const FixedParameters& fixed = {});
 
 }  // namespace flinch::train

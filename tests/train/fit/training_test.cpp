@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <random>
 
+#include "tests/scenes/error_of.h"
 #include "tests/train/evaluate/comparison.h"
 #include "train/fit/selector_writer.h"
 
@@ -33,6 +34,52 @@ TEST(TrainSelector, AnSvmHasItsClassesInTheOrderOfClips) {
   const std::vector<int>& label = std::get<models::SvmModel>(training.selector.model).label;
   EXPECT_GT(label.size(), 3U);
   EXPECT_TRUE(std::ranges::is_sorted(label));
+}
+
+Training train_with(Method method, const FixedParameters& fixed) {
+  const Store store = made_up_store(60);
+  return train_selector(store.header, store.observations, default_cost(store.header), method, 1,
+                        fixed);
+}
+
+TEST(TrainSelector, GivenParametersAreUsedAndTheOthersChosen) {
+  EXPECT_EQ(train_with(Method::knn, {.k = 4}).parameters.substr(0, 3), "k 4");
+  EXPECT_EQ(train_with(Method::svm, {.c = 7, .gamma = 0.5, .degree = 4, .coef0 = 2}).parameters,
+            "kernel polynomial, degree 4, coef0 2, gamma 0.5, c 7");
+  EXPECT_NE(train_with(Method::svm_rbf, {.c = 7}).parameters.find(", c 7"), std::string::npos);
+  EXPECT_EQ(train_with(Method::pairwise_cost, {.c = 2}).parameters.substr(0, 3), "c 2");
+}
+
+TEST(TrainSelector, LibsvmsDefaultsAreThoseOfSvmTrain) {
+  const Training training = train_with(Method::svm, {.libsvm_defaults = true});
+  const auto& model = std::get<models::SvmModel>(training.selector.model);
+  EXPECT_EQ(model.degree, 3);
+  EXPECT_EQ(model.coef0, 0);
+  EXPECT_EQ(model.cost, 1);
+  EXPECT_EQ(model.gamma, 1.0 / model.feature_count);
+  EXPECT_EQ(std::get<models::SvmModel>(
+                train_with(Method::svm, {.c = 5, .libsvm_defaults = true}).selector.model)
+                .cost,
+            5);
+}
+
+TEST(TrainSelector, AParameterThatTheMethodDoesNotHaveIsRefused) {
+  const auto error = [](Method method, const FixedParameters& fixed) {
+    return tests::error_of([&] { train_with(method, fixed); });
+  };
+  EXPECT_NE(error(Method::knn, {.gamma = 1.0}).find("gamma cannot be given for knn"),
+            std::string::npos);
+  EXPECT_NE(error(Method::svm_rbf, {.degree = 2}).find("degree"), std::string::npos);
+  EXPECT_NE(error(Method::network, {.c = 1.0}).find("c cannot be given"), std::string::npos);
+  EXPECT_NE(error(Method::svm, {.c = -1.0}).find("c is out of its range"), std::string::npos);
+}
+
+TEST(NarrowGrid, KeepsEachCandidateOnceInTheGridsOrder) {
+  EXPECT_EQ(narrow(models::knn_grid(), {.k = 5}).size(), 2U);  // both votes
+  EXPECT_EQ(narrow(models::knn_grid(), {}), models::knn_grid());
+  EXPECT_EQ(narrow(models::svm_grid(10), {}, 10), models::svm_grid(10));
+  EXPECT_EQ(narrow(models::svm_grid(10), {.c = 3}, 10).size(), 7U);
+  EXPECT_EQ(narrow(models::svm_grid(10), {.libsvm_defaults = true}, 10).size(), 1U);
 }
 
 }  // namespace
