@@ -29,18 +29,8 @@ void add_children(const GeneticOptions& options, const Chromosome& first, const 
   }
 }
 
-/// Whether the standard deviation of `value` over the records is below `bound`.
-template <class Value>
-bool stands_still(std::span<const GenerationRecord> records, Value value, double bound) {
-  const auto count = static_cast<double>(records.size());
-  double mean = 0;
-  for (const GenerationRecord& record : records) mean += value(record) / count;
-  double variance = 0;
-  for (const GenerationRecord& record : records) {
-    const double deviation = value(record) - mean;
-    variance += deviation * deviation / count;
-  }
-  return std::sqrt(variance) < bound;
+double least_check(std::span<const GenerationRecord> history) {
+  return std::ranges::min(history, {}, &GenerationRecord::check_fitness).check_fitness;
 }
 
 }  // namespace
@@ -96,7 +86,7 @@ std::vector<Chromosome> next_generation(const GeneticOptions& options, std::size
 }
 
 void advance(const GeneticOptions& options, const EvaluateGeneration& evaluate,
-             Evolution& evolution) {
+             const CheckFitness& check, Evolution& evolution) {
   const std::size_t generation = evolution.history.size();
   const std::vector<double> fitness = evaluate(generation, evolution.chromosomes);
   const auto best = std::ranges::min_element(fitness);
@@ -105,26 +95,34 @@ void advance(const GeneticOptions& options, const EvaluateGeneration& evaluate,
   record.mean_fitness =
       std::accumulate(fitness.begin(), fitness.end(), 0.0) / static_cast<double>(fitness.size());
   record.best = evolution.chromosomes[static_cast<std::size_t>(best - fitness.begin())];
+  record.check_fitness = check(record.best);
   evolution.history.push_back(std::move(record));
   evolution.chromosomes = next_generation(options, generation + 1, evolution.chromosomes, fitness);
 }
 
 bool has_converged(const GeneticOptions& options, std::span<const GenerationRecord> history) {
-  if (options.window < 2 || history.size() < options.window) return false;
-  const std::span<const GenerationRecord> last = history.last(options.window);
-  double mean = 0;
-  for (const GenerationRecord& record : last)
-    mean += record.mean_fitness / static_cast<double>(options.window);
-  const double bound = options.max_deviation * std::abs(mean);
-  return stands_still(
-             last, [](const GenerationRecord& r) { return r.mean_fitness; }, bound) &&
-         stands_still(
-             last, [](const GenerationRecord& r) { return r.best_fitness; }, bound);
+  if (history.size() <= options.window) return false;
+  const double before = least_check(history.first(history.size() - options.window));
+  return before - least_check(history) < options.min_improvement * std::abs(before);
 }
 
 bool has_ended(const GeneticOptions& options, const Evolution& evolution) {
   return evolution.history.size() >= options.max_generations ||
          has_converged(options, evolution.history);
+}
+
+std::vector<Chromosome> finalists(const Evolution& evolution, std::size_t window,
+                                  std::size_t count) {
+  std::vector<Chromosome> chosen;
+  const auto add = [&](const Chromosome& chromosome) {
+    if (chosen.size() < count && std::ranges::find(chosen, chromosome) == chosen.end())
+      chosen.push_back(chromosome);
+  };
+  const std::size_t recent = std::min(window, evolution.history.size());
+  for (std::size_t k = 0; k < recent; ++k)
+    add(evolution.history[evolution.history.size() - 1 - k].best);
+  for (const Chromosome& chromosome : evolution.chromosomes) add(chromosome);
+  return chosen;
 }
 
 }  // namespace flinch::evolve

@@ -21,35 +21,67 @@ bool is_chromosome(const Json& json, std::size_t gene_count) {
 }
 
 bool is_record(const Json& json, std::size_t gene_count) {
-  return json.is_array() && json.size() == 3 && json[0].is_number() && json[1].is_number() &&
-         is_chromosome(json[2], gene_count);
+  return json.is_array() && json.size() == 4 && json[0].is_number() && json[1].is_number() &&
+         is_chromosome(json[2], gene_count) && json[3].is_number();
+}
+
+bool is_history(const Json& json, std::size_t gene_count) {
+  return json.is_array() &&
+         std::ranges::all_of(json, [&](const Json& r) { return is_record(r, gene_count); });
+}
+
+bool is_finished(const Json& json, std::size_t gene_count) {
+  return json.is_array() && json.size() == 2 &&
+         (json[0].is_null() || is_chromosome(json[0], gene_count)) &&
+         is_history(json[1], gene_count);
 }
 
 bool is_sound(const Json& json, std::size_t population, std::size_t gene_count) {
-  if (!json.contains("history") || !json.contains("chromosomes")) return false;
-  const Json& history = json["history"];
+  for (const char* list : {"finished", "history", "chromosomes"})
+    if (!json.contains(list) || !json[list].is_array()) return false;
   const Json& chromosomes = json["chromosomes"];
-  return history.is_array() && chromosomes.is_array() && chromosomes.size() == population &&
-         std::ranges::all_of(history, [&](const Json& r) { return is_record(r, gene_count); }) &&
+  const bool is_between_runs = chromosomes.empty() && json["history"].empty();
+  return (chromosomes.size() == population || is_between_runs) &&
+         is_history(json["history"], gene_count) &&
+         std::ranges::all_of(json["finished"],
+                             [&](const Json& f) { return is_finished(f, gene_count); }) &&
          std::ranges::all_of(chromosomes,
                              [&](const Json& c) { return is_chromosome(c, gene_count); });
 }
 
+Json document_of(const std::vector<GenerationRecord>& history) {
+  Json document = Json::array();
+  for (const GenerationRecord& record : history)
+    document.push_back(
+        {record.best_fitness, record.mean_fitness, record.best, record.check_fitness});
+  return document;
+}
+
+std::vector<GenerationRecord> history_in(const Json& json) {
+  std::vector<GenerationRecord> history;
+  for (const Json& record : json)
+    history.push_back({record[0].get<double>(), record[1].get<double>(),
+                       record[2].get<Chromosome>(), record[3].get<double>()});
+  return history;
+}
+
 }  // namespace
 
-void write_evolution(const std::string& path, const std::string& key, const Evolution& evolution) {
-  Json history = Json::array();
-  for (const GenerationRecord& record : evolution.history)
-    history.push_back({record.best_fitness, record.mean_fitness, record.best});
+void write_evolution(const std::string& path, const std::string& key,
+                     const EvolutionSeries& series) {
+  Json finished = Json::array();
+  for (const EvolutionSeries::Finished& run : series.finished)
+    finished.push_back({run.kept ? Json(*run.kept) : Json(), document_of(run.history)});
   const Json json{{"kind", "evolution"},
                   {"key", key},
-                  {"history", history},
-                  {"chromosomes", evolution.chromosomes}};
+                  {"finished", finished},
+                  {"history", document_of(series.current.history)},
+                  {"chromosomes", series.current.chromosomes}};
   database::write_file_atomically(path, json.dump() + "\n");
 }
 
-std::optional<Evolution> read_evolution(const std::string& path, const std::string& key,
-                                        std::size_t population, std::size_t gene_count) {
+std::optional<EvolutionSeries> read_evolution(const std::string& path, const std::string& key,
+                                              std::size_t population, std::size_t gene_count) {
   if (!std::filesystem::exists(path)) return std::nullopt;
   const std::string text = database::read_file(path);
   if (!text.starts_with(kEvolutionMark)) throw Error(path, "is no unfinished evolution");
@@ -57,7 +89,7 @@ std::optional<Evolution> read_evolution(const std::string& path, const std::stri
   // stack before.
   bool is_flat = true;
   const auto require_flat = [&is_flat](int depth, Json::parse_event_t, const Json&) {
-    is_flat &= depth <= 4;
+    is_flat &= depth <= 6;
     return is_flat;
   };
   const Json json = Json::parse(text, require_flat, false);
@@ -69,12 +101,15 @@ std::optional<Evolution> read_evolution(const std::string& path, const std::stri
                 "remove the file to begin anew");
   if (!is_sound(json, population, gene_count))
     throw Error(path, "the unfinished evolution is damaged; remove the file to begin anew");
-  Evolution evolution;
-  for (const Json& record : json["history"])
-    evolution.history.push_back(
-        {record[0].get<double>(), record[1].get<double>(), record[2].get<Chromosome>()});
-  evolution.chromosomes = json["chromosomes"].get<std::vector<Chromosome>>();
-  return evolution;
+  EvolutionSeries series;
+  for (const Json& run : json["finished"]) {
+    EvolutionSeries::Finished& finished = series.finished.emplace_back();
+    if (!run[0].is_null()) finished.kept = run[0].get<Chromosome>();
+    finished.history = history_in(run[1]);
+  }
+  series.current = {history_in(json["history"]),
+                    json["chromosomes"].get<std::vector<Chromosome>>()};
+  return series;
 }
 
 }  // namespace flinch::evolve

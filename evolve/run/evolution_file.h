@@ -12,12 +12,13 @@ namespace flinch::evolve {
 /// The first bytes of every file that keeps a run, and of no others.
 inline constexpr std::string_view kEvolutionMark = "{\"kind\":\"evolution\",";
 
-/// Writes a run atomically, as JSON. `key` names everything that the run depends on. Throws Error.
-void write_evolution(const std::string& path, const std::string& key, const Evolution& evolution);
+/// Writes runs atomically, as JSON. `key` names everything that they depend on. Throws Error.
+void write_evolution(const std::string& path, const std::string& key,
+                     const EvolutionSeries& series);
 
-/// Reads a run; nothing if there is no file. Throws Error if the file is no run, is damaged, has
-/// another key, or holds chromosomes of other numbers than these.
-std::optional<Evolution> read_evolution(const std::string& path, const std::string& key,
-                                        std::size_t population, std::size_t gene_count);
+/// Reads runs; nothing if there is no file. Throws Error if the file holds no runs, is damaged, has
+/// another key, or holds chromosomes of other numbers than these. Between two runs there are none.
+std::optional<EvolutionSeries> read_evolution(const std::string& path, const std::string& key,
+                                              std::size_t population, std::size_t gene_count);
 
 }  // namespace flinch::evolve

@@ -22,30 +22,39 @@ float nearest_direction(double azimuth) {
 
 }  // namespace
 
-EvolvedClip make_evolved_clip(const PoseTrial& trial, const motion::Clip& idle,
-                              const motion::Pose& pose, const ClipDescription& description) {
-  constexpr float kSlowest_s = 0.6F;
-  constexpr float kSlower = 1.1F;
+motion::Clip clip_to(const motion::Figure& figure, const motion::Clip& idle, const PacedPose& paced,
+                     const ClipDescription& description) {
   database::ProtectiveTiming timing;
-  timing.protect_s = static_cast<float>(trial.move_time_s(pose));
-  for (;; timing.protect_s *= kSlower) {
+  timing.protect_s = static_cast<float>(paced.time_s);
+  timing.recover_s = std::max(timing.recover_s, timing.protect_s);
+  motion::Clip clip;
+  clip.name = description.name;
+  clip.kind = "evolved";
+  clip.source = description.source;
+  clip.motion = database::protective_motion(figure, idle.motion.poses.front(), std::nullopt,
+                                            paced.pose, timing, idle.motion.rate_hz);
+  motion::Annotation annotation;
+  annotation.target = description.target;
+  annotation.direction = nearest_direction(description.azimuth);
+  annotation.degree = motion::Degree::exaggerated;
+  annotation.peak_s = timing.protect_s + timing.settle_s;
+  annotation.end_s = clip.motion.duration_s();
+  clip.annotation = annotation;
+  return clip;
+}
+
+EvolvedClip make_evolved_clip(const motion::Figure& figure, const motion::Clip& idle,
+                              const PacedPose& paced, const ClipDescription& description) {
+  constexpr double kSlowest = 2.5;  // times the pace
+  constexpr double kSlower = 1.1;
+  PacedPose slower = paced;
+  for (;; slower.time_s *= kSlower) {
     EvolvedClip made;
-    motion::Clip& clip = made.clip;
-    clip.name = description.name;
-    clip.kind = "evolved";
-    clip.source = description.source;
-    clip.motion = database::protective_motion(trial.figure(), idle.motion.poses.front(),
-                                              std::nullopt, pose, timing, idle.motion.rate_hz);
-    motion::Annotation annotation;
-    annotation.target = description.target;
-    annotation.direction = nearest_direction(description.azimuth);
-    annotation.degree = motion::Degree::exaggerated;
-    annotation.peak_s = timing.protect_s + timing.settle_s;
-    annotation.end_s = clip.motion.duration_s();
-    clip.annotation = annotation;
-    made.quality = database::measure_quality(trial.figure(), clip);
+    made.clip = clip_to(figure, idle, slower, description);
+    made.quality = database::measure_quality(figure, made.clip);
     made.broken_bounds = broken_bounds(made.quality);
-    if (made.broken_bounds.empty() || timing.protect_s * kSlower > kSlowest_s) return made;
+    if (made.broken_bounds.empty() || slower.time_s * kSlower > kSlowest * paced.time_s)
+      return made;
   }
 }
 

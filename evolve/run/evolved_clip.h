@@ -18,16 +18,26 @@ struct ClipDescription {
   std::string source;
 };
 
-/// A pose as a clip: by the transitions and with the hold and the way back of authored clips
-/// (database/author), as fast as the pose was tested or, where that breaks a bound of
-/// database::QualityBounds, slower.
+/// A pose, and the time that its clip takes to it.
+struct PacedPose {
+  motion::Pose pose;
+  double time_s = 0;
+};
+
+/// A pose as a clip, by the transitions and with the hold and the way back of authored clips
+/// (database/author). The way back is no faster than the way there. Its peak is when the pose is
+/// reached.
+motion::Clip clip_to(const motion::Figure& figure, const motion::Clip& idle, const PacedPose& paced,
+                     const ClipDescription& description);
+
+/// The same, at its pace or, where that breaks a bound of database::QualityBounds, slower.
 struct EvolvedClip {
   motion::Clip clip;
   database::ClipQuality quality;
   std::vector<std::string> broken_bounds;  ///< that no pace keeps; empty for a good clip
 };
-EvolvedClip make_evolved_clip(const PoseTrial& trial, const motion::Clip& idle,
-                              const motion::Pose& pose, const ClipDescription& description);
+EvolvedClip make_evolved_clip(const motion::Figure& figure, const motion::Clip& idle,
+                              const PacedPose& paced, const ClipDescription& description);
 
 /// Mean pain of the balls of some draws against a clip that is played so that its peak is at the
 /// impact, N·s.

@@ -9,39 +9,25 @@
 namespace flinch::evolve {
 namespace {
 
+constexpr std::uint64_t kCheckDraws = 4;
 constexpr std::uint64_t kChoiceDraws = 4;
 constexpr std::size_t kChoices = 64;
 
-/// Returns the mean scores over the draws that a pose is chosen by.
-std::vector<PoseScore> scores_of(const PoseTrial& trial, std::span<const Chromosome> candidates,
-                                 int threads) {
+/// Returns the mean scores over `draws` draws from `first` on.
+std::vector<PoseScore> mean_scores(const PoseTrial& trial, std::span<const Chromosome> candidates,
+                                   std::uint64_t first, std::uint64_t draws, int threads) {
   std::vector<PoseScore> sums(candidates.size());
-  for (std::uint64_t draw = 0; draw < kChoiceDraws; ++draw) {
-    const std::vector<PoseScore> scores = *trial.test(candidates, kChoiceDraw + draw, threads);
+  const auto count = static_cast<double>(draws);
+  for (std::uint64_t draw = first; draw < first + draws; ++draw) {
+    const std::vector<PoseScore> scores = *trial.test(candidates, draw, threads);
     for (std::size_t i = 0; i < sums.size(); ++i) {
-      sums[i].pain += scores[i].pain / kChoiceDraws;
-      sums[i].energy += scores[i].energy / kChoiceDraws;
-      sums[i].distance += scores[i].distance / kChoiceDraws;
-      sums[i].overlap += scores[i].overlap / kChoiceDraws;
+      sums[i].pain += scores[i].pain / count;
+      sums[i].energy += scores[i].energy / count;
+      sums[i].distance += scores[i].distance / count;
+      sums[i].overlap += scores[i].overlap / count;
     }
   }
   return sums;
-}
-
-/// The best of the last generations, and as many of the next generation as there is room for:
-/// among them are the winners of the last.
-std::vector<Chromosome> candidates_of(const Evolution& evolution, std::size_t window) {
-  std::vector<Chromosome> candidates;
-  const auto add = [&](const Chromosome& chromosome) {
-    if (candidates.size() < kChoices &&
-        std::ranges::find(candidates, chromosome) == candidates.end())
-      candidates.push_back(chromosome);
-  };
-  const std::size_t recent = std::min(window, evolution.history.size());
-  for (std::size_t k = 0; k < recent; ++k)
-    add(evolution.history[evolution.history.size() - 1 - k].best);
-  for (const Chromosome& chromosome : evolution.chromosomes) add(chromosome);
-  return candidates;
 }
 
 }  // namespace
@@ -58,7 +44,10 @@ bool evolve_poses(const PoseTrial& trial, const PoseEvolution& run, Evolution& e
       for (const PoseScore& score : *scores) values.push_back(score.fitness());
       return values;
     };
-    advance(run.genetic, fitness, evolution);
+    const auto check = [&](const Chromosome& best) {
+      return mean_scores(trial, {&best, 1}, kCheckDraw, kCheckDraws, 1).front().fitness();
+    };
+    advance(run.genetic, fitness, check, evolution);
     run.report(evolution);
   }
   return true;
@@ -67,15 +56,18 @@ bool evolve_poses(const PoseTrial& trial, const PoseEvolution& run, Evolution& e
 EvolvedPose chosen_pose(const PoseTrial& trial, const PoseEvolution& run,
                         const Evolution& evolution, const motion::Clip& idle,
                         const ClipDescription& description) {
-  const std::vector<Chromosome> candidates = candidates_of(evolution, run.genetic.window);
-  const std::vector<PoseScore> scores = scores_of(trial, candidates, run.threads);
+  const std::vector<Chromosome> candidates = finalists(evolution, run.genetic.window, kChoices);
+  const std::vector<PoseScore> scores =
+      mean_scores(trial, candidates, kChoiceDraw, kChoiceDraws, run.threads);
   std::vector<std::size_t> order(candidates.size());
   std::iota(order.begin(), order.end(), 0);
   std::ranges::stable_sort(order, {}, [&](std::size_t i) { return scores[i].fitness(); });
   std::string broken;
   for (const std::size_t i : order) {
+    const motion::Pose pose = trial.pose(candidates[i]);
+    const PacedPose paced{pose, move_time_s(trial.figure(), trial.start(), pose)};
     EvolvedPose chosen{candidates[i], scores[i],
-                       make_evolved_clip(trial, idle, trial.pose(candidates[i]), description)};
+                       make_evolved_clip(trial.figure(), idle, paced, description)};
     if (chosen.clip.broken_bounds.empty()) return chosen;
     if (broken.empty()) broken = chosen.clip.broken_bounds.front();
   }

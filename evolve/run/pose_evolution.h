@@ -23,8 +23,9 @@ struct PoseEvolution {
 /// Returns false if `stop` became true first; `evolution` then holds the last whole generation.
 bool evolve_poses(const PoseTrial& trial, const PoseEvolution& run, Evolution& evolution);
 
-/// Draws that no generation meets: to choose among the best of the last generations, and to measure
-/// the one that is chosen.
+/// Draws that no generation meets: to tell when a run has converged, to choose among the best of
+/// the last generations, and to measure the one that is chosen.
+inline constexpr std::uint64_t kCheckDraw = 500'000;
 inline constexpr std::uint64_t kChoiceDraw = 1'000'000;
 inline constexpr std::uint64_t kUnseenDraw = 2'000'000;
 

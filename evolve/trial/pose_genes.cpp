@@ -6,6 +6,8 @@
 #include "database/author/evasion.h"
 #include "motion/interpolation.h"
 #include "motion/joint_limits.h"
+#include "motion/limb_ik.h"
+#include "motion/rotation.h"
 
 namespace flinch::evolve {
 namespace {
@@ -15,12 +17,20 @@ using motion::Role;
 using motion::Side;
 
 // Appendix A's x points to the left, y up and z forward: our y, z and x.
-constexpr std::array<PoseGene, 6> kMiddleGenes{{{"trunk", 1, {-0.05, 0.05}},
-                                                {"trunk", 2, {-0.5, 0.5}},
-                                                {"trunk", 0, {-0.05, 0.05}},
-                                                {"neck", 1, {-0.5, 0.7}},
-                                                {"neck", 2, {-0.5, 0.5}},
-                                                {"neck", 0, {-0.4, 0.4}}}};
+constexpr std::array<PoseGene, 6> kThesisMiddle{{{"trunk", 1, {-0.05, 0.05}},
+                                                 {"trunk", 2, {-0.5, 0.5}},
+                                                 {"trunk", 0, {-0.05, 0.05}},
+                                                 {"neck", 1, {-0.5, 0.7}},
+                                                 {"neck", 2, {-0.5, 0.5}},
+                                                 {"neck", 0, {-0.4, 0.4}}}};
+
+// About what knees, hips and balance allow.
+constexpr std::array<PoseGene, 6> kPelvisGenes{{{kPelvisShift, 0, {-0.2, 0.2}},
+                                                {kPelvisShift, 1, {-0.25, 0.25}},
+                                                {kPelvisShift, 2, {-0.35, 0}},
+                                                {kPelvisTurn, 0, {-0.3, 0.3}},
+                                                {kPelvisTurn, 1, {-0.3, 0.8}},
+                                                {kPelvisTurn, 2, {-0.5, 0.5}}}};
 
 PoseGene human_gene(std::string_view joint, int axis) {
   const motion::JointLimits& limits = motion::joint_limits_named(joint);
@@ -29,49 +39,83 @@ PoseGene human_gene(std::string_view joint, int axis) {
           {static_cast<double>(limits.min[axis]), static_cast<double>(limits.max[axis])}};
 }
 
-std::vector<PoseGene> make_genes() {
-  std::vector<PoseGene> genes(kMiddleGenes.begin(), kMiddleGenes.end());
+void add_arms(std::vector<PoseGene>& genes) {
   for (const std::string_view side : {"left_", "right_"}) {
     const std::string prefix(side);
     for (const int axis : {0, 1, 2}) genes.push_back(human_gene(prefix + "shoulder", axis));
     for (const int axis : {1, 2}) genes.push_back(human_gene(prefix + "elbow", axis));
     for (const int axis : {0, 2}) genes.push_back(human_gene(prefix + "wrist", axis));
   }
+}
+
+std::vector<PoseGene> make_upper_body_genes() {
+  std::vector<PoseGene> genes(kThesisMiddle.begin(), kThesisMiddle.end());
+  add_arms(genes);
   return genes;
 }
 
-/// Returns the rotation of a row's joint that the genes stand for; angles without a gene are 0.
-Eigen::Quaternionf rotation_of(std::string_view joint, const Chromosome& chromosome) {
-  const std::span<const PoseGene> genes = pose_genes();
-  Eigen::Vector3f angles = Eigen::Vector3f::Zero();
-  for (std::size_t i = 0; i < genes.size(); ++i) {
-    if (genes[i].joint != joint) continue;
-    angles[genes[i].axis] = static_cast<float>(value_of(chromosome[i], genes[i].range));
-  }
-  return rotation_of_angles(motion::joint_limits_named(joint), angles);
+std::vector<PoseGene> make_whole_body_genes() {
+  std::vector<PoseGene> genes(kPelvisGenes.begin(), kPelvisGenes.end());
+  for (const std::string_view joint : {"trunk", "neck"})
+    for (const int axis : {0, 1, 2}) genes.push_back(human_gene(joint, axis));
+  add_arms(genes);
+  return genes;
 }
 
-void set_arm_rotations(Pose& pose, bool is_left, const Chromosome& chromosome) {
+/// A table of genes and their values.
+struct GeneValues {
+  std::span<const PoseGene> genes;
+  std::span<const Gene> values;
+
+  /// What a row's genes stand for; 0 for axes without a gene.
+  Eigen::Vector3f of(std::string_view joint) const {
+    Eigen::Vector3f found = Eigen::Vector3f::Zero();
+    for (std::size_t i = 0; i < genes.size(); ++i)
+      if (genes[i].joint == joint)
+        found[genes[i].axis] = static_cast<float>(value_of(values[i], genes[i].range));
+    return found;
+  }
+  Eigen::Quaternionf rotation_of(std::string_view joint) const {
+    return rotation_of_angles(motion::joint_limits_named(joint), of(joint));
+  }
+};
+
+void set_pelvis(const motion::Figure& figure, Pose& pose, const GeneValues& values) {
+  const float leg_m = motion::limb_length(figure.skeleton(), motion::Limb::left_leg);
+  const Eigen::Quaternionf facing =
+      motion::rotation_about(Eigen::Vector3f::UnitZ(), motion::facing(pose));
+  pose.root_position += facing * (leg_m * values.of(kPelvisShift));
+  pose.rotation[Role::pelvis] =
+      pose.rotation[Role::pelvis] * motion::rotation_from_vector(values.of(kPelvisTurn));
+}
+
+void set_arm_rotations(Pose& pose, bool is_left, const GeneValues& values) {
   const auto role = [&](Role left) { return is_left ? left : motion::mirrored(left); };
   // The table's shoulder is the upper arm relative to the chest; a clavicle lies between them.
   const Eigen::Quaternionf& clavicle = pose.rotation[role(Role::left_clavicle)];
   pose.rotation[role(Role::left_upper_arm)] =
-      (clavicle.conjugate() * rotation_of(is_left ? "left_shoulder" : "right_shoulder", chromosome))
+      (clavicle.conjugate() * values.rotation_of(is_left ? "left_shoulder" : "right_shoulder"))
           .normalized();
   pose.rotation[role(Role::left_forearm)] =
-      rotation_of(is_left ? "left_elbow" : "right_elbow", chromosome);
-  pose.rotation[role(Role::left_hand)] =
-      rotation_of(is_left ? "left_wrist" : "right_wrist", chromosome);
+      values.rotation_of(is_left ? "left_elbow" : "right_elbow");
+  pose.rotation[role(Role::left_hand)] = values.rotation_of(is_left ? "left_wrist" : "right_wrist");
 }
 
 }  // namespace
 
 std::span<const PoseGene> pose_genes() {
-  static const std::vector<PoseGene> genes = make_genes();
+  static const std::vector<PoseGene> genes = make_upper_body_genes();
   return genes;
 }
 
-Pose pose_of(const motion::Figure& figure, const Pose& start, const Chromosome& chromosome) {
+std::span<const PoseGene> whole_body_genes() {
+  static const std::vector<PoseGene> genes = make_whole_body_genes();
+  return genes;
+}
+
+Pose pose_of(const motion::Figure& figure, const Pose& start, std::span<const PoseGene> genes,
+             std::span<const Gene> values) {
+  const GeneValues read{genes, values};
   const motion::JointFrames frames = motion::forward_kinematics(figure.skeleton(), start);
   const motion::PerSide<motion::FootPose> feet{foot_pose(frames, Side::left),
                                                foot_pose(frames, Side::right)};
@@ -79,11 +123,11 @@ Pose pose_of(const motion::Figure& figure, const Pose& start, const Chromosome& 
     return motion::slerp(Eigen::Quaternionf::Identity(), whole, 0.5F);
   };
   Pose pose = start;
-  pose.rotation[Role::abdomen] = pose.rotation[Role::chest] =
-      half(rotation_of("trunk", chromosome));
-  pose.rotation[Role::neck] = pose.rotation[Role::head] = half(rotation_of("neck", chromosome));
-  set_arm_rotations(pose, true, chromosome);
-  set_arm_rotations(pose, false, chromosome);
+  set_pelvis(figure, pose, read);
+  pose.rotation[Role::abdomen] = pose.rotation[Role::chest] = half(read.rotation_of("trunk"));
+  pose.rotation[Role::neck] = pose.rotation[Role::head] = half(read.rotation_of("neck"));
+  set_arm_rotations(pose, true, read);
+  set_arm_rotations(pose, false, read);
   return database::balanced(figure, feet, pose);
 }
 

@@ -9,12 +9,10 @@
 #include <string>
 
 #include "database/author/evasion.h"
-#include "database/quality/quality.h"
 #include "evolve/trial/joint_effort.h"
 #include "motion/body_distance.h"
 #include "motion/error.h"
 #include "motion/interpolation.h"
-#include "motion/joint_limits.h"
 #include "motion/rotation.h"
 #include "sim/ode/ode_simulator.h"
 #include "sim/rehearsal/throw_simulator.h"
@@ -27,7 +25,6 @@ using motion::Pose;
 using motion::Role;
 
 constexpr double kMinSpeed_mps = 5;
-constexpr double kMinMove_s = 0.25;
 // Equation 4.3's factor is set so that the energy of a guard of both arms is this share of the pain
 // of standing still; equation 4.4's so that this share of it is a metre.
 constexpr double kEnergyShare = 0.05;
@@ -134,25 +131,11 @@ std::array<features::Ball, kGridCells> PoseTrial::balls(std::uint64_t draw) cons
 }
 
 motion::Pose PoseTrial::pose(const Chromosome& chromosome) const {
-  return pose_of(figure_, start_, chromosome);
-}
-
-// The eased path 3 s^2 - 2 s^3 is 3/2 times as fast in its middle as on average.
-double PoseTrial::move_time_s(const motion::Pose& pose) const {
-  const motion::JointFrames from = forward_kinematics(figure_.skeleton(), start_);
-  const motion::JointFrames to = forward_kinematics(figure_.skeleton(), pose);
-  double time_s = kMinMove_s;
-  for (const motion::JointLimits& limits : motion::human_joint_limits()) {
-    const float angle = relative_rotation(from, limits.from, limits.to)
-                            .angularDistance(relative_rotation(to, limits.from, limits.to));
-    const float peak = motion::radians(database::peak_human_speed_dps(limits.name));
-    time_s = std::max(time_s, 1.5 * static_cast<double>(angle / peak));
-  }
-  return time_s;
+  return pose_of(figure_, start_, pose_genes(), chromosome);
 }
 
 motion::Motion PoseTrial::motion_to(const motion::Pose& pose, JointFailure failure) const {
-  const double move_s = move_time_s(pose);
+  const double move_s = move_time_s(figure_, start_, pose);
   motion::Motion motion;
   motion.rate_hz = idle_.rate_hz;
   // Velocities up to the end need two more poses.

@@ -6,6 +6,7 @@
 
 #include "evolve/genetic/evolution.h"
 #include "evolve/pain/pain.h"
+#include "evolve/trial/move_time.h"
 #include "evolve/trial/pose_genes.h"
 #include "evolve/trial/threat_grid.h"
 #include "sim/rehearsal/simulator.h"
@@ -83,9 +84,6 @@ class PoseTrial {
   motion::Pose pose(const Chromosome& chromosome) const;
   /// The motion of a test: idle until the delay, then eased to the pose, within human joint speeds.
   motion::Motion motion_to(const motion::Pose& pose, JointFailure failure) const;
-  /// How long the motion to a pose takes, s: at least 0.25, and so long that no joint exceeds its
-  /// human peak speed.
-  double move_time_s(const motion::Pose& pose) const;
 
   const motion::Figure& figure() const { return figure_; }
   const motion::Pose& start() const { return start_; }

@@ -1,26 +1,28 @@
 // SPDX-License-Identifier: MIT
 // Prints the tables of docs/evolving.md, and its picture.
-// Usage: evolve_study [POPULATION] [GENERATIONS] [angles|failures|grid|styles|picture]
-#include <thread>
-
 #include <algorithm>
 #include <cstdio>
-#include <ctime>
+#include <fstream>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "database/author/authored_library.h"
 #include "database/export/filmstrip.h"
+#include "database/files/library_writer.h"
 #include "evolve/run/pose_evolution.h"
 #include "motion/default_character.h"
 #include "motion/error.h"
 #include "motion/rotation.h"
+#include "tests/bench/evolve_search.h"
+#include "tests/bench/measures.h"
+#include "tests/bench/study.h"
 
 namespace flinch::evolve {
 namespace {
 
-double cpu_s() {
-  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+int thread_count() {
+  return static_cast<int>(std::thread::hardware_concurrency());
 }
 
 struct Study {
@@ -82,14 +84,14 @@ void look_at_first_contacts(const PoseTrial& trial, const Chromosome& pose, Outc
 /// Evolves with `trained`, and looks at the pose with all failures and the whole grid.
 Outcome evolve_once(const Study& study, const TrialOptions& trained, const TrialOptions& looked) {
   Outcome outcome;
-  const double begin_s = cpu_s();
+  const double begin_s = bench::process_cpu_s();
   const PoseTrial trial(study.library.character, study.library.idle_clip().motion, trained);
   PoseEvolution run;
   run.genetic = study.genetic;
-  run.threads = static_cast<int>(std::thread::hardware_concurrency());
+  run.threads = thread_count();
   Evolution evolution;
   evolve_poses(trial, run, evolution);
-  outcome.cpu = cpu_s() - begin_s;
+  outcome.cpu = bench::process_cpu_s() - begin_s;
   outcome.generations = evolution.history.size();
   outcome.converged = has_converged(run.genetic, evolution.history);
   outcome.encounters = evolution.history.size() * run.genetic.population *
@@ -147,15 +149,22 @@ void angles(const Study& study, bool fails_joints) {
   std::printf("median share %.3f, both arms at %d of 9 angles\n", median(shares), both);
 }
 
+/// Looks at balls that are uniform in the grid's square: those of its cells with a jitter of half
+/// their distance.
 void grid(const Study& study) {
   for (const double degrees : {-30.0, 0.0, 30.0}) {
-    TrialOptions options = study.options(degrees);
-    TrialOptions trained = options;
-    trained.grid = {0, 0};
-    const Outcome with = evolve_once(study, options, options);
-    const Outcome without = evolve_once(study, trained, options);
+    const TrialOptions options = study.options(degrees);
+    TrialOptions line = options;
+    line.grid = {0, 0};
+    TrialOptions square = options;
+    square.grid.jitter_m = options.grid.spacing_m / 2;
+    const Outcome with = evolve_once(study, options, square);
+    const Outcome without = evolve_once(study, line, square);
     print_row("with grid", degrees, with);
     print_row("without grid", degrees, without);
+    std::printf("unseen over trained: %.2f with grid, %.2f without; without over with: %.2f\n",
+                with.pain_ns / with.grid_ns, without.pain_ns / without.grid_ns,
+                without.pain_ns / with.pain_ns);
   }
 }
 
@@ -167,6 +176,50 @@ void styles(const Study& study) {
     }
 }
 
+/// A whole run, and how fast it tests poses beside the reference simulation.
+void speed(const Study& study) {
+  const TrialOptions options = study.options(30);
+  const double begin_s = bench::clock_s(CLOCK_MONOTONIC);
+  const Outcome o = evolve_once(study, options, options);
+  const double wall_s = bench::clock_s(CLOCK_MONOTONIC) - begin_s;
+  const PoseTrial trial(study.library.character, study.library.idle_clip().motion, options);
+  const Chromosome pose(pose_genes().size(), kMaxGene / 3);
+  const double before_s = bench::process_cpu_s();
+  double encounters = 0;
+  for (std::uint64_t draw = 0; draw < 3; ++draw)
+    for (const JointFailure failure : kJointFailures) {
+      const auto balls = trial.balls(draw);
+      encounters += static_cast<double>(trial.simulate_by_reference(pose, failure, balls).size());
+    }
+  const double reference = encounters / (bench::process_cpu_s() - before_s);
+  const double fast = static_cast<double>(o.encounters) / o.cpu;
+  std::printf(
+      "population %zu: %zu generations, %s, %.1f CPU s, %.1f s on %d threads\n"
+      "encounters per CPU s: %.0f, by the reference %.0f, ratio %.1f; peak memory %.0f MiB\n",
+      study.genetic.population, o.generations, o.converged ? "converged" : "not converged", o.cpu,
+      wall_s, thread_count(), fast, reference, fast / reference, bench::peak_memory_mib());
+}
+
+void search(const Study& study, std::size_t budget, std::size_t seeds) {
+  print_search({study.library.character, study.library.idle_clip().motion, study.options(30)},
+               budget, seeds, thread_count());
+}
+
+/// Writes a filmstrip of each evolved clip of a library, and a page that shows them.
+void gallery(const std::string& library_file, const std::string& folder) {
+  const database::ClipLibrary library = database::load_library(library_file);
+  const motion::Figure figure = motion::make_figure(library.character);
+  std::ofstream page(folder + "/README.md");
+  page << "# Evolved clips\n\nFilmstrips of the clips that `flinch evolve` added to the authored "
+          "library; mirror images are left out. Rows and arrows are as in [the gallery of authored "
+          "clips](../gallery/README.md).\n";
+  for (const motion::Clip& clip : library.clips) {
+    if (clip.kind != "evolved" || !clip.mirrored_from.empty()) continue;
+    std::ofstream(folder + "/" + clip.name + ".svg") << database::filmstrip_svg(figure, clip);
+    page << "\n## " << clip.name << "\n\n![" << clip.name << "](" << clip.name << ".svg)\n";
+  }
+}
+
 /// Prints a filmstrip of an evolved clip as SVG.
 void picture(const Study& study) {
   const TrialOptions options = study.options(30, Style::hands);
@@ -174,7 +227,7 @@ void picture(const Study& study) {
   const PoseTrial trial(study.library.character, idle.motion, options);
   PoseEvolution run;
   run.genetic = study.genetic;
-  run.threads = static_cast<int>(std::thread::hardware_concurrency());
+  run.threads = thread_count();
   Evolution evolution;
   evolve_poses(trial, run, evolution);
   const EvolvedPose pose =
@@ -188,17 +241,32 @@ void picture(const Study& study) {
 
 int main(int count, char** arguments) {
   using namespace flinch::evolve;
-  Study study;
-  if (count > 1) study.genetic.population = std::stoul(arguments[1]);
-  if (count > 2) study.genetic.max_generations = std::stoul(arguments[2]);
-  const std::string what = count > 3 ? arguments[3] : "angles";
-  if (what == "picture") {
-    picture(study);
-    return 0;
-  }
-  print_head();
-  if (what == "angles") angles(study, true);
-  if (what == "failures") angles(study, false);
-  if (what == "grid") grid(study);
-  if (what == "styles") styles(study);
+  return flinch::bench::study_main(
+      count, arguments,
+      {"evolve_study angles|failures|grid|styles|speed|picture [POPULATION] [GENERATIONS], or "
+       "evolve_study search BUDGET SEEDS, or evolve_study gallery LIBRARY FOLDER",
+       1, 3},
+      [](const flinch::bench::StudyArguments& given) {
+        const std::string& what = given.text(0);
+        if (what == "gallery") {
+          gallery(given.text(1), given.text(2));
+          return;
+        }
+        Study study;
+        if (what == "search") {
+          search(study, given.number<std::size_t>(1), given.number<std::size_t>(2));
+          return;
+        }
+        study.genetic.population = given.number_or(1, study.genetic.population);
+        study.genetic.max_generations = given.number_or(2, study.genetic.max_generations);
+        if (what == "picture") picture(study);
+        if (what == "speed") speed(study);
+        if (what != "angles" && what != "failures" && what != "grid" && what != "styles") return;
+        print_head();
+        if (what == "angles") angles(study, true);
+        if (what == "failures") angles(study, false);
+        if (what == "grid") grid(study);
+        if (what == "styles") styles(study);
+        std::printf("peak memory %.0f MiB\n", flinch::bench::peak_memory_mib());
+      });
 }

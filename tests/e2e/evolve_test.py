@@ -66,12 +66,13 @@ class Evolve(ProgramTest):
                 self.assertEqual(row["breaks"], [], row)
         lines = self.log.read_text().splitlines()
         self.assertEqual(len(lines), 5)
-        self.assertEqual(lines[0], "generation,best_fitness_ns,mean_fitness_ns,poses,encounters")
+        self.assertEqual(lines[0], "generation,best_fitness_ns,mean_fitness_ns,check_fitness_ns,"
+                         "poses,encounters")
         for number, line in enumerate(lines[1:]):
             cells = line.split(",")
             self.assertEqual(int(cells[0]), number)
             self.assertLess(float(cells[1]), float(cells[2]))
-            self.assertEqual(int(cells[4]), (number + 1) * 24 * 36)
+            self.assertEqual(int(cells[5]), (number + 1) * 24 * 36)
         self.assertEqual(sorted(os.listdir(self.folder)),
                          ["default.flinchlib", "evolved.flinchlib", "run.csv"])
 
@@ -98,6 +99,34 @@ class Evolve(ProgramTest):
         self.succeed(*command[1:])
         self.assertEqual(self.out.read_bytes(), expected.read_bytes())
         self.assertFalse(unfinished.exists())
+
+    def test_mends_the_weakest_cells_and_reports_the_gain(self):
+        make_library(self.library)
+        small = ["--weakest", 2, "--scenarios", 512, "--population", 8, "--generations", 2]
+        document = self.document("evolve", self.library, "--out", self.out, "--log", self.log,
+                                 *small)
+        self.assertEqual(document["kind"], "evolution")
+        self.assertEqual(len(document["cells"]), 2)
+        kept = [cell["clip"] for cell in document["cells"] if cell["clip"]]
+        before = self.document("info", self.library)["clips"]
+        after = self.document("info", self.out)["clips"]
+        self.assertEqual(document["clip_count"], len(before) + 2 * len(kept))
+        self.assertEqual([c["name"] for c in after[len(before):]],
+                         [name + end for name in kept for end in ("", "_mirrored")])
+        whole = document["whole_oracle"]
+        self.assertEqual(whole["scenarios"], 512)
+        self.assertLessEqual(whole["cost_after_ns"], whole["cost_before_ns"])
+        self.assertEqual(document["cells_oracle"]["scenarios"],
+                         sum(cell["oracle"]["scenarios"] for cell in document["cells"]))
+        lines = self.log.read_text().splitlines()
+        self.assertEqual(len(lines), 1 + 2 * 2)
+        again = self.folder / "again.flinchlib"
+        self.succeed("evolve", self.library, "--out", again, "--threads", 1, *small)
+        self.assertEqual(again.read_bytes(), self.out.read_bytes())
+        for arguments, text in [(["--azimuth", 30], "leave out --azimuth"),
+                                (["--style", "hands"], "leave out --style")]:
+            self.assertIn(text, self.fail_with(1, "evolve", self.library, "--out", again, *small,
+                                               *arguments))
 
     def test_refuses_what_it_cannot_evolve_in_one_line(self):
         pain = self.folder / "pain.toml"

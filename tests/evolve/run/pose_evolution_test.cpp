@@ -122,9 +122,9 @@ TEST(EvolvedClip, ReachesThePoseAtItsPeakAndIsAnnotatedToTheNearestEighth) {
   const auto direction = [&](double degrees) {
     ClipDescription description = kDescription;
     description.azimuth = motion::radians(degrees);
-    return motion::degrees(
-        double{make_evolved_clip(finished().trial, library().idle_clip(), goal, description)
-                   .clip.annotation->direction});
+    return motion::degrees(double{make_evolved_clip(finished().trial.figure(),
+                                                    library().idle_clip(), {goal, 0.3}, description)
+                                      .clip.annotation->direction});
   };
   EXPECT_NEAR(direction(-20), 0, 1e-4);
   EXPECT_NEAR(direction(-180), 180, 1e-4);

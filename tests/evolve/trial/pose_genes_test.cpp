@@ -3,9 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "database/author/stance.h"
 #include "motion/default_character.h"
 #include "motion/joint_limits.h"
+#include "motion/limb_ik.h"
+#include "motion/rotation.h"
 #include "motion/support_polygon.h"
 #include "tests/scenes/sample_count.h"
 
@@ -20,24 +24,26 @@ class PoseGenesTest : public testing::Test {
   motion::Pose start_ = database::standing_pose(figure_);
   features::Random random_{1, features::RandomStream::evolution, 0};
 
-  Chromosome random_chromosome() {
-    Chromosome chromosome(pose_genes().size());
+  Chromosome random_chromosome(std::span<const PoseGene> genes) {
+    Chromosome chromosome(genes.size());
     for (Gene& gene : chromosome) gene = static_cast<Gene>(random_.index(65536));
     return chromosome;
   }
 };
 
-TEST_F(PoseGenesTest, AreTwenty) {
+TEST_F(PoseGenesTest, AreTwentyAndTwentySixForTheWholeBody) {
   EXPECT_EQ(pose_genes().size(), 20U);
+  EXPECT_EQ(whole_body_genes().size(), 26U);
 }
 
 TEST_F(PoseGenesTest, EveryGeneTurnsItsOwnJointByItsAngleAndNoOther) {
-  const std::span<const PoseGene> genes = pose_genes();
-  for (int k = 0; k < tests::samples(50); ++k) {
-    const Chromosome chromosome = random_chromosome();
+  for (int k = 0; k < tests::samples(100); ++k) {
+    const std::span<const PoseGene> genes = k % 2 == 0 ? pose_genes() : whole_body_genes();
+    const Chromosome chromosome = random_chromosome(genes);
     const motion::JointFrames frames =
-        forward_kinematics(figure_.skeleton(), pose_of(figure_, start_, chromosome));
+        forward_kinematics(figure_.skeleton(), pose_of(figure_, start_, genes, chromosome));
     for (std::size_t i = 0; i < genes.size(); ++i) {
+      if (genes[i].joint == kPelvisShift || genes[i].joint == kPelvisTurn) continue;
       const motion::JointLimits& limits = motion::joint_limits_named(genes[i].joint);
       const Eigen::Vector3f angles =
           joint_angles(limits, relative_rotation(frames, limits.from, limits.to));
@@ -50,7 +56,8 @@ TEST_F(PoseGenesTest, EveryGeneTurnsItsOwnJointByItsAngleAndNoOther) {
 TEST_F(PoseGenesTest, PosesKeepHumanLimitsAndStandBalancedOnTheSameFeet) {
   const motion::JointFrames before = forward_kinematics(figure_.skeleton(), start_);
   for (int k = 0; k < tests::samples(200); ++k) {
-    const motion::Pose pose = pose_of(figure_, start_, random_chromosome());
+    const motion::Pose pose =
+        pose_of(figure_, start_, pose_genes(), random_chromosome(pose_genes()));
     const motion::JointFrames frames = forward_kinematics(figure_.skeleton(), pose);
     for (const motion::JointLimits& limits : motion::human_joint_limits())
       EXPECT_LT(limit_excess(limits, relative_rotation(frames, limits.from, limits.to)), 2e-3F)
@@ -62,6 +69,29 @@ TEST_F(PoseGenesTest, PosesKeepHumanLimitsAndStandBalancedOnTheSameFeet) {
                                        motion::centre_of_mass(figure_.bodies, frames).head<2>()),
         0.025F);
   }
+}
+
+// Turned and shifted so little that the balance and the legs' length ask for nothing more.
+TEST_F(PoseGenesTest, ThePelvisMovesAndTurnsInTheStartsFrame) {
+  const std::span<const PoseGene> genes = whole_body_genes();
+  const float leg_m = motion::limb_length(figure_.skeleton(), motion::Limb::left_leg);
+  start_ = motion::placed(start_, motion::radians(90.0F), {3, 4, 0});
+  const auto gene_for = [&](std::size_t i, double value) {
+    const GeneRange& range = genes[i].range;
+    return static_cast<Gene>(std::lround((value - range.min) / (range.max - range.min) * kMaxGene));
+  };
+  Chromosome chromosome(genes.size());
+  for (std::size_t i = 0; i < genes.size(); ++i) chromosome[i] = gene_for(i, 0);
+  const motion::Pose straight = pose_of(figure_, start_, genes, chromosome);
+  chromosome[1] = gene_for(1, 0.01);  // to the left
+  chromosome[2] = gene_for(2, -0.1);  // down
+  chromosome[5] = gene_for(5, 0.2);   // to the left
+  const motion::Pose moved = pose_of(figure_, start_, genes, chromosome);
+  const Eigen::Vector3f shift = moved.root_position - straight.root_position;
+  EXPECT_NEAR(shift.x(), -0.01F * leg_m, 2e-3F);
+  EXPECT_NEAR(shift.y(), 0, 2e-3F);
+  EXPECT_NEAR(motion::facing(moved) - motion::facing(straight), 0.2F, 1e-3F);
+  EXPECT_LT(shift.z(), -0.09F * leg_m);
 }
 
 }  // namespace
