@@ -49,6 +49,7 @@ TrainTestSplit split_of(Store store) {
   TrainTestSplit split;
   const std::size_t count = store.observations.size();
   split.header = std::move(store.header);
+  split.test_header = split.header;
   for (Observation& observation : store.observations)
     (is_held_out(observation.number) ? split.tested : split.fitted)
         .push_back(std::move(observation));
@@ -64,7 +65,7 @@ TrainTestSplit split_of(Store training, Store test) {
       throw Error("", "comparing needs at least 2 scenarios in either store and there are " +
                           std::to_string(store->observations.size()) + "; simulate more");
   return {std::move(training.header), std::move(training.observations),
-          std::move(test.observations), true};
+          std::move(test.observations), true, std::move(test.header)};
 }
 
 }  // namespace flinch::train

@@ -22,6 +22,7 @@ struct TrainTestSplit {
   std::vector<Observation> tested;
   /// If false, the test scenarios were held out of the training store.
   bool has_test_store = false;
+  StoreHeader test_header;  ///< of the store that the test scenarios are from
 };
 
 /// Throws Error unless both stores are from the same library and simulation, have the same kinds of
