@@ -47,7 +47,10 @@ install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
 if(TARGET flinch)
   install(TARGETS flinch RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-  # Where `flinch view` finds the page (program/page.cpp).
+  # Where the program finds its pages (program/page.h).
+  if(TARGET flinch_report_page)
+    install(FILES ${FLINCH_REPORT_PAGE} DESTINATION ${CMAKE_INSTALL_BINDIR}/../share/flinch)
+  endif()
   if(TARGET flinch_page)
     install(FILES ${FLINCH_PAGE} DESTINATION ${CMAKE_INSTALL_BINDIR}/../share/flinch
       RENAME page.html)

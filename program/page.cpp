@@ -14,31 +14,35 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view kPlaceOfFiles = "<!-- selectors -->";  // as in viewer/vite.config.ts
-
 bool is_plain(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
          std::string_view("._- ").find(c) != std::string_view::npos;
 }
 
+std::string read_page(const fs::path& file, const PageKind& kind) {
+  const std::string page = database::read_file(file.string());
+  if (page.find(kind.place) == std::string::npos || page.find(kPageMark) == std::string::npos)
+    throw Error("", "the page beside this program is damaged: build it again with scripts/page");
+  return page;
+}
+
+std::string filled(const PageKind& kind, const std::string& page, const std::string& data) {
+  return std::string(page).replace(page.find(kind.place), kind.place.size(), data);
+}
+
 }  // namespace
 
-std::string read_page() {
+std::string find_page(const PageKind& kind) {
   std::error_code error;
   const fs::path program = fs::read_symlink("/proc/self/exe", error).parent_path();
   for (const fs::path& page :
-       {program / "page/index.html", program.parent_path() / "share/flinch/page.html"}) {
-    if (fs::exists(page, error)) return database::read_file(page.string());
+       {program / kind.beside, program.parent_path() / "share/flinch" / kind.installed}) {
+    if (fs::exists(page, error)) return read_page(page, kind);
   }
-  throw Error("",
-              "there is no page beside this program; scripts/page builds it, and "
-              "build/release/flinch finds it");
+  return {};
 }
 
 std::string page_with(const std::string& page, std::span<const PageFile> files) {
-  const std::size_t place = page.find(kPlaceOfFiles);
-  if (place == std::string::npos || page.find(kPageMark) == std::string::npos)
-    throw Error("", "the page beside this program is damaged: build it again with scripts/page");
   std::string data;
   for (const PageFile& file : files) {
     std::string name = file.name;
@@ -47,8 +51,15 @@ std::string page_with(const std::string& page, std::span<const PageFile> files) 
     data += "<script type=\"application/octet-stream\" data-selector=\"" + name + "\">" +
             base64(file.bytes) + "</script>\n";
   }
-  std::string filled = page;
-  return filled.replace(place, kPlaceOfFiles.size(), data);
+  return filled(kThrowPage, page, data);
+}
+
+std::string page_with_report(const std::string& page, const std::string& json) {
+  std::string data = "<script type=\"application/json\" id=\"report\">";
+  // In JSON "<" stands only in strings, where its escape means the same; so no text ends the
+  // element.
+  for (const char c : json) c == '<' ? data += "\\u003c" : data += c;
+  return filled(kReportPage, page, data + "</script>");
 }
 
 std::string base64(std::string_view bytes) {

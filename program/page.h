@@ -8,6 +8,17 @@
 
 namespace flinch::program {
 
+/// A page that is built from viewer/ and that the program fills.
+struct PageKind {
+  std::string_view beside;     ///< the program in a build
+  std::string_view installed;  ///< in `share/flinch` where the program is installed
+  std::string_view place;      ///< comment in the page where the program puts data
+};
+/// The page on which to throw balls.
+inline constexpr PageKind kThrowPage{"page/index.html", "page.html", "<!-- selectors -->"};
+/// The page of `flinch compare --report`.
+inline constexpr PageKind kReportPage{"page/report.html", "report.html", "<!-- report -->"};
+
 /// A file that the page carries.
 struct PageFile {
   std::string name;   ///< as the page shows it
@@ -17,15 +28,17 @@ struct PageFile {
 /// Text near the start of every page, by which the program knows its own.
 inline constexpr std::string_view kPageMark = "<meta name=\"generator\" content=\"Flinch";
 
-/// Returns the page that scripts/page builds, which carries no files yet: an HTML document. It is
-/// `page/index.html` beside the program in a build, and `share/flinch/page.html` where the program
-/// is installed. Throws Error that says how to build it if it is in neither place.
-std::string read_page();
+/// Returns a page without data, an HTML document, or an empty text if it was not built. Throws
+/// Error for one that has no place for data.
+std::string find_page(const PageKind& kind);
 
-/// Returns the page with these files in it, in their order: each is an element of data, in base64,
-/// at the place that the page marks for them. Characters of names that are neither letters, digits
-/// nor one of "._- " become "_". Throws Error if the page has no such place.
+/// Returns the page on which to throw balls with these files in it, in their order: each is an
+/// element of data, in base64. Characters of names that are neither letters, digits nor one of
+/// "._- " become "_".
 std::string page_with(const std::string& page, std::span<const PageFile> files);
+
+/// Returns the page of a report with the report in it. `json` is one JSON document.
+std::string page_with_report(const std::string& page, const std::string& json);
 
 /// Returns bytes in base64 (RFC 4648, section 4).
 std::string base64(std::string_view bytes);

@@ -31,7 +31,11 @@ void run_view(const ViewOptions& options) {
                      std::to_string(options.selectors.size()) + " are given");
   database::check_output_folder(options.out, {{kPageName, database::FileKind::text, kPageMark}},
                                 options.selectors, overwrite_of(options.force));
-  const std::string page = read_page();
+  const std::string page = find_page(kThrowPage);
+  if (page.empty())
+    throw Error("",
+                "there is no page beside this program; scripts/page builds it, and "
+                "build/release/flinch finds it");
   std::vector<PageFile> files;
   for (const std::string& selector : options.selectors) {
     load_runtime_library(selector);  // the page needs what a game needs

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
-// One page that needs no server: script, style and flinch.wasm are in it. Its security policy names
-// the hashes of the script and the style, so that nothing else runs; selectors are data.
+// Two pages that need no server, a file each: index.html, on which to throw balls, and, with
+// `--mode report`, report.html, the page of `flinch compare --report`. Script and style are in them;
+// their security policies name the hashes of both, so that nothing else runs. Selectors, reports and
+// flinch.wasm are data.
 import { createHash } from "node:crypto";
 import { readFileSync } from "node:fs";
 import { resolve } from "node:path";
@@ -8,18 +10,36 @@ import { defineConfig, type Plugin } from "vite";
 
 const packageFolder = resolve(process.env.FLINCH_PACKAGE ?? "../build/release/bindings/js/flinch");
 
-function onePage(): Plugin {
+interface PageKind {
+  file: string;
+  script_sources: string; // that the policy allows beside the page's own script
+  data: () => string; // stands before the script; a comment there is where the program puts more
+}
+
+const kPages: Record<string, PageKind> = {
+  production: {
+    file: "index.html",
+    script_sources: " 'wasm-unsafe-eval'",
+    data: () => {
+      const wasm = readFileSync(resolve(packageFolder, "flinch.wasm")).toString("base64");
+      return `<script id="flinch-wasm" type="application/octet-stream">${wasm}</script>\n<!-- selectors -->`;
+    },
+  },
+  report: { file: "report.html", script_sources: "", data: () => "<!-- report -->" },
+};
+
+function onePage({ file, script_sources, data }: PageKind): Plugin {
   const hash = (text: string) => `'sha256-${createHash("sha256").update(text).digest("base64")}'`;
   return {
     name: "one-page",
     enforce: "post",
     generateBundle(_, bundle) {
-      const page = bundle["index.html"];
-      if (page?.type !== "asset") throw new Error("no index.html");
+      const page = bundle[file];
+      if (page?.type !== "asset") throw new Error(`no ${file}`);
       let script = "";
       let style = "";
       for (const [name, part] of Object.entries(bundle)) {
-        if (name === "index.html") continue;
+        if (name === file) continue;
         if (part.type === "chunk") script += part.code;
         else if (name.endsWith(".css")) style += String(part.source);
         else if (!name.endsWith(".wasm")) // that of the package, which the page carries as data
@@ -28,10 +48,9 @@ function onePage(): Plugin {
       }
       script = script.replaceAll("</script", "<\\/script").trim();
       style = style.trim();
-      const wasm = readFileSync(resolve(packageFolder, "flinch.wasm")).toString("base64");
       const policy = [
         "default-src 'none'",
-        `script-src ${hash(script)} 'wasm-unsafe-eval'`,
+        `script-src ${hash(script)}${script_sources}`,
         `style-src ${hash(style)}`,
         "worker-src blob:",
         "img-src data:",
@@ -47,28 +66,27 @@ function onePage(): Plugin {
             `<meta charset="utf-8" />\n    <meta http-equiv="Content-Security-Policy" content="${policy}" />`,
         )
         .replace("</head>", () => `<style>${style}</style>\n  </head>`)
-        .replace(
-          "</body>",
-          () =>
-            `<script id="flinch-wasm" type="application/octet-stream">${wasm}</script>\n` +
-            `<!-- selectors -->\n<script type="module">${script}</script>\n  </body>`,
-        );
+        .replace("</body>", () => `${data()}\n<script type="module">${script}</script>\n  </body>`);
     },
   };
 }
 
-export default defineConfig({
-  base: "./",
-  resolve: { alias: { flinch: resolve(packageFolder, "flinch.js") } },
-  build: {
-    target: "es2022",
-    assetsInlineLimit: 0,
-    modulePreload: false,
-    outDir: process.env.FLINCH_PAGE_FOLDER ?? "../build/page",
-    emptyOutDir: false,
-    chunkSizeWarningLimit: 2000,
-    rollupOptions: { external: [/^node:/] }, // of the package, for Node alone
-  },
-  worker: { format: "iife" }, // a module from a blob does not load from file://
-  plugins: [onePage()],
+export default defineConfig(({ mode }) => {
+  const kind = kPages[mode];
+  if (!kind) throw new Error(`there is no page ${mode}`);
+  return {
+    base: "./",
+    resolve: { alias: { flinch: resolve(packageFolder, "flinch.js") } },
+    build: {
+      target: "es2022",
+      assetsInlineLimit: 0,
+      modulePreload: false,
+      outDir: process.env.FLINCH_PAGE_FOLDER ?? "../build/page",
+      emptyOutDir: false,
+      chunkSizeWarningLimit: 2000,
+      rollupOptions: { input: kind.file, external: [/^node:/] }, // of the package, for Node alone
+    },
+    worker: { format: "iife" }, // a module from a blob does not load from file://
+    plugins: [onePage(kind)],
+  };
 });

@@ -69,7 +69,8 @@ class MainPath(ProgramTest):
 
     def check_comparison(self):
         report = self.folder / "report"
-        document = self.document("compare", self.store, "--report", report)
+        # Says on stderr if there is no page.
+        document = json.loads(self.succeed("compare", self.store, "--report", report, "--json").stdout)
         timing = document.pop("timing")
         self.assertEqual(document, json.loads((report / "report.json").read_text()))
         names = [row["name"] for row in document["rows"]]

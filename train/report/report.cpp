@@ -8,7 +8,6 @@
 #include "database/files/file_io.h"
 #include "motion/error.h"
 #include "train/report/csv.h"
-#include "train/report/report_page.h"
 
 namespace flinch::train {
 
@@ -84,6 +83,21 @@ Json document_of(const GroupRow& row) {
   return document;
 }
 
+Json document_of(const DirectionRow& row) {
+  return {{"target", row.target},          {"azimuth_degrees", row.azimuth_degrees},
+          {"scenarios", row.scenarios},    {"name", row.name},
+          {"mean_cost", row.mean_cost_ns}, {"regret", row.regret_ns},
+          {"protection", row.protection}};
+}
+
+Json document_of(const ConfusionRow& row) {
+  return {{"name", row.name},
+          {"label", row.label},
+          {"chosen", row.chosen},
+          {"scenarios", row.scenarios},
+          {"mean_regret", row.mean_regret_ns}};
+}
+
 Json document_of(const ReliabilityBin& bin) {
   return {{"name", bin.name},
           {"said", bin.said},
@@ -147,6 +161,20 @@ Json document_of(const RowTiming& timing) {
           {"fit_s", timing.fit_s}};
 }
 
+Json document_of(const ReportOptions& options) {
+  return {{"feature_set", options.feature_set},
+          {"curves", options.curves},
+          {"transfer", options.transfer},
+          {"ablation", options.ablation}};
+}
+
+Json store_document(const StoreOrigin& origin, std::size_t scenarios) {
+  return {{"seed", origin.seed},
+          {"scenarios", scenarios},
+          {"distribution", Json::parse(origin.distribution)},
+          {"simulation", Json::parse(origin.simulation)}};
+}
+
 /// The difference of SVM and KNN; nothing if one of them is not a row.
 Json paired_document(const Evaluation& evaluation) {
   const EvaluationRow* svm = row_named(evaluation, "svm");
@@ -159,8 +187,9 @@ Json paired_document(const Evaluation& evaluation) {
 }
 
 /// Parts of the document that are also written as files.
-constexpr std::array kCharts{"look_ahead", "groups",   "reliability", "noise",     "curves",
-                             "transfer",   "ablation", "brawn",       "prevention"};
+constexpr std::array kCharts{"look_ahead",  "groups", "directions", "confusions",
+                             "reliability", "noise",  "curves",     "transfer",
+                             "ablation",    "brawn",  "prevention"};
 
 std::string cell(const Json& value) {
   if (value.is_number_float()) return exact_text(value.get<double>());
@@ -195,13 +224,19 @@ Json report_document(const Report& report) {
   Json sizes = Json::array();
   for (const RowTiming& row : report.evaluation.timing)
     sizes.push_back({{"name", row.name}, {"file_bytes", row.file_bytes}});
-  return {{"library", report.library},
+  return {{"version", report.version},
+          {"library", report.library},
           {"library_hash", database::hash_text(report.library_hash)},
           {"seed", report.seed},
           {"scenarios_fitted", report.fitted_count},
           {"scenarios_tested", report.tested_count},
           {"test_store", report.has_test_store},
+          {"options", document_of(report.options)},
+          {"stores",
+           {{"fitted", store_document(report.fitted_store, report.fitted_count)},
+            {"tested", store_document(report.tested_store, report.tested_count)}}},
           {"features", report.features},
+          {"clips", report.clips},
           {"cost_model", cost_model_document(report.evaluation.cost_model)},
           {"rows", list(report.evaluation.rows, to_document)},
           {"look_ahead", list(report.evaluation.look_ahead, to_document)},
@@ -209,6 +244,8 @@ Json report_document(const Report& report) {
           {"methods", list(report.methods, to_document)},
           {"sizes", sizes},
           {"groups", list(report.groups, to_document)},
+          {"directions", list(report.directions, to_document)},
+          {"confusions", list(report.confusions, to_document)},
           {"reliability", list(report.reliability, to_document)},
           {"noise", list(report.noise, to_document)},
           {"curves", list(report.curves, to_document)},
@@ -243,7 +280,7 @@ std::string scenarios_csv(const TrainTestSplit& split, const Evaluation& evaluat
 }
 
 std::vector<std::string> report_file_names() {
-  std::vector<std::string> names{"report.json", "timing.json", "report.html", "scenarios.csv"};
+  std::vector<std::string> names{"report.json", "timing.json", "scenarios.csv"};
   for (const char* chart : kCharts) names.push_back(std::string(chart) + ".csv");
   return names;
 }
@@ -258,7 +295,6 @@ void write_report(const Report& report, const TrainTestSplit& split, const std::
   const Json document = report_document(report);
   write("report.json", document.dump(2) + '\n');
   write("timing.json", timing_document(report.evaluation).dump(2) + '\n');
-  write("report.html", report_page(report));
   write("scenarios.csv", scenarios_csv(split, report.evaluation));
   for (const char* chart : kCharts)
     if (!document[chart].empty()) write(std::string(chart) + ".csv", csv_of(document[chart]));

@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "train/evaluate/brawn.h"
+#include "train/evaluate/confusions.h"
+#include "train/evaluate/directions.h"
 #include "train/evaluate/evaluation.h"
 #include "train/evaluate/groups.h"
 #include "train/evaluate/prevention.h"
@@ -14,8 +16,27 @@
 
 namespace flinch::train {
 
+/// What made a store.
+struct StoreOrigin {
+  std::uint64_t seed = 0;
+  std::string distribution = "{}";  ///< JSON text
+  std::string simulation = "{}";    ///< JSON text
+};
+
+/// Options of `flinch compare` that no result tells.
+struct ReportOptions {
+  std::string feature_set;  ///< name
+  bool curves = false;
+  bool transfer = false;
+  bool ablation = false;
+};
+
 /// All results of `flinch compare`.
 struct Report {
+  std::string version;  ///< of the program
+  ReportOptions options;
+  StoreOrigin fitted_store;
+  StoreOrigin tested_store;
   std::string library;
   std::uint64_t library_hash = 0;
   std::uint64_t seed = 0;
@@ -23,9 +44,12 @@ struct Report {
   std::size_t tested_count = 0;
   bool has_test_store = false;
   std::vector<std::string> features;
+  std::vector<std::string> clips;  ///< in the library's order
   Evaluation evaluation;
   std::vector<MethodSummary> methods;
   std::vector<GroupRow> groups;
+  std::vector<DirectionRow> directions;
+  std::vector<ConfusionRow> confusions;
   std::vector<ReliabilityBin> reliability;
   std::vector<NoiseRow> noise;
   std::vector<LearningCurveRow> curves;   ///< empty unless requested
@@ -50,8 +74,8 @@ std::string scenarios_csv(const TrainTestSplit& split, const Evaluation& evaluat
 /// Returns the names of all files that write_report may write.
 std::vector<std::string> report_file_names();
 
-/// Writes report.json, timing.json, the page report.html, scenarios.csv and the data of each chart
-/// into a folder, which it creates if missing. Throws Error.
+/// Writes report.json, timing.json, scenarios.csv and the data of each chart into a folder, which
+/// it creates if missing. Throws Error.
 void write_report(const Report& report, const TrainTestSplit& split, const std::string& folder);
 
 }  // namespace flinch::train

@@ -4,6 +4,7 @@ import { App } from "./app";
 import { byId } from "./dom";
 import { embeddedModule, embeddedSelectors } from "./files";
 import { showMessage } from "./message";
+import "./colours.css";
 import "./page.css";
 
 async function start(): Promise<void> {

@@ -45,6 +45,8 @@ inline Report report_of(const Comparison& comparison) {
   report.evaluation = comparison.evaluation;
   report.methods = summaries_of(comparison.fitted);
   report.groups = group_rows(comparison.split, comparison.evaluation, 1);
+  report.directions = direction_rows(comparison.split, comparison.evaluation);
+  report.confusions = confusion_rows(comparison.split, comparison.evaluation);
   report.reliability = reliability(comparison.evaluation);
   report.noise = noise_rows(comparison.plan(), comparison.fitted);
   return report;
