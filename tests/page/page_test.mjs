@@ -283,6 +283,31 @@ const tests = {
     assert.deepEqual(await page.evaluate(state, 4.3), late, "scrubbing changes nothing");
   },
 
+  async "a character that was knocked over rises without a jump"() {
+    await show(kThrow.replace("view=one", "view=volley"));
+    const { seed, steps } = await page.evaluate(() => {
+      const app = globalThis.flinchPage;
+      Object.assign(app.view.thrown, { radius: 0.15, mass: 6 });
+      for (let seed = 1; seed <= 20; ++seed) {
+        app.set({ seed });
+        app.alone.at(app.alone.duration);
+        const [rising] = app.alone.risings;
+        if (!rising) continue;
+        const first = Math.round(rising.from * 60);
+        const places = app.alone.frames.slice(first, first + 60).map(({ joints }) => joints.position);
+        const far = (a, b) => Math.max(...a.map((_, i) => Math.abs(a[i] - b[i])));
+        const steps = places.slice(1).map((place, i) => far(place, places[i]));
+        return { seed, steps: [...steps, far(places[0], places.at(-1))] };
+      }
+      return { seed: 0, steps: [] };
+    });
+    assert.ok(seed > 0, "no volley knocks the character over");
+    const whole = steps.pop();
+    assert.ok(whole > 0.5, `it rises by ${whole} m`);
+    assert.ok(Math.max(...steps) < 0.12, `a joint jumps by ${Math.max(...steps)} m in a frame`);
+    await page.evaluate(() => globalThis.flinchPage.set({ seed: 1 }));
+  },
+
   async "clips play as the library has them, and their marks can be moved"() {
     const clip = 5;
     await show(`#view=clips&clip=${clip}`);

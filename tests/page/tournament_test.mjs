@@ -36,6 +36,15 @@ let last;
 for (const one of playTournament(choosersOf([selector]), { seed: kSeed, throws: kScenarios, brawn })) last = one;
 
 assert.equal(last.thrown, kScenarios);
+// A protection below 0 has a bar, to the left of 0 and within the chart.
+const { barOf, scaleOf } = await bundled("standings");
+const worse = [{ name: "a", protection: -0.6, low: -0.7, high: -0.5 }, { name: "b", protection: 0.9, low: 0.8, high: 1 }];
+const { x: at, ticks } = scaleOf(worse, 640);
+const bar = barOf(-0.6, at);
+assert.ok(Math.abs(bar.x + bar.width - at(0)) < 1e-9 && bar.width > 50 && bar.x >= 80, JSON.stringify(bar));
+assert.ok(ticks.includes(0) && ticks.includes(1) && ticks.includes(-0.5), ticks);
+assert.ok(at(-3) >= 80 && at(3) <= 640);
+
 let compared_rows = 0;
 for (const [name, row] of [["a", "knn"], ["Idle", "idle"], ["Oracle", "oracle"], ["Nearest", "nearest_annotation"]]) {
   const own = last.standings.find((standing) => standing.name === name);

@@ -21,7 +21,7 @@ import { SimulationService } from "./simulation_service";
 import { kPalettes, Stage } from "./stage";
 import { drawStandings } from "./standings";
 import { Take } from "./take";
-import { randomNumbers, randomThrow, threatOf, type Throw } from "./throw";
+import { kDefaultThrow, randomNumbers, randomThrow, threatOf, type Throw } from "./throw";
 import { Volley } from "./volley";
 import { whyThisClip } from "./why";
 import type { SelectorFile } from "./worker";
@@ -291,8 +291,10 @@ export class App {
     this.alone?.free();
     this.alone = null;
     if (mode === "volley") {
-      const { seed, delay } = this.view;
-      this.showAlone(new Volley(chooser, { seed, delay, brawn: this.brawn }), chooser);
+      const { seed, delay, thrown } = this.view;
+      const size = thrown.radius / kDefaultThrow.radius;
+      const mass = thrown.mass / kDefaultThrow.mass;
+      this.showAlone(new Volley(chooser, { seed, delay, brawn: this.brawn, size, mass }), chooser);
     } else if (mode === "clips") {
       const [first] = this.choosers as [Chooser];
       const { library } = first.selector;

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The machine gun: a ball every second, from anywhere, at a character that is still busy with the
 // one before.
-import type { Character, Threat } from "flinch";
+import type { Character, JointFrames, Pose, Threat } from "flinch";
 import { bestTrial, prepared, type Chooser } from "./chooser";
 import { fly, kRate, Recording, type FlyingBall } from "./recording";
+import { blended } from "./pose_blend";
 import { kAhead } from "./take";
 import { randomNumbers, randomThrow, threatOf } from "./throw";
 
@@ -11,13 +12,16 @@ const kBalls = 12;
 const kPeriod = 1; // s from one ball to the next
 const kLast = 2.5; // s that the last ball is watched
 const kShown = 3; // balls that are in sight
-const kLies = 1.5; // s until a character that was knocked over stands again
+const kLies = 1.2; // s until a character that was knocked over begins to rise
+const kRises = 0.8; // s until it stands
 const kKnockedOver = 6; // FLINCH_REACTION_KNOCKED_OVER
 
 export interface VolleyConditions {
   seed: number;
   delay: number;
   brawn: number;
+  size: number; // of the balls, as a share of what is drawn
+  mass: number; // the same
 }
 
 interface Shot extends FlyingBall {
@@ -32,7 +36,9 @@ export class Volley extends Recording {
   readonly shots: Shot[] = [];
   private readonly character: Character;
   private readonly random: () => number;
-  private standsAt = Infinity; // when it stands up
+  /** When it rose after it was knocked over, and the pose in which it had lain. */
+  readonly risings: { from: number; pose: Pose }[] = [];
+  private risesAt = Infinity;
 
   constructor(
     readonly chooser: Chooser,
@@ -67,7 +73,7 @@ export class Volley extends Recording {
       this.character.reactTo({ ...shot.threat, position: shot.position, velocity: shot.velocity });
     }
     this.character.update(1 / kRate);
-    this.standUp(now);
+    this.rise(now);
     this.moveBalls();
     this.record();
   }
@@ -75,7 +81,10 @@ export class Volley extends Recording {
   /** Throws the next ball at where the character is now, and lets it answer. */
   private shoot(now: number): void {
     const { position, facing } = this.character.state();
-    const threat = moved(threatOf(randomThrow(this.random)), position, facing);
+    const { size, mass } = this.conditions;
+    const drawn = randomThrow(this.random);
+    const thrown = { ...drawn, radius: size * drawn.radius, mass: mass * drawn.mass };
+    const threat = moved(threatOf(thrown), position, facing);
     const { library, oracle } = this.chooser.selector;
     const clip = this.answer(threat);
     const trial = oracle.tryClip(this.character, threat, clip);
@@ -116,14 +125,24 @@ export class Volley extends Recording {
     return clip;
   }
 
-  /** A character that lies on the ground is stood up where it fell. */
-  private standUp(now: number): void {
+  /** A character that lies on the ground stands where it fell, at once for the library, while what
+   * is shown rises to it by a blend. */
+  private rise(now: number): void {
     if (this.character.reaction().phase !== kKnockedOver) return;
-    if (this.standsAt === Infinity) this.standsAt = now + kLies;
-    if (now < this.standsAt) return;
+    if (this.risesAt === Infinity) this.risesAt = now + kLies;
+    if (now < this.risesAt) return;
+    this.risings.push({ from: now, pose: this.character.pose() });
     const { position, facing } = this.character.state();
     this.character.place(position[0]!, position[1]!, facing);
-    this.standsAt = Infinity;
+    this.risesAt = Infinity;
+  }
+
+  private shownJoints(): JointFrames {
+    const now = this.frames.length / kRate;
+    const rising = this.risings.at(-1);
+    if (!rising || now >= rising.from + kRises) return this.character.jointFrames();
+    const pose = blended(rising.pose, this.character.pose(), (now - rising.from) / kRises);
+    return this.chooser.selector.library.jointFrames(pose);
   }
 
   private moveBalls(): void {
@@ -142,7 +161,7 @@ export class Volley extends Recording {
   private record(): void {
     const from = Math.max(this.shots.length - kShown, 0);
     this.frames.push({
-      joints: this.character.jointFrames(),
+      joints: this.shownJoints(),
       balls: this.shots.slice(from).map(({ position, threat }, i) => ({
         id: from + i,
         position: [...position] as [number, number, number],
