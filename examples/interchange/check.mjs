@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Compares where a tool has the joints of FOLDER/clips.glb with where Flinch has them: usage:
 // node check.mjs FOLDER three|babylon|gltf_transform, or node check.mjs FOLDER PROGRAM
-// PROGRAM prints the joints, as joints_by_assimp does. Exits with 77, a skipped test, where the
-// packages are not installed.
+// PROGRAM prints the joints, as joints_by_assimp does, or exits with 77. Exits with 77, a skipped
+// test, where the packages are not installed.
 import assert from "node:assert/strict";
-import { execFileSync } from "node:child_process";
+import { spawnSync } from "node:child_process";
 import { existsSync, readFileSync } from "node:fs";
 
 const kBound_m = 1e-3;
@@ -12,8 +12,17 @@ const [folder, reader] = process.argv.slice(2);
 const samples = JSON.parse(readFileSync(`${folder}/joints.json`, "utf8"));
 const file = new Uint8Array(readFileSync(`${folder}/clips.glb`));
 
+function jointsBy(program) {
+  const { status, stdout } = spawnSync(program, [folder], { encoding: "utf8", maxBuffer: 1e8, stdio: ["ignore", "pipe", "inherit"] });
+  if (status !== 0) {
+    console.log(stdout);
+    process.exit(status ?? 1);
+  }
+  return JSON.parse(stdout);
+}
+
 async function read() {
-  if (reader.includes("/")) return JSON.parse(execFileSync(reader, [folder], { maxBuffer: 1e8 }));
+  if (reader.includes("/")) return jointsBy(reader);
   if (!existsSync(new URL("node_modules/package-lock.json", import.meta.url))) {
     console.log("skipped: its npm packages are missing; scripts/setup --page fetches them");
     process.exit(77);
