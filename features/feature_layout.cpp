@@ -157,7 +157,7 @@ FeatureVector arranged(const Layout& layout, const Features& features, const Geo
 
 FeatureVector feature_vector(const Layout& layout, const Scenario& scenario,
                              const IdlingFigure& figure) {
-  const Features features = features_of(scenario, *figure.idle);
+  const Features features = features_of(scenario, figure.stance);
   Geometry geometry{};
   if (layout.has_geometry()) {
     geometry =

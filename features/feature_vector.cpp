@@ -8,11 +8,11 @@
 
 namespace flinch::features {
 
-Features features_of(const Scenario& scenario, const motion::Motion& idle) {
+Features features_of(const Scenario& scenario, const motion::Loop& stance) {
   const CharacterState& state = scenario.state;
   const Eigen::Quaternionf to_character(Eigen::AngleAxisf(-state.facing, Eigen::Vector3f::UnitZ()));
-  const motion::Pose now = idle_pose(idle, state, 0);
-  const motion::Pose then = idle_pose(idle, state, scenario.time_to_impact_s);
+  const motion::Pose now = idle_pose(stance, state, 0);
+  const motion::Pose then = idle_pose(stance, state, scenario.time_to_impact_s);
   const Eigen::Vector3f origin(now.root_position.x(), now.root_position.y(), 0);
 
   const Threat& threat = scenario.threat;

@@ -10,6 +10,7 @@
 
 #include "features/known_kind.h"
 #include "features/scenario.h"
+#include "motion/loop.h"
 
 namespace flinch::features {
 
@@ -36,8 +37,8 @@ inline constexpr std::array<std::string_view, kFeatureCount> kFeatureNames{
     "target_head", "target_trunk", "target_pelvis",    "target_legs",
     "ahead_x",     "ahead_y",      "ahead_facing_sin", "ahead_facing_cos"};
 
-/// Returns the features of a scenario, for a character that idles with `idle`.
-Features features_of(const Scenario& scenario, const motion::Motion& idle);
+/// Returns the features of a scenario, for a character in this stance, which is that of its state.
+Features features_of(const Scenario& scenario, const motion::Loop& stance);
 
 /// Largest number of features that a selector may use: these, those of Geometry, radius and mass,
 /// and one for each kind of threat.

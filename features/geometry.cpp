@@ -70,7 +70,7 @@ Geometry geometry_of(const Scenario& scenario, const PredictedCharacter& charact
 
 PredictedCharacter predict_character(const IdlingFigure& figure, const CharacterState& state,
                                      float time_s) {
-  const motion::Pose pose = idle_pose(*figure.idle, state, time_s);
+  const motion::Pose pose = idle_pose(figure.stance, state, time_s);
   const motion::JointFrames frames = motion::forward_kinematics(*figure.skeleton, pose);
   PredictedCharacter ahead;
   ahead.pelvis = pose.root_position;

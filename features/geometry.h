@@ -5,10 +5,11 @@
 #include <string_view>
 
 #include "features/scenario.h"
+#include "motion/loop.h"
 
 namespace flinch::features {
 
-/// The character at the predicted contact, if it stays idle until then. World, m.
+/// The character at the predicted contact, if it goes on in its stance until then. World, m.
 struct PredictedCharacter {
   Eigen::Vector3f pelvis = Eigen::Vector3f::Zero();
   motion::PerTarget<Eigen::Vector3f> target_centres{};
@@ -48,11 +49,11 @@ inline constexpr std::array<std::string_view, kGeometryCount> kGeometryNames{
 /// Returns the geometry of a scenario, with the character as predicted at the contact.
 Geometry geometry_of(const Scenario& scenario, const PredictedCharacter& character);
 
-/// A character that idles with `idle`. Refers to all three objects, which must outlive it.
+/// A character that goes on in a stance. Refers to all three objects, which must outlive it.
 struct IdlingFigure {
   const motion::Skeleton* skeleton = nullptr;
   const motion::BodyModel* model = nullptr;
-  const motion::Motion* idle = nullptr;  ///< at least one pose
+  motion::Loop stance;
 };
 
 /// Predicts the character `time_s` after perception. Takes a few hundred nanoseconds.

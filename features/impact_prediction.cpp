@@ -276,14 +276,16 @@ PredictedImpact predict_impact(const Threat& threat, const CollisionFigure& figu
 }
 
 PredictedImpact predict_impact(const Threat& threat, const CollisionFigure& figure,
-                               const motion::Motion& idle, const MotionBounds& bounds,
+                               const motion::Loop& stance, const MotionBounds& bounds,
                                const CharacterState& state,
                                const PredictionOptions& options) noexcept {
-  if (idle.poses.empty() || !std::isfinite(state.idle_time_s) || !std::isfinite(state.facing)) {
+  if (stance.motion().poses.empty() || !std::isfinite(state.idle_time_s) ||
+      !std::isfinite(state.facing)) {
     return {};
   }
-  const auto pose_at = [&](float time_s) { return idle_pose(idle, state, time_s); };
-  return predict_impact(threat, figure, PredictedMotion(pose_at, placed(bounds, state)), options);
+  const auto pose_at = [&](float time_s) { return idle_pose(stance, state, time_s); };
+  const MotionBounds ahead = placed(bounds, stance, state, options.horizon_s);
+  return predict_impact(threat, figure, PredictedMotion(pose_at, ahead), options);
 }
 
 PredictedImpact predict_impact(const Threat& threat, const CollisionFigure& figure,

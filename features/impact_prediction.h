@@ -67,10 +67,11 @@ inline constexpr float kMaxSurfaceSpeed_mps = 100;
 PredictedImpact predict_impact(const Threat& threat, const CollisionFigure& figure,
                                const PredictedMotion& ahead, const PredictionOptions& options = {});
 
-/// The same for a character that idles. `bounds` is that of the idle clip (motion_bounds_of). A
-/// clip without poses or a state that is not finite is unusable.
+/// The same for a character that goes on in its stance, which is that of the state. `bounds` is
+/// that of the stance's motion (motion_bounds_of). A motion without poses or a state that is not
+/// finite is unusable.
 PredictedImpact predict_impact(const Threat& threat, const CollisionFigure& figure,
-                               const motion::Motion& idle, const MotionBounds& bounds,
+                               const motion::Loop& stance, const MotionBounds& bounds,
                                const CharacterState& state,
                                const PredictionOptions& options = {}) noexcept;
 

@@ -2,6 +2,7 @@
 #include "features/predicted_motion.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "motion/collision_shape.h"
 #include "motion/rotation.h"
@@ -57,11 +58,19 @@ MotionBounds motion_bounds_of(const motion::Skeleton& skeleton, const motion::Bo
   return bounds;
 }
 
-MotionBounds placed(const MotionBounds& bounds, const CharacterState& state) {
+MotionBounds placed(const MotionBounds& bounds, const motion::Loop& stance,
+                    const CharacterState& state, float horizon_s) {
   MotionBounds result = bounds;
+  const CharacterState now = later(stance, state, 0);
   result.pelvis_centre =
-      motion::rotation_about(Eigen::Vector3f::UnitZ(), state.facing) * bounds.pelvis_centre;
-  result.pelvis_centre.head<2>() += state.position;
+      motion::rotation_about(Eigen::Vector3f::UnitZ(), now.facing) * bounds.pelvis_centre;
+  result.pelvis_centre.head<2>() += now.position;
+  // The cycles that begin within the horizon are each farther along by at most the way of one.
+  const float cycles = stance.has_cycles() ? std::ceil(horizon_s / stance.period_s()) : 0;
+  if (cycles > 0) {
+    const float turned_m = std::abs(stance.travel().yaw) * bounds.pelvis_centre.head<2>().norm();
+    result.radius += cycles * (stance.travel().translation.norm() + turned_m);
+  }
   return result;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "features/scenario.h"
+#include "motion/loop.h"
 
 namespace flinch::features {
 
@@ -19,8 +20,10 @@ struct MotionBounds {
 MotionBounds motion_bounds_of(const motion::Skeleton& skeleton, const motion::BodyModel& model,
                               const motion::Motion& motion);
 
-/// Returns the bounds of an idling character where it stands, world, from those of its idle clip.
-MotionBounds placed(const MotionBounds& bounds, const CharacterState& state);
+/// Returns the bounds of a character that goes on in its stance for `horizon_s`, world, from those
+/// of the stance's motion.
+MotionBounds placed(const MotionBounds& bounds, const motion::Loop& stance,
+                    const CharacterState& state, float horizon_s);
 
 /// Predicted poses of a figure: any function from the time after now, s, to the pose in the world,
 /// with the bounds that these poses respect. Refers to the function, which must outlive it.

@@ -7,22 +7,31 @@
 #include "features/threat.h"
 #include "motion/body.h"
 
+namespace flinch::motion {
+class Loop;  // opaque: a stance's motion
+}
+
 namespace flinch::features {
 
-/// Where a character stands and how far it is in its idle clip when it perceives a threat.
+/// Where a character is and how far it is in its stance when it perceives a threat.
 struct CharacterState {
-  float idle_time_s = 0;  ///< time in the idle clip, which plays forwards and backwards in turn
-  Eigen::Vector2f position = Eigen::Vector2f::Zero();  ///< added to the idle clip's own, world, m
-  /// Turn of the whole idle clip about the vertical, radians counter-clockwise. Idle clips are
-  /// stored facing +X, so the character faces this way; its pelvis may point elsewhere, as in a
-  /// guard.
+  float idle_time_s =
+      0;  ///< time in the stance; the idle clip plays forwards and backwards in turn
+  Eigen::Vector2f position = Eigen::Vector2f::Zero();  ///< added to the stance's own, world, m
+  /// Turn of the whole stance about the vertical, radians counter-clockwise. Stances are stored
+  /// facing +X, so the character faces this way; its pelvis may point elsewhere, as in a guard.
   float facing = 0;
+  int stance = 0;  ///< which of the library's stances; 0 is the idle clip
 };
 
-/// The pose of an idling character `time_s` after perception, world. `idle` has at least one pose.
-/// Sets the rotations of `roles` only.
-motion::Pose idle_pose(const motion::Motion& idle, const CharacterState& state, float time_s,
+/// The pose of a character that goes on in its stance, `time_s` after perception, world. `stance`
+/// is that of the state (motion/loop.h). Sets the rotations of `roles` only.
+motion::Pose idle_pose(const motion::Loop& stance, const CharacterState& state, float time_s,
                        std::span<const motion::Role> roles = motion::kRoles);
+
+/// The state `time_s` later. Whole cycles of a stance go into its position and facing, so that the
+/// time in the stance stays below a period; that of the idle clip goes on.
+CharacterState later(const motion::Loop& stance, const CharacterState& state, float time_s);
 
 /// A threat and the state of the character at perception: what a selector classifies.
 struct Scenario {

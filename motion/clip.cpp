@@ -12,7 +12,8 @@ namespace {
 
 constexpr PerTarget<std::string_view> kTargetNames{"head", "trunk", "pelvis", "legs"};
 constexpr EnumArray<Degree, std::string_view, 2> kDegreeNames{"mild", "exaggerated"};
-constexpr EnumArray<Purpose, std::string_view, 3> kPurposeNames{"anticipation", "idle", "push"};
+constexpr EnumArray<Purpose, std::string_view, 4> kPurposeNames{"anticipation", "idle", "push",
+                                                                "stance"};
 
 /// A time in a motion: the index of a pose, and the fraction of the interval to the next pose.
 struct Place {

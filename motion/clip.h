@@ -53,8 +53,9 @@ enum class Purpose : std::uint8_t {
   anticipation,  ///< answers threats, if it is annotated
   idle,          ///< standing; responses start from it
   push,          ///< recovery from a push; continues a motion after a hit
+  stance,        ///< repeats in cycles; a character may be in it when it perceives (motion/loop.h)
 };
-/// The name in files and messages: "anticipation", "idle" or "push".
+/// The name in files and messages: "anticipation", "idle", "push" or "stance".
 std::string_view name_of(Purpose purpose);
 
 /// Poses at a fixed rate. Pose k is that at time k / rate_hz, s.

@@ -62,6 +62,12 @@ float facing(const Pose& pose);
 /// Whether all numbers of a pose are finite and its rotations are unit to `unit_tolerance`.
 bool is_sound(const Pose& pose, float unit_tolerance = 1e-3F) noexcept;
 
+/// A rigid move on the ground: a turn about the world's vertical through the origin, then a shift.
+struct PlanarMove {
+  float yaw = 0;                                          ///< radians, counter-clockwise
+  Eigen::Vector3f translation = Eigen::Vector3f::Zero();  ///< horizontal, m
+};
+
 /// The pose turned by `yaw` radians about the world's vertical through the origin, then moved by
 /// `translation`, m.
 Pose placed(const Pose& pose, float yaw, const Eigen::Vector3f& translation);

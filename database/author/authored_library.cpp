@@ -117,6 +117,16 @@ Clip idle_clip(const AuthoringContext& context) {
   return clip;
 }
 
+Clip guard_clip(const AuthoringContext& context) {
+  Clip clip;
+  clip.name = "guard";
+  clip.purpose = motion::Purpose::stance;
+  clip.kind = "guard";
+  clip.source = "authored by rule";
+  clip.motion = guard_motion(context.figure, context.rate_hz);
+  return clip;
+}
+
 // Returns the clips against threats from one direction. Hands do not reach behind the back, so a
 // pelvis is blocked only from the front half. Mild ducks, dodges and leg lifts are left out where
 // the exaggerated ones, or those of a neighbouring target, do the same.
@@ -168,6 +178,7 @@ ClipLibrary authored_library(const motion::Physique& character, bool with_startl
       library.clips.push_back(std::move(mirror));
     }
   }
+  library.clips.push_back(guard_clip(context));
   return library;
 }
 

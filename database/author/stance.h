@@ -15,4 +15,9 @@ motion::Pose standing_pose(const motion::Figure& figure);
 /// millimetres with periods of seconds, as in quiet standing (Winter 1995, Gait and Posture 3).
 motion::Motion idle_motion(const motion::Figure& figure, float rate_hz);
 
+/// Returns a boxer's guard facing +X, left foot in front, that repeats in cycles of two seconds:
+/// the pelvis turned to the right, knees bent, fists before the chin, weight shifted to and fro
+/// over feet that stay.
+motion::Motion guard_motion(const motion::Figure& figure, float rate_hz);
+
 }  // namespace flinch::database

@@ -95,7 +95,7 @@ std::string refusal_of(LoadStatus status, const FileFormat& format, std::string_
   if (status != LoadStatus::other_version) return message_of(status);
   const auto version = static_cast<unsigned char>(file.at(format.magic.size()));
   return "is of format " + std::to_string(version) + ", and this program reads format " +
-         std::to_string(format.version);
+         std::to_string(format.newest_read);
 }
 
 std::string_view name_of(FileKind kind) {

@@ -112,7 +112,7 @@ std::string library_bytes(const ClipLibrary& library) {
   store(builder, library);
   const std::string_view content(reinterpret_cast<const char*>(builder.GetBufferPointer()),
                                  builder.GetSize());
-  const auto seal = make_file_header(kLibraryFormat, bytes_of(content));
+  const auto seal = make_file_header(format_of(library), bytes_of(content));
   std::string bytes(seal.size(), '\0');
   std::transform(seal.begin(), seal.end(), bytes.begin(),
                  [](std::byte byte) { return static_cast<char>(byte); });

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "database/files/text_encoding.h"
+#include "database/import/loop_closing.h"
 #include "database/import/manifest.h"
 #include "database/import/plausibility.h"
 #include "database/import/source_file.h"
@@ -149,6 +150,7 @@ void add_clip(const ManifestEntry& entry, const LoadedSource& loaded, const moti
     clip.annotation =
         annotation_in(entry, loaded.motion.start_s + segment.start_s, clip.motion.duration_s());
   }
+  if (entry.purpose == motion::Purpose::stance) clip.motion = closed_loop(clip.motion, entry.where);
   const JudgedClip judged{loaded.source, loaded.motion, segment, figure, clip};
   require_near(entry.where, judged);
   result.report.clips.push_back(

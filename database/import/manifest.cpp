@@ -150,6 +150,13 @@ ManifestEntry read_push(const TomlReader& reader) {
   return entry;
 }
 
+ManifestEntry read_stance(const TomlReader& reader) {
+  reader.expect_keys({"name", "file", "start", "end", "heading", "kind"});
+  ManifestEntry entry = read_entry(reader, motion::Purpose::stance);
+  entry.kind = reader.text("kind").value_or("");
+  return entry;
+}
+
 template <class Read>
 void read_entries(const toml::table& file, const std::string& key, Read read, Manifest& manifest) {
   const toml::node* node = file.get(key);
@@ -274,7 +281,7 @@ Manifest read_manifest(const std::string& path) {
   Manifest manifest;
   manifest.path = path;
   const TomlReader whole(file, path, "the manifest");
-  whole.expect_keys({"library", "character", "source", "idle", "clip", "push"});
+  whole.expect_keys({"library", "character", "source", "idle", "clip", "push", "stance"});
   if (const toml::table* library = table_in(file, "library", manifest)) {
     read_library(*library, manifest);
   }
@@ -287,6 +294,7 @@ Manifest read_manifest(const std::string& path) {
   read_entries(file, "idle", read_idle, manifest);
   read_entries(file, "clip", read_clip, manifest);
   read_entries(file, "push", read_push, manifest);
+  read_entries(file, "stance", read_stance, manifest);
   if (manifest.entries.empty() || manifest.entries.front().purpose != motion::Purpose::idle) {
     throw Error(path,
                 "has no [[idle]]: give the motion that responses start from, with its name "

@@ -14,7 +14,7 @@ namespace flinch::database {
 /// The lowest frame rate that a library of motion capture may have, Hz; the highest is kMaxRate_hz.
 inline constexpr double kMinImportRate_hz = 10;
 
-/// One [[idle]], [[clip]] or [[push]]. Times are seconds from the start of its file.
+/// One [[idle]], [[clip]], [[push]] or [[stance]]. Times are seconds from the start of its file.
 struct ManifestEntry {
   std::string name;
   std::string file;  ///< relative to one of the folders given to import, or to the manifest's
@@ -47,7 +47,7 @@ struct Manifest {
   std::string skeleton;        ///< file whose skeleton the library uses
   std::string skeleton_where;  ///< "FILE:LINE"
   CharacterOptions character;
-  std::vector<ManifestEntry> entries;  ///< idles first, then clips, then pushes
+  std::vector<ManifestEntry> entries;  ///< idles first, then clips, pushes and stances
   std::vector<ManifestSource> sources;
 };
 

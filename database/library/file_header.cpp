@@ -32,14 +32,18 @@ VerifiedFile verify_embedded_file(const FileFormat& kind,
     return {.status = LoadStatus::not_a_library};
   }
   if (file.size() < kFileHeaderSize) return {.status = LoadStatus::damaged};
-  if (file[kMagicSize] != static_cast<std::byte>(kind.version)) {
+  const auto version = std::to_integer<std::uint8_t>(file[kMagicSize]);
+  if (version < kind.version || version > kind.newest_read) {
     return {.status = LoadStatus::other_version};
   }
   std::uint64_t hash = 0;
   for (std::size_t i = 0; i < sizeof(hash); ++i) {
     hash |= std::to_integer<std::uint64_t>(file[kHashPosition + i]) << (8 * i);
   }
-  return {.status = LoadStatus::ok, .hash = hash, .content = file.subspan(kFileHeaderSize)};
+  return {.status = LoadStatus::ok,
+          .version = version,
+          .hash = hash,
+          .content = file.subspan(kFileHeaderSize)};
 }
 
 VerifiedFile verify_file(const FileFormat& kind, std::span<const std::byte> file) noexcept {

@@ -19,10 +19,13 @@ namespace flinch::database {
 /// the version, and the content hash of all that follows in 8 bytes, least significant first. Then
 /// comes the content. One wrong byte anywhere, or a truncated end, is detected.
 struct FileFormat {
-  std::string_view magic;  ///< 7 characters
-  std::uint8_t version = 1;
+  std::string_view magic;              ///< 7 characters
+  std::uint8_t version = 1;            ///< that is written
+  std::uint8_t newest_read = version;  ///< the last of those that are read; `version` is the first
 };
-inline constexpr FileFormat kLibraryFormat{.magic = "FLINCHL", .version = 2};
+/// Version 3 is that of libraries with stances, see format_of(). Others are written in version 2,
+/// to the same bytes as ever.
+inline constexpr FileFormat kLibraryFormat{.magic = "FLINCHL", .version = 2, .newest_read = 3};
 inline constexpr FileFormat kSelectorFormat{.magic = "FLINCHS", .version = 3};
 
 inline constexpr std::size_t kFileHeaderSize = 16;
@@ -39,6 +42,7 @@ std::array<std::byte, kFileHeaderSize> make_file_header(
 /// A file's content, once its header has been verified.
 struct VerifiedFile {
   LoadStatus status = LoadStatus::damaged;
+  std::uint8_t version = 0;                 ///< of those that the format reads
   std::uint64_t hash = 0;                   ///< of the content
   std::span<const std::byte> content = {};  ///< inside the file's bytes; empty unless ok
 };

@@ -10,6 +10,7 @@
 #include "database/library/library_bounds.h"
 #include "database/library/library_file.h"
 #include "database/library/text_check.h"
+#include "motion/loop.h"
 #include "motion/skeleton.h"
 
 namespace flinch::database {
@@ -53,13 +54,20 @@ const char* fault_of(const Clip& clip, float rate_hz) {
       !is_text(clip.source, kMaxSourceSize)) {
     return "has a kind or source that is too long, not UTF-8 or has control characters";
   }
-  if (clip.purpose > motion::Purpose::push) return "has an unknown purpose";
+  if (clip.purpose > motion::Purpose::stance) return "has an unknown purpose";
   if (clip.motion.rate_hz != rate_hz) return "has another rate than its library";
   if (clip.motion.poses.empty()) return "has no poses";
   if (clip.motion.poses.size() > kMaxPoses) return "has more than a million poses";
   if (!std::ranges::all_of(clip.motion.poses, is_within_bounds)) {
     return "has a pose with a number that is not finite, a rotation that is not a unit one or a "
            "root farther than 1 km away";
+  }
+  if (clip.purpose == motion::Purpose::stance) {
+    if (clip.motion.poses.size() < 2) return "is a stance of a single pose";
+    if (clip.annotation) return "is a stance and has an annotation";
+    const motion::LoopGap gap = motion::loop_gap(clip.motion);
+    if (gap.height_m > motion::kMaxLoopGap_m || gap.angle > motion::kMaxLoopGap)
+      return "is a stance whose last pose does not continue as its first";
   }
   return clip.annotation ? database::fault_of(*clip.annotation, clip.motion.duration_s()) : nullptr;
 }

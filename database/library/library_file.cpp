@@ -118,7 +118,7 @@ LoadStatus read_unsealed(const VerifiedFile& file, ClipLibrary& library) {
   const schema::Library& stored = *schema::GetLibrary(file.content.data());
   ClipLibrary read;
   if (!has_bounded_size(stored, file.content.size()) || !read_stored(stored, read) ||
-      fault_of(read)) {
+      fault_of(read) || format_of(read).version != file.version) {
     return LoadStatus::damaged;
   }
   read.hash = file.hash;
@@ -127,6 +127,12 @@ LoadStatus read_unsealed(const VerifiedFile& file, ClipLibrary& library) {
 }
 
 }  // namespace
+
+FileFormat format_of(const ClipLibrary& library) {
+  FileFormat format = kLibraryFormat;
+  if (stance_clips(library).size() > 1) format.version = format.newest_read;
+  return format;
+}
 
 LoadStatus read_library(std::span<const std::byte> bytes, ClipLibrary& library) noexcept try {
   std::vector<std::byte> storage;

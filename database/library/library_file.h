@@ -22,6 +22,9 @@ LoadStatus read_library(const std::string& path, ClipLibrary& library) noexcept;
 /// verify_embedded_file().
 LoadStatus read_embedded_library(std::span<const std::byte> bytes, ClipLibrary& library) noexcept;
 
+/// The format in which a library is written: the first version that can hold it.
+FileFormat format_of(const ClipLibrary& library);
+
 /// Why a library could not be used.
 struct LibraryFault {
   std::optional<std::size_t> clip;  ///< index of the faulty clip, if it is one
@@ -29,9 +32,9 @@ struct LibraryFault {
 };
 
 /// Returns the first violated invariant, if any. Clip names are unique; the idle clip is one of the
-/// clips; every clip has at least one pose and the library's rate; rotations are unit (to 1e-3);
-/// annotations are in their ranges (times to 0.1 ms, see motion::Annotation); all numbers, counts
-/// and texts are within the bounds of library_bounds.h.
+/// clips; every clip has at least one pose and the library's rate; stances loop; rotations are unit
+/// (to 1e-3); annotations are in their ranges (times to 0.1 ms, see motion::Annotation); all
+/// numbers, counts and texts are within the bounds of library_bounds.h.
 std::optional<LibraryFault> fault_of(const ClipLibrary& library);
 
 }  // namespace flinch::database

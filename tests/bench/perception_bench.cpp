@@ -77,8 +77,7 @@ BENCHMARK(predict_misses);
 /// The features of a selector, for one layout.
 void feature_vectors(benchmark::State& state, const char* set) {
   const features::Layout& layout = features::feature_set_named(set)->layout;
-  const features::IdlingFigure idling{&figure().character.skeleton, &figure().model,
-                                      &figure().idle};
+  const features::IdlingFigure idling{&figure().character.skeleton, &figure().model, figure().idle};
   const std::vector<features::Threat> threats = threats_passing(-0.05F, 0.05F);
   features::Scenario scenario;
   std::size_t next = 0;

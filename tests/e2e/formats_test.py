@@ -15,7 +15,7 @@ CHOSEN = {"selector-3-knn.flinch": "cover_mirrored", "selector-3-svm.flinch": "i
           "selector-3-pairwise_cost.flinch": "cover_mirrored"}
 # Of each kind those that are refused, and those that are read; the last is today's.
 REFUSED = {"library": (1,), "store": (1, 2), "selector": (1, 2)}
-READ = {"library": (2,), "store": (3, 4), "selector": (3,)}
+READ = {"library": (2, 3), "store": (3, 4), "selector": (3,)}
 
 
 class Formats(ProgramTest):
@@ -58,7 +58,16 @@ class Formats(ProgramTest):
                                                    rf"and this program reads format {today}")
         self.assertEqual(list(self.folder.glob("out*")), [])
 
-    def test_libraries_of_today_are_read(self):
+    def test_a_library_with_a_stance_is_read(self):
+        path, = self.files("library", 3)
+        library = self.document("info", path)
+        self.assertEqual((library["name"], library["hash"]), ("frozen", "83742410ba53068f"))
+        self.assertEqual([(clip["name"], clip["purpose"]) for clip in library["clips"]],
+                         [("idle", "idle"), ("cover", "anticipation"),
+                          ("cover_mirrored", "anticipation"), ("guard", "stance")])
+        self.succeed("simulate", path, "--out", self.folder / "new", "-n", 1)
+
+    def test_libraries_without_stances_are_read(self):
         path, = self.files("library", 2)
         library = self.document("info", path)
         self.assertEqual((library["name"], library["rate_hz"], library["hash"]),

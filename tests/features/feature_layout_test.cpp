@@ -19,7 +19,7 @@ const Layout& layout(const char* set) {
 }
 
 IdlingFigure idling(const tests::SwayingFigure& figure) {
-  return {&figure.character.skeleton, &figure.model, &figure.idle};
+  return {&figure.character.skeleton, &figure.model, figure.idle};
 }
 
 Scenario random_scenario(std::mt19937& random) {

@@ -20,7 +20,7 @@ const tests::SwayingFigure& figure() {
 TEST(MotionBounds, ContainThePelvisAndBoundSurfaceSpeeds) {
   std::mt19937 random(1);
   const CharacterState state{.idle_time_s = 0.3F, .position = {2, -1}, .facing = 0.7F};
-  const MotionBounds bounds = placed(figure().motion_bounds, state);
+  const MotionBounds bounds = placed(figure().motion_bounds, figure().idle, state, 2);
   double fastest = 0;
   for (int i = 0; i < 4000; ++i) {
     const float time_s = tests::uniform(random, 0, 12);

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "motion/interpolation.h"
+#include "motion/loop.h"
 #include "tests/motion/random_motion.h"
 
 namespace flinch::features {

@@ -32,7 +32,7 @@ inline database::ClipLibrary made_up_library(int clip_count, std::size_t pose_co
 }
 
 /// A library file, and a selector of its clips that was fitted to made-up observations, which
-/// choose from all of its clips except the idle one.
+/// choose from all of its clips except stances.
 struct MadeUpSelector {
   std::string library_file;
   models::Selector selector;
@@ -58,7 +58,8 @@ inline MadeUpSelector made_up_selector(const database::ClipLibrary& library, int
   selector.layout = features::feature_set_named("paper")->layout;
   selector.scaling.min.assign(features::kFeatureCount, -1);
   selector.scaling.max.assign(features::kFeatureCount, 1);
-  const int class_count = static_cast<int>(library.clips.size()) - 1;
+  const auto class_count =
+      static_cast<int>(library.clips.size() - database::stance_clips(library).size());
   models::TrainingSet set =
       models::random_clouds(1, observation_count, class_count, features::kFeatureCount);
   for (int& label : set.label) label = 1 + label / 2;

@@ -19,7 +19,7 @@ void derive_features(const features::Layout& layout, const StoreHeader& header,
                         "; simulate it again");
   const motion::BodyModel model = motion::make_body_model(library.character);
   const features::IdlingFigure figure{&library.character.skeleton, &model,
-                                      &library.idle_clip().motion};
+                                      library.idle_clip().motion};
   for (Observation& observation : observations)
     observation.features = features::feature_vector(layout, observation.scenario, figure);
 }

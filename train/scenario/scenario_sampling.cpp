@@ -7,6 +7,7 @@
 
 #include "features/random.h"
 #include "motion/error.h"
+#include "motion/loop.h"
 
 namespace flinch::train {
 

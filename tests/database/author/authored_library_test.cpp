@@ -12,6 +12,7 @@
 #include "database/files/library_writer.h"
 #include "database/quality/quality.h"
 #include "motion/body_distance.h"
+#include "motion/loop.h"
 #include "tests/scenes/sample_count.h"
 
 namespace flinch::database {
@@ -56,10 +57,32 @@ TEST(AuthoredLibrary, StartsEveryClipFromTheIdlePose) {
   const JointFrames idle =
       motion::forward_kinematics(scene.figure.skeleton(), library.idle_clip().motion.poses[0]);
   for (const Clip& clip : library.clips) {
+    if (clip.purpose == motion::Purpose::stance) continue;
     const JointFrames first =
         motion::forward_kinematics(scene.figure.skeleton(), clip.motion.poses[0]);
     for (motion::Role role : motion::kRoles) {
       EXPECT_LT((first.position[role] - idle.position[role]).norm(), 2e-3F) << clip.name;
+    }
+  }
+}
+
+TEST(AuthoredLibrary, TheGuardStaysOnItsFeetWithFistsBeforeTheChin) {
+  const AuthorScene scene;
+  const Clip& guard = default_library().clips.back();
+  ASSERT_EQ(guard.purpose, motion::Purpose::stance);
+  EXPECT_FALSE(motion::Loop::in_cycles(guard.motion).travels());
+  const JointFrames first =
+      motion::forward_kinematics(scene.figure.skeleton(), guard.motion.poses.front());
+  for (const motion::Pose& pose : guard.motion.poses) {
+    const JointFrames frames = motion::forward_kinematics(scene.figure.skeleton(), pose);
+    for (const motion::Side side : motion::kSides) {
+      EXPECT_LT(
+          (motion::foot_pose(frames, side).ankle - motion::foot_pose(first, side).ankle).norm(),
+          1e-3F);
+      const motion::Role hand = motion::roles_of(motion::arm_of(side)).end;
+      const Eigen::Vector3f from_head = frames.position[hand] - frames.position[motion::Role::head];
+      EXPECT_GT(from_head.x(), 0.15F);
+      EXPECT_LT(std::abs(from_head.z()), 0.15F);
     }
   }
 }

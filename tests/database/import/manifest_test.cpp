@@ -8,9 +8,11 @@
 #include <numbers>
 
 #include "database/import/import.h"
+#include "database/import/loop_closing.h"
 #include "database/import/retarget.h"
 #include "database/import/role_map.h"
 #include "motion/default_character.h"
+#include "motion/rotation.h"
 #include "tests/database/import/synthetic_figure.h"
 #include "tests/scenes/error_of.h"
 #include "tests/scenes/temporary_folder.h"
@@ -260,6 +262,41 @@ TEST(Import, MirrorsPushes) {
                              "[[clip]]\nname = \"shove_mirrored\"\nfile = \"a.bvh\"\n");
   EXPECT_THAT(error_of([&] { import_library({}, folder / "m.toml"); }),
               HasSubstr("the name \"shove_mirrored\" is already taken"));
+}
+
+TEST(Import, StancesLoopWhereTheirMotionNearlyDoes) {
+  const TemporaryFolder folder;
+  write_standing(folder / "a.bvh");
+  const std::string stance = "[[stance]]\nname = \"guard\"\nkind = \"guard\"\nfile = \"a.bvh\"\n";
+  folder.write("m.toml", std::string(kIdle) + stance);
+  const ClipLibrary library = import_library({}, folder / "m.toml").library;
+  ASSERT_EQ(stance_clips(library), (std::vector<int>{0, 1}));
+  EXPECT_EQ(library.clips[1].kind, "guard");
+  const motion::LoopGap gap = motion::loop_gap(library.clips[1].motion);
+  EXPECT_LT(gap.angle, motion::kMaxLoopGap);
+  EXPECT_LT(gap.height_m, motion::kMaxLoopGap_m);
+}
+
+TEST(ClosedLoop, SpreadsASmallGapAndSaysByHowMuchALargeOneIsTooLarge) {
+  motion::Motion motion;
+  for (int k = 0; k <= 60; ++k) {
+    const float share = static_cast<float>(k) / 60;
+    motion::Pose pose;
+    pose.root_position = {1.2F * share, 0.02F * share, 1 - 0.03F * share};
+    pose.rotation[motion::Role::left_forearm] =
+        motion::rotation_about(Eigen::Vector3f::UnitZ(), -motion::radians(12) * share);
+    motion.poses.push_back(pose);
+  }
+  const motion::Motion closed = closed_loop(motion, "m.toml:7");
+  EXPECT_LT(motion::loop_gap(closed).angle, 1e-3F);
+  EXPECT_LT(motion::loop_gap(closed).height_m, 1e-5F);
+  EXPECT_NEAR(motion::Loop::in_cycles(closed).travel().translation.x(), 1.2F, 1e-5F);
+  EXPECT_NEAR(closed.poses[30].root_position.z(), 1, 1e-5F);
+  motion.poses.back().rotation[motion::Role::right_shin] =
+      motion::rotation_about(Eigen::Vector3f::UnitY(), motion::radians(31));
+  EXPECT_THAT(error_of([&] { closed_loop(motion, "m.toml:7"); }),
+              AllOf(HasSubstr("m.toml:7: does not loop"), HasSubstr("height differs by 3.0 cm"),
+                    HasSubstr("right_shin by 31 degrees; at most 5 cm and 20 degrees")));
 }
 
 TEST(Import, RefusesFilesThatAreNotThereAndTimesOutsideThem) {

@@ -100,6 +100,48 @@ TEST(LibraryFile, HashDependsOnTheContentOnly) {
   EXPECT_NE(read.hash, hash);
 }
 
+/// A stance that goes 1 m along in a second.
+ClipLibrary library_with_stance() {
+  ClipLibrary library = random_library(6, 61);
+  motion::Clip& stance = library.clips[3];
+  stance.purpose = motion::Purpose::stance;
+  for (std::size_t k = 0; k < stance.motion.poses.size(); ++k) {
+    motion::Pose& pose = stance.motion.poses[k];
+    pose = motion::Pose();
+    pose.root_position = {static_cast<float>(k) / 60, 0, 1};
+  }
+  return library;
+}
+
+TEST(LibraryFile, OnlyALibraryWithStancesIsOfFormat3) {
+  const std::string without = library_bytes(random_library(6, 3));
+  const std::string with = library_bytes(library_with_stance());
+  EXPECT_EQ(without[7], 2);
+  EXPECT_EQ(with[7], 3);
+  ClipLibrary library;
+  ASSERT_EQ(read(with, library), LoadStatus::ok);
+  expect_same(library, library_with_stance());
+  EXPECT_EQ(stance_clips(library), (std::vector<int>{1, 3}));
+  for (std::string wrong : {without, with}) {
+    wrong[7] = static_cast<char>(5 - wrong[7]);
+    EXPECT_EQ(read(wrong, library), LoadStatus::damaged);
+  }
+}
+
+TEST(LibraryFile, StancesThatDoNotLoopAreRefused) {
+  const auto message_for = [](const auto& change) {
+    ClipLibrary library = library_with_stance();
+    change(library.clips[3]);
+    return tests::error_of([&] { library_bytes(library); });
+  };
+  EXPECT_EQ(message_for([](motion::Clip&) {}), "");
+  EXPECT_THAT(
+      message_for([](motion::Clip& clip) { clip.motion.poses.back().root_position.z() += 0.01F; }),
+      HasSubstr("clip 3 (walk) is a stance whose last pose does not continue as its first"));
+  EXPECT_THAT(message_for([](motion::Clip& clip) { clip.motion.poses.resize(1); }),
+              HasSubstr("is a stance of a single pose"));
+}
+
 TEST(LibraryFile, ReadsUnalignedBytes) {
   const std::string bytes = library_bytes(random_library(2, 3));
   for (std::size_t shift = 0; shift < 16; ++shift) {
@@ -136,7 +178,7 @@ TEST(LibraryFile, StatusNamesTheProblem) {
   EXPECT_EQ(read("", library), LoadStatus::not_a_library);
   EXPECT_EQ(read("HIERARCHY\nROOT Hips", library), LoadStatus::not_a_library);
   std::string other = bytes;
-  ++other[7];
+  other[7] = static_cast<char>(kLibraryFormat.newest_read + 1);
   EXPECT_EQ(read(other, library), LoadStatus::other_version);
   EXPECT_EQ(read(bytes.substr(0, 100), library), LoadStatus::damaged);
 }
@@ -216,7 +258,7 @@ TEST(LibraryFile, RefusesToWriteAnInvalidLibrary) {
        [](ClipLibrary& l) { l.clips[3].motion.poses[1].rotation[motion::Role::neck].w() += 2; }},
       {"target", [](ClipLibrary& l) { l.clips[0].annotation->target = motion::Target{4}; }},
       {"degree", [](ClipLibrary& l) { l.clips[0].annotation->degree = motion::Degree{2}; }},
-      {"purpose", [](ClipLibrary& l) { l.clips[0].purpose = motion::Purpose{3}; }},
+      {"purpose", [](ClipLibrary& l) { l.clips[0].purpose = motion::Purpose{4}; }},
       {"sex", [](ClipLibrary& l) { l.character.sex = motion::Sex{2}; }},
       {"eight", [](ClipLibrary& l) { l.clips[0].annotation->direction = 0.1F; }},
       {"eight",
@@ -252,7 +294,7 @@ TEST(LoadLibrary, NamesTheActualFileKind) {
   EXPECT_THAT(message_for("some text\n"), HasSubstr("is a text file,"));
   EXPECT_THAT(message_for("\x01\x02"), HasSubstr("no file that Flinch knows,"));
   EXPECT_THAT(message_for("FLINCHL\x02 cut"), HasSubstr("damaged"));
-  EXPECT_THAT(message_for("FLINCHL\x09 and something"), HasSubstr("this program reads format 2"));
+  EXPECT_THAT(message_for("FLINCHL\x09 and something"), HasSubstr("this program reads format 3"));
   EXPECT_THAT(tests::error_of([&] { load_library(folder / "none"); }), HasSubstr("No such file"));
 }
 

@@ -30,7 +30,7 @@ TEST(FeatureDerivation, MatchesTheRunTimeBitForBit) {
     for (const Observation& observation : store.observations) {
       const features::Scenario& scenario = observation.scenario;
       EXPECT_EQ(features::feature_vector(library.selector().layout, scenario,
-                                         library.prepared().idling()),
+                                         library.prepared().figure_in(scenario.state)),
                 observation.features)
           << set.name;
       runtime::Character character(library);

@@ -8,6 +8,7 @@
 
 #include "features/feature_vector.h"
 #include "motion/error.h"
+#include "motion/loop.h"
 #include "tests/scenes/synthetic_library.h"
 #include "train/objective/observation.h"
 
