@@ -99,13 +99,16 @@ motion::PerRole<float> Mask::whole_body() {
 
 Character::Character(const Library& library) noexcept : library_(&library) {}
 
-Status Character::place(const Eigen::Vector2f& position, float facing, float idle_time_s) noexcept {
+Status Character::place(const Eigen::Vector2f& position, float facing, float idle_time_s,
+                        int stance) noexcept {
   const auto is_within = [](float x, float max) { return std::abs(x) <= max; };  // false for NaN
   if (!is_within(position.x(), kMaxPlace_m) || !is_within(position.y(), kMaxPlace_m) ||
       !is_within(facing, features::kMaxExtent) || !is_within(idle_time_s, features::kMaxExtent)) {
     return Status::bad_placement;
   }
-  state_ = {idle_time_s, position, facing};
+  if (stance != 0 && !(library_->is_loaded() && library_->prepared().has_stance(stance)))
+    return Status::bad_placement;
+  state_ = {idle_time_s, position, facing, stance};
   time_s_ = 0;
   response_ = {};
   inertialization_ = {};
@@ -118,7 +121,7 @@ Status Character::set_pose(const Pose& before, const Pose& now, float dt_s) noex
   if (!library_->is_loaded()) return Status::not_loaded;
   if (!is_time_step(dt_s) || dt_s < kMinPoseInterval_s) return Status::bad_time;
   if (!is_usable(before) || !is_usable(now)) return Status::bad_pose;
-  state_ = idle_state_at(library_->prepared(), now);
+  state_ = rest_state_at(library_->prepared(), now, state_.stance);
   inertialization_ = make_inertialization(library_->prepared(), state_, before, now, dt_s);
   time_s_ = 0;
   response_ = {};
@@ -134,6 +137,21 @@ Status Character::settle() noexcept {
   return begin(library_->prepared().library->idle, 1);
 }
 
+Status Character::change_stance(int stance) noexcept {
+  if (!library_->is_loaded()) return Status::not_loaded;
+  const PreparedLibrary& library = library_->prepared();
+  if (!library.has_stance(stance)) return Status::bad_placement;
+  if (!is_responding() && !is_settling() && state_.stance == stance) return Status::ok;
+  const float now_s = static_cast<float>(time_s_);
+  const float before_s = now_s - kVelocityInterval_s;
+  const features::CharacterState state = rest_state_at(library, pose(), stance);
+  const Inertialization inertialization = make_inertialization(
+      library, state, pose_after(before_s), pose_after(now_s), kVelocityInterval_s);
+  delayed_clip_.reset();
+  time_to_impact_s_ = std::numeric_limits<double>::infinity();
+  return begin(state, inertialization, library.library->idle, 1);
+}
+
 void Character::limit_perception(const PerceptionLimits& limits, std::uint64_t seed) noexcept {
   limits_ = limits;
   seed_ = seed;
@@ -147,12 +165,13 @@ Status Character::predict(const features::Threat& threat, Perception& perception
   const Eigen::Vector3f eye = eye_of(library.skeleton(), now);
   const Perceived seen = runtime::perceive(threat, eye, limits_, seed_, threats_);
   if (!seen.noticed) return Status::unnoticed;
-  const features::CharacterState state = current_state();
+  features::CharacterState state = current_state();
+  const PreparedStance& stance = library.stance_of(state);
   const features::PredictedImpact impact =
-      is_responding() || is_settling()
-          ? features::predict_impact(seen.threat, library.figure(), now)
-          : features::predict_impact(seen.threat, library.figure(), library.idle(),
-                                     library.motion_bounds, state);
+      is_in_stance() ? features::predict_impact(seen.threat, library.figure(), stance.loop,
+                                                stance.bounds, state)
+                     : features::predict_impact(seen.threat, library.figure(), now);
+  if (!is_in_stance() && stance.loop.travels()) state.stance = 0;  // where it comes to rest
   if (impact.outcome == features::Outcome::unusable) return Status::bad_threat;
   if (impact.outcome == features::Outcome::miss) return Status::misses;
   const float time_s = std::max(impact.time_to_impact_s, 1e-3F);
@@ -262,8 +281,9 @@ Status Character::rank(const Perception& perception, Workspace& workspace,
   if (!library_->is_loaded()) return Status::not_loaded;
   count = 0;
   if (best.empty()) return Status::ok;
-  const features::FeatureVector x = features::feature_vector(
-      library_->selector().layout, perception.scenario, library_->prepared().idling());
+  const features::FeatureVector x =
+      features::feature_vector(library_->selector().layout, perception.scenario,
+                               library_->prepared().figure_in(perception.scenario.state));
   const Selection selection =
       select(workspace, library_->selector(), x, perception.scenario.target, best);
   if (selection.status != SelectStatus::ok) return Status::other_workspace;
@@ -275,7 +295,7 @@ Response Character::plan(const Perception& perception, int clip) const noexcept 
   const float time_s = perception.scenario.time_to_impact_s - perception.delay_s;
   if (!library_->is_loaded() || !is_time_to_impact(time_s)) return {};
   features::CharacterState state = current_state();
-  if (!is_responding()) state.idle_time_s += perception.delay_s;
+  if (!is_responding()) state = features::later(current_loop(), state, perception.delay_s);
   return make_response(library_->prepared(), state, clip, time_s, current_inertialization(state));
 }
 
@@ -314,20 +334,24 @@ Status Character::respond(int clip, float time_to_impact_s) noexcept {
   return status;
 }
 
-// An idling character's state advances in its idle clip; that of any other is where its feet are.
+// The state of a character in its stance advances with it; that of any other is where its feet are.
 features::CharacterState Character::current_state() const noexcept {
-  if (is_responding()) {
+  if (is_responding() && !is_in_stance()) {
     if (time_s_ < double{kMinPoseInterval_s}) return response_.state;
-    return idle_state_at(library_->prepared(), pose());
+    return rest_state_at(library_->prepared(), pose(), response_.state.stance);
   }
-  features::CharacterState state = state_;
-  state.idle_time_s += static_cast<float>(time_s_);
-  return state;
+  return features::later(current_loop(), state_, static_cast<float>(time_s_));
+}
+
+/// The motion of its stance or, for a character that settles, of that in which it comes to rest.
+const motion::Loop& Character::current_loop() const noexcept {
+  const PreparedLibrary& library = library_->prepared();
+  return (is_settling() ? library.rest_of(state_) : library.stance_of(state_)).loop;
 }
 
 Inertialization Character::current_inertialization(
     const features::CharacterState& state) const noexcept {
-  if (!is_responding() && inertialization_.is_zero) return inertialization_;
+  if (is_in_stance()) return {};
   if (time_s_ < double{kMinPoseInterval_s})
     return is_responding() ? response_.inertialization : inertialization_;
   const float now_s = static_cast<float>(time_s_);
@@ -338,8 +362,14 @@ Inertialization Character::current_inertialization(
 
 Status Character::begin(int clip, float time_to_impact_s) noexcept {
   const features::CharacterState state = current_state();
-  const Response response = make_response(library_->prepared(), state, clip, time_to_impact_s,
-                                          current_inertialization(state));
+  return begin(state, current_inertialization(state), clip, time_to_impact_s);
+}
+
+Status Character::begin(const features::CharacterState& state,
+                        const Inertialization& inertialization, int clip,
+                        float time_to_impact_s) noexcept {
+  const Response response =
+      make_response(library_->prepared(), state, clip, time_to_impact_s, inertialization);
   if (!is_valid(response)) return Status::bad_clip;
   response_ = response;
   state_ = state;
@@ -351,8 +381,10 @@ Status Character::begin(int clip, float time_to_impact_s) noexcept {
 }
 
 void Character::finish() noexcept {
-  state_ = response_.state;
+  state_ = response_.home;
   state_.position += response_.idle_displacement.head<2>();
+  if (response_.walk_on_s >= 0)
+    time_s_ = double{home_time_s(response_, static_cast<float>(time_s_))};
   response_ = {};
 }
 
@@ -376,13 +408,23 @@ Status Character::update(float dt_s) noexcept {
   for (Waiting& waiting : waiting_) waiting.time_to_impact_s -= dt;
   if (time_to_impact_s_ <= 0) answer_next();
   if (is_responding() && time_s_ >= double{duration_s(response_)}) finish();
-  if (!is_responding()) {
-    // The idle clip plays forwards and backwards. Removing whole periods changes nothing and keeps
-    // the time small.
-    const double period_s = 2 * double{library_->prepared().idle().duration_s()};
-    if (period_s > 0 && time_s_ >= period_s) time_s_ = std::fmod(time_s_, period_s);
-  }
+  if (!is_responding()) remove_periods();
   return Status::ok;
+}
+
+// Removing whole periods keeps the time small. Those of the idle clip change nothing; cycles of a
+// walk move the state along. By then nothing is left of a difference.
+void Character::remove_periods() noexcept {
+  const motion::Loop& loop = current_loop();
+  const double period_s = double{loop.period_s()};
+  if (!(period_s > 0) || time_s_ < period_s) return;
+  const double rest_s = std::fmod(time_s_, period_s);
+  if (loop.has_cycles())
+    state_ = features::later(loop, state_, static_cast<float>(time_s_ - rest_s));
+  time_s_ = rest_s;
+  if (!is_settling()) return;
+  if (library_->prepared().stance_of(state_).loop.travels()) state_.stance = 0;
+  inertialization_ = {};
 }
 
 Pose Character::pose() const noexcept {
@@ -405,6 +447,11 @@ bool Character::is_responding() const noexcept {
 
 bool Character::is_settling() const noexcept {
   return !is_responding() && !inertialization_.is_zero;
+}
+
+bool Character::is_in_stance() const noexcept {
+  if (is_responding()) return time_s_ < double{response_.leave_s};
+  return inertialization_.is_zero;
 }
 
 Phase Character::phase() const noexcept {

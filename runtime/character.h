@@ -30,20 +30,21 @@ enum class Status : std::uint8_t {
   bad_threat,       ///< a threat that is not usable (features::is_usable), or a time out of range
   bad_time,         ///< a time step that is not above 0 and at most kMaxTimeStep_s
   bad_pose,         ///< a number that is not finite, or a rotation that is not unit (to 1 %)
-  bad_placement,    ///< a position beyond 1e5 m, a direction or time beyond 1e6, or not finite
+  bad_placement,  ///< a position beyond 1e5 m, a direction or time beyond 1e6, or not finite; or no
+                  ///< such stance
 };
 /// The status in words; never null.
 const char* message_of(Status status) noexcept;
 
 /// What a character is doing.
 enum class Phase : std::uint8_t {
-  idle,        ///< answers no threat
+  idle,        ///< in its stance; answers no threat
   reacting,    ///< has perceived a threat; its reaction delay runs
   waiting,     ///< has chosen a clip; its first movement is still to come
   shifting,    ///< shifts its weight before the clip begins
   blending,    ///< blends from idle into the clip
   protecting,  ///< plays the clip
-  returning,   ///< blends back to idle
+  returning,   ///< blends back to its stance
 };
 /// The phase as one word, such as "blending"; never null.
 const char* name_of(Phase phase) noexcept;
@@ -88,10 +89,11 @@ class Character {
   explicit Character(const Library& library) noexcept;
 
   /// Puts the character at `position`, turned by `facing` (counter-clockwise from +X), at
-  /// `idle_time_s` of its idle clip; different times make neighbours differ. Ends any response.
-  /// Returns bad_placement for a position beyond 1e5 m, a direction or time beyond 1e6, or a number
-  /// that is not finite.
-  Status place(const Eigen::Vector2f& position, float facing, float idle_time_s) noexcept;
+  /// `idle_time_s` of stance number `stance`; different times make neighbours differ. Ends any
+  /// response. Returns bad_placement for a position beyond 1e5 m, a direction or time beyond 1e6, a
+  /// number that is not finite, or a stance that the library does not have.
+  Status place(const Eigen::Vector2f& position, float facing, float idle_time_s,
+               int stance = 0) noexcept;
 
   /// Reports the pose of a character that the game animates: `now`, and `before`, which it had
   /// `dt_s` earlier (at least 1e-4 s); both in the world. The next response starts from `now` with
@@ -99,9 +101,13 @@ class Character {
   /// the game animates the character.
   Status set_pose(const motion::Pose& before, const motion::Pose& now, float dt_s) noexcept;
 
-  /// Stops the response and returns to idle smoothly, with steps where the feet need them. While
-  /// the character idles it does nothing.
+  /// Stops the response and returns to its stance smoothly, with steps where the feet need them.
+  /// While the character is in its stance it does nothing.
   Status settle() noexcept;
+
+  /// Changes to stance number `stance` smoothly, with steps where the feet need them. Stops any
+  /// response. Returns bad_placement for a stance that the library does not have.
+  Status change_stance(int stance) noexcept;
 
   /// Makes perception imperfect. Each threat draws its own numbers from `seed`; characters with
   /// different seeds differ. Limits that are not valid (see is_valid()) count as none.
@@ -187,6 +193,8 @@ class Character {
  private:
   bool is_responding() const noexcept;
   bool is_settling() const noexcept;
+  bool is_in_stance() const noexcept;
+  const motion::Loop& current_loop() const noexcept;
   motion::Pose pose_after(float time_s) const noexcept;
   features::CharacterState current_state() const noexcept;
   Inertialization current_inertialization(const features::CharacterState& state) const noexcept;
@@ -194,8 +202,11 @@ class Character {
   Status rank_and_answer(const Perception& perception, Workspace& workspace) noexcept;
   Status counted(Status status) noexcept;
   Status begin(int clip, float time_to_impact_s) noexcept;
+  Status begin(const features::CharacterState& state, const Inertialization& inertialization,
+               int clip, float time_to_impact_s) noexcept;
   void answer_next() noexcept;
   void finish() noexcept;
+  void remove_periods() noexcept;
 
   /// A threat that is answered after the current one.
   struct Waiting {

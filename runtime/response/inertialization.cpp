@@ -96,11 +96,14 @@ void stiffen_at_limits(const PreparedLibrary& library, const Pose& idle, const P
 
 // Feet say which way a body stands: a pelvis turns with what the body does. Those in the air count
 // only where none stands.
-features::CharacterState idle_state_at(const PreparedLibrary& library, const Pose& pose) {
+features::CharacterState rest_state_at(const PreparedLibrary& library, const Pose& pose, int stance,
+                                       std::optional<float> facing_known) {
+  features::CharacterState state;
+  state.stance = stance;
   const motion::Skeleton& skeleton = library.skeleton();
   const motion::JointFrames frames = motion::forward_kinematics(skeleton, pose);
   const motion::JointFrames idle =
-      motion::forward_kinematics(skeleton, library.idle().poses.front());
+      motion::forward_kinematics(skeleton, library.rest_of(state).loop.motion().poses.front());
   const Eigen::Vector3f centre = motion::centre_of_mass(library.body_model, frames);
   motion::PerSide<float> height{};
   motion::PerSide<float> distance{};
@@ -123,8 +126,7 @@ features::CharacterState idle_state_at(const PreparedLibrary& library, const Pos
       support = side;
     }
   }
-  features::CharacterState state;
-  state.facing = std::atan2(heading.y(), heading.x());
+  state.facing = facing_known.value_or(std::atan2(heading.y(), heading.x()));
   const Eigen::Quaternionf facing = motion::rotation_about(Eigen::Vector3f::UnitZ(), state.facing);
   state.position =
       (motion::foot_pose(frames, support).ankle - facing * motion::foot_pose(idle, support).ankle)
@@ -139,8 +141,9 @@ Inertialization make_inertialization(const PreparedLibrary& library,
   Inertialization inertialization;
   inertialization.is_zero = false;
   const bool moves = dt_s > 0;
-  const Pose idle = features::idle_pose(library.idle(), state, 0);
-  const Pose idle_before = features::idle_pose(library.idle(), state, moves ? -dt_s : 0);
+  const motion::Loop& rest = library.rest_of(state).loop;
+  const Pose idle = features::idle_pose(rest, state, 0);
+  const Pose idle_before = features::idle_pose(rest, state, moves ? -dt_s : 0);
   inertialization.root = now.root_position - idle.root_position;
   if (moves) {
     inertialization.root_velocity =
@@ -167,8 +170,9 @@ Inertialization make_inertialization(const PreparedLibrary& library,
 Pose inertialized_pose(const PreparedLibrary& library, const features::CharacterState& state,
                        const Inertialization& inertialization, float time_s,
                        std::span<const Role> roles) noexcept {
-  Pose pose = features::idle_pose(library.idle(), state, time_s, roles);
-  if (inertialization.is_zero) return pose;
+  if (inertialization.is_zero)
+    return features::idle_pose(library.stance_of(state).loop, state, time_s, roles);
+  Pose pose = features::idle_pose(library.rest_of(state).loop, state, time_s, roles);
   const float decay = std::exp(-kDecayRate * time_s);
   pose.root_position +=
       decayed(inertialization.root, inertialization.root_velocity, kDecayRate, time_s, decay);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <span>
 
 #include "features/scenario.h"
@@ -10,8 +11,10 @@ namespace flinch::runtime {
 
 struct PreparedLibrary;  // opaque: runtime::Library::prepared()
 
-/// How a character that is in another response, or that the game animates, differs from its idle
-/// clip. The difference decays smoothly to none; feet on the ground stay where they are.
+/// How a character that is in another response, that the game animates or that leaves a walk
+/// differs from the stance in which it comes to rest: its own or, if that travels, the idle clip
+/// (PreparedLibrary::rest_of). The difference decays smoothly to none; feet on the ground stay
+/// where they are.
 ///
 /// Each difference x follows a critically damped spring to 0,
 ///
@@ -36,12 +39,14 @@ struct Inertialization {
 /// k: how fast differences decay, 1/s.
 inline constexpr float kDecayRate = 10;
 
-/// The state of an idling character that stands where this pose does: it faces the same way, its
-/// idle clip is at its beginning, and the foot that carries more weight is in the same place.
-/// `pose` is in the world and sound (motion::is_sound).
-features::CharacterState idle_state_at(const PreparedLibrary& library, const motion::Pose& pose);
+/// The state of a character that rests where this pose stands: it faces the same way, the clip in
+/// which it rests is at its beginning, and the foot that carries more weight is in the same place.
+/// Its stance is number `stance`. `pose` is in the world and sound (motion::is_sound). `facing`
+/// overrides the direction that the feet tell.
+features::CharacterState rest_state_at(const PreparedLibrary& library, const motion::Pose& pose,
+                                       int stance, std::optional<float> facing = std::nullopt);
 
-/// The difference between the idle clip in `state` and a character that was in pose `before` and is
+/// The difference between resting in `state` and a character that was in pose `before` and is
 /// in `now` `dt_s` later; poses in the world. A `dt_s` that is not positive means that the
 /// character is still. Allocates nothing.
 Inertialization make_inertialization(const PreparedLibrary& library,
@@ -49,9 +54,10 @@ Inertialization make_inertialization(const PreparedLibrary& library,
                                      const motion::Pose& before, const motion::Pose& now,
                                      float dt_s) noexcept;
 
-/// The pose `time_s` after the difference was measured, world: the idle clip with what is left of
-/// the difference. Feet follow from the joints, not from Inertialization::foot. Sets the rotations
-/// of `roles` only. Allocates nothing.
+/// The pose `time_s` after the difference was measured, world: the resting character with what is
+/// left of the difference. Without a difference, the character goes on in its stance. Feet follow
+/// from the joints, not from Inertialization::foot. Sets the rotations of `roles` only. Allocates
+/// nothing.
 motion::Pose inertialized_pose(const PreparedLibrary& library,
                                const features::CharacterState& state,
                                const Inertialization& inertialization, float time_s,

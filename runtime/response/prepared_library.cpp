@@ -25,8 +25,10 @@ PreparedLibrary prepare(const database::ClipLibrary& library) {
   prepared.body_reach_m = figure.body_reach_m;
   const auto idle = static_cast<std::size_t>(library.idle);
   if (idle < library.clips.size() && !library.clips[idle].motion.poses.empty()) {
-    prepared.motion_bounds =
-        features::motion_bounds_of(skeleton, prepared.body_model, library.clips[idle].motion);
+    for (const int clip : database::stance_clips(library)) {
+      prepared.stances.push_back(prepare_stance(skeleton, prepared.body_model, prepared.soles, clip,
+                                                database::loop_of(library, clip)));
+    }
   }
   prepared.footwork.reserve(library.clips.size());
   for (const motion::Clip& clip : library.clips) {

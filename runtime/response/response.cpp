@@ -49,7 +49,7 @@ FootPose continuous_foot(const FootPlan& plan, const FootPose& clip, float weigh
           motion::slerp(plan.tilt, Eigen::Quaternionf::Identity(), weight) * clip.orientation};
 }
 
-FootPose moved(const FootPose& place, const PlanarTransform& move) {
+FootPose moved(const FootPose& place, const motion::PlanarMove& move) {
   const Eigen::Quaternionf turn = motion::rotation_about(Eigen::Vector3f::UnitZ(), move.yaw);
   return {turn * place.ankle + move.translation, turn * place.orientation};
 }
@@ -68,21 +68,36 @@ float clip_time_at(const Response& r, float time_s) {
 
 // The arcs of a blend that began at `start_s` along `arcs`. They go by the signs that the rotations
 // had then. A sample has those of the pose stored before it, which mean nothing else.
+template <class StanceAt>
 motion::Signs arcs_at(const Response& r, motion::Signs arcs, float start_s, float time_s,
-                      std::span<const Role> roles) {
-  const auto idle_at = [&r](float at_s) -> const Pose& {
-    return motion::pose_before_ping_pong(r.library->idle(), r.state.idle_time_s + at_s);
-  };
+                      const StanceAt& stance_at, std::span<const Role> roles) {
   const auto clip_at = [&r](float at_s) -> const Pose& {
     return motion::pose_before(r.library->clip(r.clip).motion, clip_time_at(r, at_s));
   };
-  motion::change_signs(idle_at(start_s), idle_at(time_s), roles, arcs);
+  motion::change_signs(stance_at(start_s), stance_at(time_s), roles, arcs);
   motion::change_signs(clip_at(start_s), clip_at(time_s), roles, arcs);
   return arcs;
 }
 
+motion::Signs arcs_in_at(const Response& r, float time_s, std::span<const Role> roles) {
+  const motion::Loop& rest = r.library->rest_of(r.rest).loop;
+  const auto rest_at = [&](float at_s) -> const Pose& {
+    return motion::pose_before(rest, r.rest.idle_time_s + at_s - r.leave_s);
+  };
+  return arcs_at(r, r.arcs_in, r.begin_s, time_s, rest_at, roles);
+}
+
+motion::Signs arcs_back_at(const Response& r, float time_s, std::span<const Role> roles) {
+  const motion::Loop& home = r.library->stance_of(r.home).loop;
+  const auto home_at = [&](float at_s) -> const Pose& {
+    return motion::pose_before(home, r.home.idle_time_s + home_time_s(r, at_s));
+  };
+  return arcs_at(r, r.arcs_back, r.end_s, time_s, home_at, roles);
+}
+
 Samples::Of motions_at(const Response& r, float t) {
-  if (t <= r.first_motion_s && r.inertialization.is_zero) return Samples::Of::source_untouched;
+  const bool goes_on = r.inertialization.is_zero || t < r.leave_s;
+  if (t <= r.first_motion_s && goes_on) return Samples::Of::source_untouched;
   if (t >= duration_s(r)) return Samples::Of::home;
   if (is_idle(r)) return Samples::Of::source_and_home;
   if (t <= r.begin_s) return Samples::Of::source;
@@ -199,13 +214,23 @@ Eigen::Vector3f horizontal(const Eigen::Vector3f& vector) {
 }
 
 Pose source_pose_at(const Response& r, float time_s, std::span<const Role> roles) {
-  return inertialized_pose(*r.library, r.state, r.inertialization, time_s, roles);
+  if (time_s < r.leave_s)
+    return features::idle_pose(r.library->stance_of(r.state).loop, r.state, time_s, roles);
+  return inertialized_pose(*r.library, r.rest, r.inertialization, time_s - r.leave_s, roles);
 }
 
 Pose return_pose_at(const Response& r, float time_s, std::span<const Role> roles) {
-  Pose pose = features::idle_pose(r.library->idle(), r.state, time_s, roles);
+  Pose pose =
+      features::idle_pose(r.library->stance_of(r.home).loop, r.home, home_time_s(r, time_s), roles);
   pose.root_position += r.idle_displacement;
   return pose;
+}
+
+// From rest to a rate of 1 in T = kWalkOn_s: s^2 / (2 T), then s - T / 2.
+float home_time_s(const Response& r, float time_s) noexcept {
+  if (r.walk_on_s < 0) return time_s;
+  const float since_s = std::max(time_s - r.walk_on_s, 0.0F);
+  return since_s < kWalkOn_s ? since_s * since_s / (2 * kWalkOn_s) : since_s - kWalkOn_s / 2;
 }
 
 Pose clip_pose_at(const Response& r, float time_s, std::span<const Role> roles) {
@@ -281,10 +306,10 @@ Pose blended(const Response& r, const Samples& samples, std::span<const Role> ro
   switch (samples.of) {
     case Samples::Of::source_and_clip:
       return motion::blend_along(samples.from, *samples.to, blend_weight(r, t),
-                                 arcs_at(r, r.arcs_in, r.begin_s, t, roles), roles);
+                                 arcs_in_at(r, t, roles), roles);
     case Samples::Of::clip_and_home:
       return motion::blend_along(samples.from, *samples.to, return_weight(r, t),
-                                 arcs_at(r, r.arcs_back, r.end_s, t, roles), roles);
+                                 arcs_back_at(r, t, roles), roles);
     case Samples::Of::source_and_home:
       return motion::blend(samples.from, *samples.to, return_weight(r, t), roles);
     default:

@@ -11,12 +11,6 @@ namespace flinch::runtime {
 
 struct PreparedLibrary;  // opaque: runtime::Library::prepared()
 
-/// A rigid move on the ground: a turn about the world's vertical through the origin, then a shift.
-struct PlanarTransform {
-  float yaw = 0;                                          ///< radians, counter-clockwise
-  Eigen::Vector3f translation = Eigen::Vector3f::Zero();  ///< horizontal, m
-};
-
 /// An interval of time, s after perception. The default never begins.
 struct Interval {
   float begin_s = std::numeric_limits<float>::infinity();
@@ -26,7 +20,7 @@ struct Interval {
 /// How one foot of a response differs from the foot of its clip, so that it starts from where it
 /// stands.
 struct FootPlan {
-  PlanarTransform offset;       ///< added to the clip's foot until `correction` begins
+  motion::PlanarMove offset;    ///< added to the clip's foot until `correction` begins
   Interval correction;          ///< `offset` fades to none, in a swing of the clip or an extra step
   float correction_lift_m = 0;  ///< height of that extra step; 0 in a swing of the clip
   Interval return_step;         ///< the step back to where the idle clip has the foot
@@ -49,7 +43,8 @@ struct WeightShift {
 /// same code. A plain value that refers to the library it was made from, which must outlive it.
 /// docs/response.md gives the reasons.
 ///
-/// The character idles (or settles, see Inertialization) until `begin_s`. Then the clip plays from
+/// The character goes on in its stance (or settles, see Inertialization) until `begin_s`; a walking
+/// one comes to rest from `leave_s` on. Then the clip plays from
 /// its onset at `playback_rate`, and blends in along a minimum-jerk curve over `blend_duration_s`
 /// while it plays. The clip's peak falls on the predicted impact; a clip too long for that plays
 /// faster, up to kMaxPlaybackRate, and may peak late. From the clip's annotated end the character
@@ -64,15 +59,20 @@ struct WeightShift {
 ///
 /// The way back. Where the clip took a step, the idle clip continues at the new place: the
 /// character's next state is `state` with `idle_displacement` added to its position. A turn is not
-/// kept: the character faces as before, and its feet step back into place.
+/// kept: the character faces as before, and its feet step back into place. A walking character
+/// walks on from there: its walk begins anew at the moment in which the free foot passes the
+/// standing one, from a standstill to its full speed in kWalkOn_s.
 struct Response {
   const PreparedLibrary* library = nullptr;  ///< null: invalid
-  int clip = 0;                     ///< index in the library; its idle clip means to do nothing
-  features::CharacterState state;   ///< of the character at perception
-  Inertialization inertialization;  ///< by which the character differed from its idle clip then
-  float first_motion_s = 0;     ///< when the response first differs from idling, s after perception
-  float begin_s = 0;            ///< when the clip begins, s after perception
-  float playback_rate = 1;      ///< seconds of the clip per second
+  int clip = 0;                    ///< index in the library; its idle clip means to do nothing
+  features::CharacterState state;  ///< of the character at perception
+  /// Until when it goes on in a stance that travels; 0 for others, s after perception.
+  float leave_s = 0;
+  features::CharacterState rest;    ///< in which it comes to rest, at leave_s
+  Inertialization inertialization;  ///< by which the character differed from that then
+  float first_motion_s = 0;  ///< when the response first differs from going on, s after perception
+  float begin_s = 0;         ///< when the clip begins, s after perception
+  float playback_rate = 1;   ///< seconds of the clip per second
   float blend_duration_s = 0;   ///< of the blend into the clip; ends by the clip's peak
   float peak_s = 0;             ///< when the clip's peak is reached, s after perception
   float end_s = 0;              ///< when the way back begins: the clip's annotated end
@@ -80,7 +80,11 @@ struct Response {
   float yaw = 0;                ///< turn that aligns the clip, radians
   Eigen::Vector3f translation =
       Eigen::Vector3f::Zero();  ///< shift that aligns it after the turn, m
-  /// From the idle clip before the response to that after it, horizontal, m.
+  /// Of the character after the response, at perception and without `idle_displacement`; where it
+  /// walks on, at walk_on_s.
+  features::CharacterState home;
+  float walk_on_s = -1;  ///< when its walk begins anew, s after perception; negative: it has none
+  /// From the stance before the response to that after it, horizontal, m.
   Eigen::Vector3f idle_displacement = Eigen::Vector3f::Zero();
   motion::Side support = motion::Side::left;  ///< the support foot of the clip's opening
   motion::PerSide<FootPlan> feet;
@@ -93,6 +97,8 @@ struct Response {
 inline constexpr float kMaxPlaybackRate = 1.4F;
 /// The shortest blend into a clip, and the shortest way back where no foot steps, s.
 inline constexpr float kMinBlend_s = 0.2F;
+/// From a standstill to the full speed of a walk, s.
+inline constexpr float kWalkOn_s = 0.5F;
 
 /// Plans the response of a character in `state` with clip number `clip`, which is annotated or the
 /// library's idle clip, to an impact in `time_to_impact_s` (positive, finite). Input that cannot be
@@ -113,6 +119,10 @@ bool is_idle(const Response& response) noexcept;
 /// finite counts as 0. An invalid response gives the rest pose at the world's origin. Costs one or
 /// two microseconds; allocates nothing, throws nothing.
 motion::Pose pose_at(const Response& response, float time_s) noexcept;
+
+/// The time that has passed for the character's stance after the response, in `home`: that since
+/// perception or, where it walks on, that of the walk.
+float home_time_s(const Response& response, float time_s) noexcept;
 
 /// When the way back to idle is over, s after perception; 0 for the idle clip of an idling
 /// character.

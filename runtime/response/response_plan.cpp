@@ -26,6 +26,8 @@ constexpr float kHoldAfterLift_s = 0.025F;      // shifted, after it left
 constexpr float kStepDuration_s = 0.25F;        // of a step that is not in the clip
 constexpr float kPauseAfterSteps_s = 0.1F;      // after the last step on the way back
 constexpr float kSettleDuration_s = 0.6F;       // from another motion to idle
+constexpr float kStandstill_s = 0.15F;          // from leaving a walk to the clip
+constexpr float kBeforePassing_s = 0.05F;       // of a walk: where it begins anew
 constexpr float kSamePosition_m = 1e-3F;        // offset of a foot that needs no step
 constexpr float kSameYaw = 3e-3F;               // radians
 constexpr float kToleratedOffset_m = 0.04F;     // offset that a foot may keep during a clip
@@ -66,6 +68,7 @@ bool is_usable_input(const PreparedLibrary& prepared, const features::CharacterS
   const database::ClipLibrary& library = *prepared.library;
   if (!has_clip(library, library.idle) || !has_clip(library, clip)) return false;
   if (!is_finite(state) || !is_finite(inertialization)) return false;
+  if (!prepared.has_stance(state.stance)) return false;
   if (!(time_to_impact_s > 0) || !std::isfinite(time_to_impact_s)) return false;
   const auto& annotation = library.clip(clip).annotation;
   return clip == library.idle || (annotation && is_in_order(*annotation));
@@ -106,7 +109,7 @@ struct Start {
 
 // Lays the clip's support foot on the character's.
 Start align(Response& r) {
-  r.yaw = r.state.facing;
+  r.yaw = r.rest.facing;
   r.translation = Eigen::Vector3f::Zero();
   Start start{source_pose_at(r, r.begin_s), clip_pose_at(r, r.begin_s)};
   r.translation = horizontal(source_foot_in(r, r.support, start.source).ankle -
@@ -141,7 +144,7 @@ void plan_change(Response& r, Side side, const FootPose& from, const FootPose& t
   if (swing) plan.correction = *swing;
   const bool must_step = side != r.support && differ(from, to, kToleratedOffset_m, kToleratedYaw);
   if (must_step && !(swing && swing->begin_s < r.begin_s + r.blend_duration_s)) {
-    const float begin_s = std::max(r.begin_s, kMinShiftDuration_s);
+    const float begin_s = std::max(r.begin_s, r.leave_s + kMinShiftDuration_s);
     if (swing && swing->begin_s < begin_s + kStepDuration_s)
       return;  // the clip's own comes soon enough
     plan.correction = {begin_s, begin_s + kStepDuration_s};
@@ -360,7 +363,8 @@ void plan_clip(const motion::Annotation& annotation, float time_to_impact_s, flo
   r.shifts[0] = {};
   const std::optional<float> lift_s = first_lift_s(r);
   const auto shift = [&] {
-    shift_weight(r, 0, r.support, *lift_s, std::max(*lift_s - kShiftDuration_s, 0.0F), r.end_s);
+    shift_weight(r, 0, r.support, *lift_s, std::max(*lift_s - kShiftDuration_s, r.leave_s),
+                 r.end_s);
   };
   if (lift_s) shift();
   choose_blend_duration(r);
@@ -381,24 +385,69 @@ Side weight_bearing_foot(const Response& r, const motion::Pose& away) {
   return distance(other) < distance(r.support) - kClearlyNearer_m ? other : r.support;
 }
 
+// A foot where the way home begins, or after it.
+FootPose away_foot(const Response& r, Side side, float time_s) {
+  return is_idle(r) ? source_foot_at(r, side, time_s) : clip_foot_at(r, side, time_s);
+}
+
+// A walking character goes on until shortly before the clip. From then on it comes to rest, and the
+// rest of the plan is that for any character that rests in another pose.
+void plan_leaving(const motion::Annotation& annotation, float time_to_impact_s, Response& r) {
+  constexpr float kVelocityInterval_s = 1.0F / 240;
+  const PreparedLibrary& library = *r.library;
+  set_timing(annotation, time_to_impact_s, 0, r);
+  r.leave_s = std::max(r.begin_s - kStandstill_s, 0.0F);
+  const motion::Loop& walk = library.stance_of(r.state).loop;
+  const motion::Pose now = features::idle_pose(walk, r.state, r.leave_s);
+  const motion::Pose before = features::idle_pose(walk, r.state, r.leave_s - kVelocityInterval_s);
+  r.rest =
+      rest_state_at(library, now, r.state.stance, features::later(walk, r.state, r.leave_s).facing);
+  r.inertialization = make_inertialization(library, r.rest, before, now, kVelocityInterval_s);
+}
+
+// A walk goes on where one foot stands, the other free to pass it: `standing` is the last foot to
+// carry the body.
+void plan_walking_on(Response& r, const motion::Pose& away, Side standing) {
+  const Passing& passing = r.library->stance_of(r.home).passing[standing];
+  FootPlan& free = r.feet[motion::other(standing)];
+  const float lift_s = r.end_s + kReturnShiftDuration_s;
+  r.walk_on_s = lift_s;
+  r.home.idle_time_s = passing.time_s - kBeforePassing_s;
+  const float walked_s = kBeforePassing_s + passing.until_landing_s;
+  // The time in which the walk, which starts from a standstill, comes to where the foot lands.
+  const float landing_s =
+      walked_s < kWalkOn_s / 2 ? std::sqrt(2 * kWalkOn_s * walked_s) : walked_s + kWalkOn_s / 2;
+  if (!is_idle(r)) r.arcs_back = motion::shorter_arcs(away, return_pose_at(r, r.end_s));
+  r.idle_displacement = Eigen::Vector3f::Zero();
+  r.idle_displacement =
+      horizontal(away_foot(r, standing, lift_s).ankle - return_foot_at(r, standing, lift_s).ankle);
+  free.return_step = {lift_s, lift_s + landing_s};
+  free.return_lift_m = step_height(away_foot(r, motion::other(standing), lift_s),
+                                   return_foot_at(r, motion::other(standing), lift_s + landing_s));
+  r.return_duration_s = free.return_step.end_s + kPauseAfterSteps_s - r.end_s;
+  r.feet[standing].return_step = {lift_s, r.end_s + r.return_duration_s};
+  shift_weight(r, 1, standing, lift_s, r.end_s, r.end_s + r.return_duration_s);
+}
+
 // The feet's way home: one after the other, the one that carries more weight last.
 void plan_return(Response& r) {
   const bool idles = is_idle(r);
   const motion::Pose away = idles ? source_pose_at(r, r.end_s) : clip_pose_at(r, r.end_s);
   const Side last = weight_bearing_foot(r, away);
+  if (r.library->stance_of(r.home).loop.travels()) {
+    plan_walking_on(r, away, last);
+    return;
+  }
   if (!idles) r.arcs_back = motion::shorter_arcs(away, return_pose_at(r, r.end_s));
-  const auto away_foot = [&](Side side, float time_s) {
-    return idles ? source_foot_at(r, side, time_s) : clip_foot_at(r, side, time_s);
-  };
   r.idle_displacement = Eigen::Vector3f::Zero();
   if (!idles) {
-    r.idle_displacement = horizontal(away_foot(last, r.end_s + kMinBlend_s).ankle -
+    r.idle_displacement = horizontal(away_foot(r, last, r.end_s + kMinBlend_s).ankle -
                                      return_foot_at(r, last, r.end_s + kMinBlend_s).ankle);
   }
   float time_s = r.end_s;
   for (Side side : {motion::other(last), last}) {
     FootPlan& plan = r.feet[side];
-    const FootPose from = away_foot(side, time_s);
+    const FootPose from = away_foot(r, side, time_s);
     const FootPose to = return_foot_at(r, side, time_s);
     if (!differ(from, to, kSamePosition_m, kSameYaw)) continue;
     const float lift_s = time_s + kReturnShiftDuration_s;
@@ -431,6 +480,8 @@ Response make_response(const PreparedLibrary& library, const features::Character
   r.library = &library;
   r.clip = clip;
   r.state = state;
+  r.rest = state;
+  r.home = state;
   r.inertialization = inertialization;
   r.support = footwork_of(r).support;
   if (clip == library.library->idle) {
@@ -438,15 +489,18 @@ Response make_response(const PreparedLibrary& library, const features::Character
     return r;
   }
   const motion::Annotation& annotation = *library.clip(clip).annotation;
-  plan_clip(annotation, time_to_impact_s, 0, r);
+  const bool walks = library.stance_of(state).loop.travels() && inertialization.is_zero;
+  if (walks) plan_leaving(annotation, time_to_impact_s, r);
+  plan_clip(annotation, time_to_impact_s, r.leave_s, r);
   const std::optional<float> lift_s = first_lift_s(r);
-  if (lift_s && *lift_s < kMinShiftDuration_s && !r.shifts[0].pelvis.isZero(0)) {
+  if (lift_s && *lift_s - r.leave_s < kMinShiftDuration_s && !r.shifts[0].pelvis.isZero(0)) {
     // There is no time to shift the weight: the clip begins as much later.
     const float lead_s = (*lift_s - r.begin_s) * r.playback_rate / kMaxPlaybackRate;
-    plan_clip(annotation, time_to_impact_s, kMinShiftDuration_s - lead_s, r);
+    plan_clip(annotation, time_to_impact_s, r.leave_s + kMinShiftDuration_s - lead_s, r);
   }
+  r.home = walks ? features::later(library.stance_of(state).loop, state, r.leave_s) : state;
   plan_return(r);
-  r.first_motion_s = std::min(r.begin_s, r.shifts[0].interval.begin_s);
+  r.first_motion_s = walks ? r.leave_s : std::min(r.begin_s, r.shifts[0].interval.begin_s);
   return r;
 }
 

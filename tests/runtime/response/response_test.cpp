@@ -335,6 +335,7 @@ TEST(ResponseQuality, AllClipsMeetTheBounds) {
   std::mt19937 random(3);
   int lifts = 0;
   for (int clip = 1; clip < static_cast<int>(authored().clips.size()); ++clip) {
+    if (!authored().clip(clip).annotation) continue;
     for (int i = 0; i < 4; ++i) {
       const float impact_s = tests::uniform(random, 0.25F, 1.2F);
       const features::CharacterState state{
@@ -359,6 +360,7 @@ TEST(ResponseQuality, AllClipsMeetTheBounds) {
 TEST(ResponseQuality, JointsStayWithinTheirLimitsHoweverShortTheTime) {
   std::mt19937 random(5);
   for (int clip = 1; clip < static_cast<int>(authored().clips.size()); ++clip) {
+    if (!authored().clip(clip).annotation) continue;
     for (int i = 0; i < tests::samples(12); ++i) {
       const features::CharacterState state{tests::uniform(random, 0, 100), {0, 0}, 0};
       const float impact_s = tests::uniform(random, 0.01F, 0.5F);
@@ -390,7 +392,7 @@ Interruption interrupted(int clip, float at_s) {
   constexpr float kStep_s = 1e-3F;
   const Response response = make_response(prepared(), kState, clip, 0.6F);
   Interruption at{pose_at(response, at_s - kStep_s), pose_at(response, at_s), {}, {}};
-  at.state = idle_state_at(prepared(), at.now);
+  at.state = rest_state_at(prepared(), at.now, 0);
   at.inertialization = make_inertialization(prepared(), at.state, at.before, at.now, kStep_s);
   return at;
 }

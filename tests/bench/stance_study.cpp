@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: MIT
+// Throws balls that lead a character in each stance of a selector's library, and prints how often
+// it perceives the right target and what its selector's choices protect, beside the same balls at
+// the idle character:
+//
+//     stance_study SELECTOR [CASES]
+//
+// CASES are those of each stance.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <vector>
+
+#include "features/random.h"
+#include "lookahead/oracle/oracle.h"
+#include "runtime/response/prepared_library.h"
+#include "runtime/workspace.h"
+#include "tests/bench/study.h"
+#include "train/scenario/scenario_sampling.h"
+
+namespace flinch {
+namespace {
+
+constexpr std::uint64_t kSeed = 1;
+
+/// What is drawn of a case, whatever the stance.
+struct Case {
+  features::ThreatDescription description;
+  Eigen::Vector3f offset;  ///< of the aim from the target's centre, m
+  double phase = 0;        ///< of the stance, 0 to 1
+  double elevation = 0;    ///< of what is possible, 0 to 1
+};
+
+// As the default distribution draws them (docs/program.md).
+Case draw(std::uint64_t number) {
+  features::Random random(kSeed, features::RandomStream::scenario, number);
+  Case drawn;
+  drawn.description.target = static_cast<motion::Target>(random.index(4));
+  drawn.description.azimuth = static_cast<float>(random.uniform(-M_PI, M_PI));
+  drawn.description.speed_mps = static_cast<float>(random.uniform(12, 30));
+  drawn.description.time_to_impact_s = static_cast<float>(random.uniform(0.25, 1.2));
+  for (float& coordinate : drawn.offset)
+    coordinate = static_cast<float>(random.uniform(-0.05, 0.05));
+  drawn.phase = random.uniform();
+  drawn.elevation = random.uniform();
+  return drawn;
+}
+
+/// What came out for one stance.
+struct Result {
+  int cases = 0;
+  int right = 0;
+  int missed = 0;
+  double going_on_ns = 0;  ///< costs, summed
+  double chosen_ns = 0;
+  double best_ns = 0;
+  double protection() const { return (going_on_ns - chosen_ns) / (going_on_ns - best_ns); }
+};
+
+features::Threat thrown(const runtime::PreparedLibrary& library,
+                        const features::CharacterState& state, const Case& drawn) {
+  features::ThreatDescription description = drawn.description;
+  const auto centres =
+      features::predict_character(library.figure_in(state), state, description.time_to_impact_s)
+          .target_centres;
+  const Eigen::Vector3f aim = centres[description.target] + drawn.offset;
+  constexpr double kHighest = M_PI / 4;
+  const double lowest =
+      std::max(-M_PI / 18, train::min_feasible_elevation(
+                               double{description.speed_mps}, double{description.time_to_impact_s},
+                               double{description.radius}, double{aim.z()}));
+  description.elevation =
+      static_cast<float>(lowest + drawn.elevation * std::max(kHighest - lowest, 0.0));
+  return features::threat_from_description(description, aim, 0);
+}
+
+class Study {
+ public:
+  explicit Study(const std::string& selector) {
+    if (library_.load(selector) != database::LoadStatus::ok)
+      throw Error(selector, "is not a selector that can be loaded");
+    workspace_.reserve_memory(library_.selection_bytes());
+    oracle_.emplace(library_);
+  }
+
+  const runtime::Library& library() const { return library_; }
+
+  Result run(int stance, int cases) {
+    Result result;
+    for (int i = 0; i < cases; ++i) add(draw(static_cast<std::uint64_t>(i)), stance, result);
+    return result;
+  }
+
+ private:
+  void add(const Case& drawn, int stance, Result& result) {
+    const runtime::PreparedLibrary& prepared = library_.prepared();
+    features::CharacterState state;
+    state.stance = stance;
+    const motion::Loop& loop = prepared.stance_of(state).loop;
+    state.idle_time_s = static_cast<float>(drawn.phase) * loop.period_s();
+    const features::Threat threat = thrown(prepared, state, drawn);
+    runtime::Character character(library_);
+    character.place(state.position, state.facing, state.idle_time_s, stance);
+    runtime::Perception seen;
+    const runtime::Status status = character.notice(threat, seen);
+    const runtime::Perception truth{
+        {threat, drawn.description.target, drawn.description.time_to_impact_s, state}, 0};
+    ++result.cases;
+    result.missed += status != runtime::Status::ok ? 1 : 0;
+    result.right +=
+        status == runtime::Status::ok && seen.scenario.target == truth.scenario.target ? 1 : 0;
+    add_costs(character, truth, status == runtime::Status::ok ? &seen : nullptr, result);
+  }
+
+  void add_costs(const runtime::Character& character, const runtime::Perception& truth,
+                 const runtime::Perception* seen, Result& result) {
+    const int idle = library_.clip_library().idle;
+    const std::vector<lookahead::ClipTrial> trials =
+        oracle_->try_all(character, truth, truth.scenario.threat);
+    int chosen = idle;
+    if (seen != nullptr) {
+      std::array<models::Candidate, 1> best{};
+      std::size_t count = 0;
+      character.rank(*seen, workspace_, best, count);
+      chosen = best[0].clip;
+    }
+    const auto cost_of = [&](int clip) {
+      const auto trial = std::ranges::find(trials, clip, &lookahead::ClipTrial::clip);
+      if (trial != trials.end()) return trial->cost_ns;
+      return oracle_->try_clip(character, truth, truth.scenario.threat, clip)->cost_ns;
+    };
+    result.going_on_ns += cost_of(idle);
+    result.chosen_ns += cost_of(chosen);
+    result.best_ns += trials[lookahead::best_of(trials)].cost_ns;
+  }
+
+  runtime::Library library_;
+  runtime::Workspace workspace_;
+  std::optional<lookahead::Oracle> oracle_;
+};
+
+void print(const std::string& name, const Result& result) {
+  std::printf("| %s | %d | %.1f %% | %d | %.2f | %.2f | %.2f | %.3f |\n", name.c_str(),
+              result.cases, 100.0 * result.right / result.cases, result.missed,
+              result.going_on_ns / result.cases, result.chosen_ns / result.cases,
+              result.best_ns / result.cases, result.protection());
+}
+
+void run(const bench::StudyArguments& arguments) {
+  Study study(arguments.text(0));
+  const auto cases = arguments.number_or<int>(1, 50);
+  std::printf(
+      "| stance | cases | right target | unseen | going on, N s | selector | oracle | protection "
+      "|\n| --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: |\n");
+  const database::ClipLibrary& clips = study.library().clip_library();
+  Result moving;
+  int stance = 0;
+  for (const int clip : database::stance_clips(clips)) {
+    const Result result = study.run(stance, cases);
+    print(clips.clip(clip).name, result);
+    if (stance++ == 0) continue;
+    moving.cases += result.cases;
+    moving.right += result.right;
+    moving.missed += result.missed;
+    moving.going_on_ns += result.going_on_ns;
+    moving.chosen_ns += result.chosen_ns;
+    moving.best_ns += result.best_ns;
+  }
+  if (moving.cases > 0) print("all but the first", moving);
+}
+
+}  // namespace
+}  // namespace flinch
+
+int main(int count, char** arguments) {
+  return flinch::bench::study_main(count, arguments, {"stance_study SELECTOR [CASES]", 1, 2},
+                                   flinch::run);
+}
