@@ -3,6 +3,9 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "database/export/bvh_writer.h"
 #include "database/export/filmstrip.h"
@@ -17,16 +20,33 @@
 #include "program/response_recording.h"
 #include "program/table.h"
 #include "program/threat_options.h"
+#include "runtime/response/prepared_library.h"
 
 namespace flinch::program {
 
 namespace {
 
+/// A threat that comes after the first; what is not given is as the first one's.
+struct SecondThreat {
+  std::optional<double> time_to_impact_s;  ///< none: there is no second threat
+  std::optional<double> azimuth;
+  std::optional<double> speed_mps;
+  std::optional<std::string> target;
+};
+
 struct RespondOptions {
   std::string selector;
   std::string out;
   ThreatOptions threat;
+  SecondThreat second;
+  std::optional<std::string> start;
+  std::optional<std::string> clip;
   std::optional<int> look_ahead;
+  double reaction_delay_s = 0;
+  double noise = 0;
+  double failure = 0;
+  std::uint64_t seed = 1;
+  std::string ending = "clip";
   bool force = false;
   bool json = false;
 };
@@ -54,18 +74,20 @@ database::Output output_of(const std::string& path) {
   }
 }
 
-// Draws the recording as a clip that protects the side that the threat comes from, so that the
-// filmstrip shows its arrow.
+// Draws the recording as a clip that protects the part and the side that the threat comes to, so
+// that the filmstrip shows its arrow. A figure that walks stays in the middle of its column.
 void write_filmstrip(const runtime::Library& library, const ResponseRecording& recording,
-                     const RespondOptions& options) {
+                     const RespondOptions& options, bool walks) {
   motion::Clip clip = library.clip_library().clip(recording.clip);
   clip.motion = recording.motion;
-  if (clip.annotation) {
-    clip.annotation->onset_s = 0;
-    clip.annotation->peak_s = recording.impact_s;
-    clip.annotation->end_s = recording.motion.duration_s();
-    clip.annotation->direction = static_cast<float>(motion::radians(options.threat.azimuth));
+  for (motion::Pose& pose : clip.motion.poses) {
+    if (walks) pose.root_position.head<2>().setZero();
   }
+  clip.annotation =
+      motion::Annotation{.target = *motion::target_named(options.threat.target),
+                         .direction = static_cast<float>(motion::radians(options.threat.azimuth)),
+                         .peak_s = recording.impact_s,
+                         .end_s = recording.motion.duration_s()};
   database::write_file_atomically(
       options.out,
       database::filmstrip_svg(motion::make_figure(library.clip_library().character), clip));
@@ -79,16 +101,16 @@ database::MotionFacts facts_of(const runtime::Library& library,
                                const ResponseRecording& recording) {
   database::MotionFacts facts{.clip = clip_name(library, recording.clip),
                               .impact_s = recording.impact_s};
-  if (std::isfinite(recording.contact_s)) {
-    facts.contact_s = recording.contact_s;
-    facts.hit_body = recording.hit_body;
-    facts.impulse_ns = recording.impulse_ns;
+  if (const RecordedHit& hit = recording.hits.front(); std::isfinite(hit.contact_s)) {
+    facts.contact_s = hit.contact_s;
+    facts.hit_body = hit.hit_body;
+    facts.impulse_ns = hit.impulse_ns;
   }
   return facts;
 }
 
 void write(const runtime::Library& library, const ResponseRecording& recording,
-           const RespondOptions& options) {
+           const RespondOptions& options, bool walks) {
   const motion::Physique& character = library.clip_library().character;
   switch (kind_of(options.out)) {
     case Kind::glb:
@@ -99,79 +121,212 @@ void write(const runtime::Library& library, const ResponseRecording& recording,
       database::write_bvh(options.out, character, recording.motion);
       break;
     case Kind::svg:
-      write_filmstrip(library, recording, options);
+      write_filmstrip(library, recording, options, walks);
       break;
   }
+}
+
+std::string quoted_list(const std::vector<std::string>& names) {
+  std::string list;
+  for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
+  return list;
+}
+
+/// Returns the number of the stance that --start names, which is its clip's or its kind.
+int stance_of(const database::ClipLibrary& library, const RespondOptions& options) {
+  if (!options.start) return 0;
+  std::vector<std::string> known;
+  int stance = 0;
+  for (const int index : database::stance_clips(library)) {
+    const motion::Clip& clip = library.clip(index);
+    if (clip.name == *options.start) return stance;
+    known.push_back(clip.name);
+    ++stance;
+  }
+  throw Error(options.selector,
+              "has no stance " + *options.start + " for --start; it has: " + quoted_list(known));
+}
+
+std::optional<int> clip_of(const database::ClipLibrary& library, const RespondOptions& options) {
+  if (!options.clip) return std::nullopt;
+  if (options.second.time_to_impact_s)
+    throw Error("", "--clip answers one threat; leave out the second one's options");
+  for (std::size_t i = 0; i < library.clips.size(); ++i) {
+    const bool answers = library.clips[i].annotation || static_cast<int>(i) == library.idle;
+    if (answers && library.clips[i].name == *options.clip) return static_cast<int>(i);
+  }
+  throw Error(options.selector, "has no clip " + *options.clip +
+                                    " that answers threats; `flinch info` lists its clips");
+}
+
+/// Returns the threat to a character in its stance at the origin: it leads one that walks.
+RecordedThreat thrown_at(const runtime::Library& library, int stance,
+                         const features::ThreatDescription& threat) {
+  motion::PerTarget<Eigen::Vector3f> centres = library.selector().target_centres;
+  if (stance != 0) {
+    const runtime::PreparedLibrary& prepared = library.prepared();
+    features::CharacterState state;
+    state.stance = stance;
+    centres = features::predict_character(prepared.figure_in(state), state, threat.time_to_impact_s)
+                  .target_centres;
+  }
+  return {features::threat_from_description(threat, centres[threat.target], 0), threat.target,
+          threat.time_to_impact_s};
+}
+
+ThreatOptions second_threat(const RespondOptions& options) {
+  ThreatOptions second = options.threat;
+  second.time_to_impact_s = *options.second.time_to_impact_s;
+  if (second.time_to_impact_s <= options.threat.time_to_impact_s)
+    throw Error("", "--second-time-to-impact must be later than --time-to-impact");
+  second.azimuth = options.second.azimuth.value_or(second.azimuth);
+  second.target = options.second.target.value_or(second.target);
+  if (options.second.speed_mps) second.speed_mps = options.second.speed_mps;
+  return second;
+}
+
+/// What a person's errors are, as often as --noise says.
+runtime::PerceptionLimits limits_of(const RespondOptions& options) {
+  const runtime::PerceptionLimits human = runtime::human_limits();
+  const auto noise = static_cast<float>(options.noise);
+  return {.reaction_delay_s = static_cast<float>(options.reaction_delay_s),
+          .bearing_noise = noise * human.bearing_noise,
+          .distance_noise = noise * human.distance_noise,
+          .heading_noise = noise * human.heading_noise,
+          .speed_noise = noise * human.speed_noise,
+          .chance_to_fail = static_cast<float>(options.failure)};
+}
+
+RecordedScene scene_of(const runtime::Library& library, const RespondOptions& options) {
+  const database::ClipLibrary& clips = library.clip_library();
+  RecordedScene scene;
+  scene.stance = stance_of(clips, options);
+  scene.clip = clip_of(clips, options);
+  scene.limits = limits_of(options);
+  scene.seed = options.seed;
+  scene.ending = options.ending == "clip"   ? Ending::clip
+                 : options.ending == "idle" ? Ending::stance
+                                            : Ending::none;
+  const auto add = [&](const ThreatOptions& threat) {
+    scene.threats.push_back(
+        thrown_at(library, scene.stance, described(threat, library.selector())));
+  };
+  add(options.threat);
+  if (options.second.time_to_impact_s) add(second_threat(options));
+  return scene;
+}
+
+void add_hit(const RecordedHit& hit, Json& document) {
+  const bool hits = std::isfinite(hit.contact_s);
+  document["hits"] = hits;
+  if (!hits) return;
+  document["contact_s"] = shortest(hit.contact_s);
+  document["impulse_ns"] = shortest(hit.impulse_ns);
+  document["hit_body"] = motion::name_of(hit.hit_body);
+}
+
+Json document_of(const runtime::Library& library, const ResponseRecording& recording,
+                 const RespondOptions& options) {
+  Json document{{"file", options.out},
+                {"clip", clip_name(library, recording.clip)},
+                {"noticed", recording.is_noticed},
+                {"target", options.threat.target},
+                {"time_to_impact_s", options.threat.time_to_impact_s},
+                {"duration_s", shortest(recording.motion.duration_s())},
+                {"knocked_over", recording.knocked_over}};
+  add_hit(recording.hits.front(), document);
+  if (recording.reaction_clip)
+    document["reaction_clip"] = clip_name(library, *recording.reaction_clip);
+  if (recording.hits.size() > 1) add_hit(recording.hits.back(), document["second"]);
+  return document;
+}
+
+std::string hit_text(const RecordedHit& hit) {
+  if (!std::isfinite(hit.contact_s)) return "the ball hits nothing";
+  return "the ball hits at " + fixed(double{hit.contact_s}, 2) + " s with " +
+         fixed(double{hit.impulse_ns}, 1) + " N s";
+}
+
+void print_text(const runtime::Library& library, const ResponseRecording& recording,
+                const RespondOptions& options) {
+  std::cout << printable(options.out) << ": "
+            << (recording.is_noticed ? printable(clip_name(library, recording.clip))
+                                     : "the threat is not noticed")
+            << ", " << fixed(double{recording.motion.duration_s()}, 2) << " s; "
+            << hit_text(recording.hits.front());
+  if (recording.hits.size() > 1) std::cout << "; then " << hit_text(recording.hits.back());
+  if (recording.reaction_clip)
+    std::cout << ", then " << printable(clip_name(library, *recording.reaction_clip));
+  std::cout << (recording.knocked_over ? ", which knocks the character over\n" : "\n");
 }
 
 void run_respond(const RespondOptions& options) {
   database::check_outputs({output_of(options.out)}, {options.selector},
                           overwrite_of(options.force));
   const runtime::Library library = load_runtime_library(options.selector);
-  const motion::PerTarget<Eigen::Vector3f>& centres = library.selector().target_centres;
-  const features::ThreatDescription threat = described(options.threat, library.selector());
+  const RecordedScene scene = scene_of(library, options);
   lookahead::LookAheadWorkspace look_ahead;
   if (options.look_ahead) look_ahead = look_ahead_workspace(library, options.selector);
-  const ResponseRecording recording =
-      record_response(library, features::threat_from_description(threat, centres[threat.target], 0),
-                      threat.target, threat.time_to_impact_s,
-                      options.look_ahead ? &look_ahead : nullptr, options.look_ahead.value_or(1));
-  write(library, recording, options);
-
-  const std::string& clip = clip_name(library, recording.clip);
-  const bool hits = std::isfinite(recording.contact_s);
+  const ResponseRecording recording = record_response(
+      library, scene, options.look_ahead ? &look_ahead : nullptr, options.look_ahead.value_or(1));
+  features::CharacterState start;
+  start.stance = scene.stance;
+  write(library, recording, options, library.prepared().stance_of(start).loop.travels());
   if (options.json) {
-    Json document{{"file", options.out},
-                  {"clip", clip},
-                  {"target", options.threat.target},
-                  {"time_to_impact_s", options.threat.time_to_impact_s},
-                  {"duration_s", shortest(recording.motion.duration_s())},
-                  {"hits", hits},
-                  {"knocked_over", recording.knocked_over}};
-    if (recording.reaction_clip)
-      document["reaction_clip"] = clip_name(library, *recording.reaction_clip);
-    if (hits) {
-      document["contact_s"] = shortest(recording.contact_s);
-      document["impulse_ns"] = shortest(recording.impulse_ns);
-      document["hit_body"] = motion::name_of(recording.hit_body);
-    }
-    print(document);
-    return;
-  }
-  std::cout << printable(options.out) << ": " << printable(clip) << ", "
-            << fixed(double{recording.motion.duration_s()}, 2) << " s; ";
-  if (hits) {
-    std::cout << "the ball hits at " << fixed(double{recording.contact_s}, 2) << " s with "
-              << fixed(double{recording.impulse_ns}, 1) << " N s";
+    print(document_of(library, recording, options));
   } else {
-    std::cout << "the ball hits nothing";
+    print_text(library, recording, options);
   }
-  if (recording.reaction_clip)
-    std::cout << ", then " << printable(clip_name(library, *recording.reaction_clip));
-  std::cout << (recording.knocked_over ? ", which knocks the character over\n" : "\n");
+}
+
+std::vector<Option> scene_options(RespondOptions& options) {
+  return {
+      {"--start", "stance that the character is in, such as guard (default: its idle clip)",
+       &options.start},
+      {"--clip", "clip that answers, whatever the selector would choose", &options.clip},
+      {"--reaction-delay", "from seeing the threat to acting on it, s", &options.reaction_delay_s,
+       Range{0, 5}},
+      {"--noise", "errors in what is seen: 1 is a person's, 2 twice those", &options.noise,
+       Range{0, 10}},
+      {"--failure", "probability of not noticing the threat", &options.failure, Range{0, 1}},
+      {"--seed", "of noise and failure", &options.seed},
+      {"--end",
+       "after a blow: clip, the library's that fits it, or idle, back to the stance; none: balls "
+       "move nothing",
+       &options.ending, OneOf{{"clip", "idle", "none"}}},
+      {"--second-time-to-impact", "of a second threat, later than the first, s",
+       &options.second.time_to_impact_s, Range{0.01, 10}},
+      {"--second-azimuth", "its direction, degrees (default: the first one's)",
+       &options.second.azimuth, Range{-360, 360}},
+      {"--second-speed", "its speed, m/s (default: the first one's)", &options.second.speed_mps,
+       Range{0.1, 900}},
+      {"--second-target", "the part that it threatens (default: the first one's)",
+       &options.second.target, OneOf{target_names()}}};
 }
 
 }  // namespace
 
 Command respond_command() {
   auto options = std::make_shared<RespondOptions>();
-  return {.name = "respond",
-          .summary = "Write the whole response to a threat as an animation, ball included",
-          .required = {{"SELECTOR", "selector made by flinch train", &options->selector},
-                       {"--out",
-                        "FILE.glb for Blender and glTF viewers, FILE.bvh, or FILE.svg for a "
-                        "filmstrip",
-                        &options->out}},
-          .optional = join({threat_options(options->threat),
-                            {look_ahead_option(options->look_ahead), force_option(options->force),
-                             json_option(options->json)}}),
-          .notes =
-              "The character stands at the origin, facing the front, perceives the threat at once, "
-              "and is\n"
-              "hit by it as in the simulation.\n\n"
-              "Example:\n  flinch respond default.flinch --azimuth 40 --speed 24 --target head "
-              "--out hit.glb",
-          .run = [options] { run_respond(*options); }};
+  return {
+      .name = "respond",
+      .summary = "Write the whole response to a threat as an animation, ball included",
+      .required = {{"SELECTOR", "selector made by flinch train", &options->selector},
+                   {"--out",
+                    "FILE.glb for Blender and glTF viewers, FILE.bvh, or FILE.svg for a "
+                    "filmstrip",
+                    &options->out}},
+      .optional = join({threat_options(options->threat),
+                        scene_options(*options),
+                        {look_ahead_option(options->look_ahead), force_option(options->force),
+                         json_option(options->json)}}),
+      .notes =
+          "The character is at the origin, facing the front, perceives the threats at once, and "
+          "is\n"
+          "hit by them as in the simulation. Threats lead a character that walks.\n\n"
+          "Example:\n  flinch respond default.flinch --azimuth 40 --speed 24 --target head "
+          "--out hit.glb",
+      .run = [options] { run_respond(*options); }};
 }
 
 }  // namespace flinch::program

@@ -5,6 +5,7 @@
 import json
 import os
 import pathlib
+import re
 import subprocess
 import tempfile
 import unittest
@@ -84,6 +85,72 @@ class Respond(ProgramTest):
         for key in ("contact_s", "impulse_ns"):
             self.assertAlmostEqual(extras[key], document[key], places=4)
         self.assertEqual(extras["impact_s"], 0.2)
+
+    def test_starts_from_the_guard_and_returns_to_it(self):
+        _, idle = self.respond("idle.bvh")
+        out, guard = self.respond("guard.bvh", *THREAT, "--start", "guard")
+        self.assertNotEqual(out.read_bytes(), (self.folder / "idle.bvh").read_bytes())
+        self.assertGreater(guard["duration_s"], 1)
+        line = self.fail_with(1, "respond", self.selector, "--start", "walk", "--out",
+                              self.folder / "walk.bvh")
+        self.assertIn("has no stance walk for --start; it has: idle, guard", line)
+
+    def test_answers_with_a_clip_of_choice(self):
+        clip = "duck_head_front_exaggerated"
+        _, played = self.respond("clip.bvh", *THREAT, "--clip", clip)
+        self.assertEqual(played["clip"], clip)
+        line = self.fail_with(1, "respond", self.selector, "--clip", "guard", "--out",
+                              self.folder / "none.bvh")
+        self.assertIn("has no clip guard that answers threats", line)
+
+    def test_a_late_answer_leaves_the_beginning_as_it_was(self):
+        def poses(name, *options):
+            out, document = self.respond(name, *THREAT, "--clip", "duck_head_front_exaggerated",
+                                         *options)
+            lines = out.read_text().split("Frame Time")[1].splitlines()[1:]
+            return lines, document
+        at_once, _ = poses("at_once.bvh")
+        late, document = poses("late.bvh", "--reaction-delay", 0.4)
+        self.assertEqual(document["clip"], "duck_head_front_exaggerated")
+        self.assertNotEqual(at_once[20], at_once[0])
+        self.assertNotEqual(late[20], at_once[20])
+        unnoticed, document = poses("unnoticed.bvh", "--failure", 1)
+        self.assertFalse(document["noticed"])
+        self.assertEqual(late[:24], unnoticed[:24])
+
+    def test_noise_changes_what_is_chosen_by_its_seed_alone(self):
+        def chosen(seed):
+            return self.document("respond", self.selector, *THREAT, "--noise", 10, "--seed", seed,
+                                 "--out", self.folder / f"{seed}.bvh")["clip"]
+        clips = [chosen(seed) for seed in range(8)]
+        self.assertGreater(len(set(clips)), 1)
+        self.assertEqual(chosen(3), clips[3])
+
+    def test_a_second_threat_is_answered_and_hits(self):
+        _, both = self.respond("both.glb", *THREAT, "--second-time-to-impact", 1.1,
+                               "--second-azimuth", -60, "--second-target", "trunk", "--end", "idle")
+        self.assertIn("hits", both["second"])
+        line = self.fail_with(1, "respond", self.selector, *THREAT, "--second-time-to-impact", 0.4,
+                              "--out", self.folder / "no.glb")
+        self.assertIn("must be later than --time-to-impact", line)
+
+    def test_balls_move_nothing_where_the_end_is_none(self):
+        hard = ["--target", "trunk", "--speed", 12, "--time-to-impact", 0.05, "--mass", 20,
+                "--radius", 0.15]
+        _, hit = self.respond("hit.bvh", *hard)
+        _, free = self.respond("free.bvh", *hard, "--end", "none")
+        self.assertTrue(hit["knocked_over"])
+        self.assertFalse(free["knocked_over"])
+        self.assertFalse(free["hits"])
+
+    def test_the_filmstrip_points_at_the_target(self):
+        def arrow_height(target):
+            out, _ = self.respond(f"{target}.svg", "--azimuth", 40, "--target", target, "--clip",
+                                  "duck_head_front_exaggerated")
+            return float(re.search(r"d='M\S+ (\S+)L\S+ \S+' stroke='#c00'", out.read_text())[1])
+        head, trunk, legs = map(arrow_height, ("head", "trunk", "legs"))
+        self.assertLess(head, trunk - 20)
+        self.assertLess(trunk, legs - 20)
 
     def test_bvh_is_read_back_by_our_own_reader(self):
         out, document = self.respond("hit.bvh")
