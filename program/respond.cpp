@@ -7,13 +7,16 @@
 #include <string>
 #include <vector>
 
+#include "database/author/stance.h"
 #include "database/export/bvh_writer.h"
 #include "database/export/filmstrip.h"
 #include "database/export/gltf_writer.h"
 #include "database/files/file_io.h"
+#include "database/import/import.h"
 #include "motion/error.h"
 #include "motion/rotation.h"
 #include "program/command.h"
+#include "program/command_line.h"
 #include "program/load.h"
 #include "program/look_ahead_option.h"
 #include "program/printable.h"
@@ -35,7 +38,11 @@ struct SecondThreat {
 };
 
 struct RespondOptions {
-  std::string selector;
+  std::string selector;               ///< empty: none, the answer is by rule
+  std::optional<std::string> motion;  ///< that the character is in, if there is no selector
+  double at_s = 0;                    ///< how far in that motion
+  bool by_rule = false;
+  bool startles = false;
   std::string out;
   ThreatOptions threat;
   SecondThreat second;
@@ -74,11 +81,16 @@ database::Output output_of(const std::string& path) {
   }
 }
 
+std::string clip_name(const runtime::Library& library, int clip) {
+  return clip == runtime::kNoClip ? "by rule" : library.clip_library().clip(clip).name;
+}
+
 // Draws the recording as a clip that protects the part and the side that the threat comes to, so
 // that the filmstrip shows its arrow. A figure that walks stays in the middle of its column.
 void write_filmstrip(const runtime::Library& library, const ResponseRecording& recording,
                      const RespondOptions& options, bool walks) {
-  motion::Clip clip = library.clip_library().clip(recording.clip);
+  motion::Clip clip;
+  clip.name = clip_name(library, recording.clip);
   clip.motion = recording.motion;
   for (motion::Pose& pose : clip.motion.poses) {
     if (walks) pose.root_position.head<2>().setZero();
@@ -91,10 +103,6 @@ void write_filmstrip(const runtime::Library& library, const ResponseRecording& r
   database::write_file_atomically(
       options.out,
       database::filmstrip_svg(motion::make_figure(library.clip_library().character), clip));
-}
-
-const std::string& clip_name(const runtime::Library& library, int clip) {
-  return library.clip_library().clip(clip).name;
 }
 
 database::MotionFacts facts_of(const runtime::Library& library,
@@ -132,8 +140,30 @@ std::string quoted_list(const std::vector<std::string>& names) {
   return list;
 }
 
+/// Returns the library of a character that is in a motion and has no selector.
+runtime::Library library_of_motion(const RespondOptions& options) {
+  database::ClipLibrary clips = database::import_library({*options.motion}, std::nullopt).library;
+  const float duration_s = clips.clips.front().motion.duration_s();
+  if (options.at_s > double{duration_s})
+    throw Error(*options.motion,
+                "lasts " + fixed(double{duration_s}, 2) + " s; --at must be a moment of it");
+  clips.clips.front().purpose = motion::Purpose::stance;
+  motion::Clip idle;
+  idle.name = "idle";
+  idle.purpose = motion::Purpose::idle;
+  idle.kind = "idle";
+  idle.motion = database::idle_motion(motion::make_figure(clips.character), clips.rate_hz);
+  clips.clips.insert(clips.clips.begin(), idle);
+  clips.idle = 0;
+  runtime::Library library;
+  if (library.take(std::move(clips)) != database::LoadStatus::ok)
+    throw Error("", "there is not enough memory");
+  return library;
+}
+
 /// Returns the number of the stance that --start names, which is its clip's or its kind.
 int stance_of(const database::ClipLibrary& library, const RespondOptions& options) {
+  if (options.motion) return 1;
   if (!options.start) return 0;
   std::vector<std::string> known;
   int stance = 0;
@@ -160,18 +190,20 @@ std::optional<int> clip_of(const database::ClipLibrary& library, const RespondOp
 }
 
 /// Returns the threat to a character in its stance at the origin: it leads one that walks.
-RecordedThreat thrown_at(const runtime::Library& library, int stance,
-                         const features::ThreatDescription& threat) {
-  motion::PerTarget<Eigen::Vector3f> centres = library.selector().target_centres;
-  if (stance != 0) {
-    const runtime::PreparedLibrary& prepared = library.prepared();
+RecordedThreat thrown_at(const runtime::Library& library, const RecordedScene& scene,
+                         const ThreatOptions& options) {
+  models::Selector known = library.selector();
+  if (scene.stance != 0) {
     features::CharacterState state;
-    state.stance = stance;
-    centres = features::predict_character(prepared.figure_in(state), state, threat.time_to_impact_s)
-                  .target_centres;
+    state.stance = scene.stance;
+    state.idle_time_s = scene.stance_time_s;
+    known.target_centres = features::predict_character(library.prepared().figure_in(state), state,
+                                                       static_cast<float>(options.time_to_impact_s))
+                               .target_centres;
   }
-  return {features::threat_from_description(threat, centres[threat.target], 0), threat.target,
-          threat.time_to_impact_s};
+  const features::ThreatDescription threat = described(options, known);
+  return {features::threat_from_description(threat, known.target_centres[threat.target], 0),
+          threat.target, threat.time_to_impact_s};
 }
 
 ThreatOptions second_threat(const RespondOptions& options) {
@@ -201,15 +233,17 @@ RecordedScene scene_of(const runtime::Library& library, const RespondOptions& op
   const database::ClipLibrary& clips = library.clip_library();
   RecordedScene scene;
   scene.stance = stance_of(clips, options);
+  scene.stance_time_s = static_cast<float>(options.at_s);
   scene.clip = clip_of(clips, options);
+  scene.by_rule = options.by_rule || options.motion;
+  scene.startles = options.startles;
   scene.limits = limits_of(options);
   scene.seed = options.seed;
   scene.ending = options.ending == "clip"   ? Ending::clip
                  : options.ending == "idle" ? Ending::stance
                                             : Ending::none;
   const auto add = [&](const ThreatOptions& threat) {
-    scene.threats.push_back(
-        thrown_at(library, scene.stance, described(threat, library.selector())));
+    scene.threats.push_back(thrown_at(library, scene, threat));
   };
   add(options.threat);
   if (options.second.time_to_impact_s) add(second_threat(options));
@@ -260,10 +294,21 @@ void print_text(const runtime::Library& library, const ResponseRecording& record
   std::cout << (recording.knocked_over ? ", which knocks the character over\n" : "\n");
 }
 
+void check_sources(const RespondOptions& options) {
+  if (options.selector.empty() == !options.motion)
+    throw UsageError(
+        "respond needs a SELECTOR or --motion, and not both; see flinch respond --help");
+  const bool by_rule = options.by_rule || options.motion;
+  if (by_rule && (options.clip || options.look_ahead || options.second.time_to_impact_s))
+    throw UsageError("an answer by rule takes neither --clip nor --look-ahead nor a second threat");
+}
+
 void run_respond(const RespondOptions& options) {
-  database::check_outputs({output_of(options.out)}, {options.selector},
+  check_sources(options);
+  database::check_outputs({output_of(options.out)}, {options.motion.value_or(options.selector)},
                           overwrite_of(options.force));
-  const runtime::Library library = load_runtime_library(options.selector);
+  const runtime::Library library =
+      options.motion ? library_of_motion(options) : load_runtime_library(options.selector);
   const RecordedScene scene = scene_of(library, options);
   lookahead::LookAheadWorkspace look_ahead;
   if (options.look_ahead) look_ahead = look_ahead_workspace(library, options.selector);
@@ -283,6 +328,13 @@ std::vector<Option> scene_options(RespondOptions& options) {
   return {
       {"--start", "stance that the character is in, such as guard (default: its idle clip)",
        &options.start},
+      {"--rules", "answer by the pose rules, without a clip", &options.by_rule},
+      {"--startle", "by the rules: flinch first", &options.startles},
+      {"--motion",
+       "BVH, FBX or glTF file of a motion that the character is in, in place of SELECTOR: "
+       "it answers by the rules",
+       &options.motion},
+      {"--at", "how far it is in its stance or motion, s", &options.at_s, Range{0, 1e4}},
       {"--clip", "clip that answers, whatever the selector would choose", &options.clip},
       {"--reaction-delay", "from seeing the threat to acting on it, s", &options.reaction_delay_s,
        Range{0, 5}},
@@ -311,12 +363,12 @@ Command respond_command() {
   return {
       .name = "respond",
       .summary = "Write the whole response to a threat as an animation, ball included",
-      .required = {{"SELECTOR", "selector made by flinch train", &options->selector},
-                   {"--out",
+      .required = {{"--out",
                     "FILE.glb for Blender and glTF viewers, FILE.bvh, or FILE.svg for a "
                     "filmstrip",
                     &options->out}},
-      .optional = join({threat_options(options->threat),
+      .optional = join({{{"SELECTOR", "selector made by flinch train", &options->selector}},
+                        threat_options(options->threat),
                         scene_options(*options),
                         {look_ahead_option(options->look_ahead), force_option(options->force),
                          json_option(options->json)}}),

@@ -66,6 +66,10 @@ struct Choice {
 
 runtime::Status answer_one(runtime::Character& character, const RecordedScene& scene,
                            const Choice& choice) {
+  if (scene.by_rule) {
+    character.limit_perception(scene.limits, scene.seed);
+    return character.brace(scene.threats.front().threat, scene.startles);
+  }
   const auto perception = perception_of(character, scene);
   if (!perception) return runtime::Status::unnoticed;
   if (scene.clip) return character.answer(*perception, *scene.clip, {});
@@ -196,7 +200,7 @@ ResponseRecording record_response(const runtime::Library& library, const Recorde
   if (workspace.reserve_memory(library.selection_bytes()) != database::LoadStatus::ok)
     throw Error("", "there is not enough memory");
   reaction::ReactingCharacter character(library, reaction_data(library, scene.ending));
-  check(character.character().place(Eigen::Vector2f::Zero(), 0, 0, scene.stance));
+  check(character.character().place(Eigen::Vector2f::Zero(), 0, scene.stance_time_s, scene.stance));
   character.stop();
   const Choice choice{workspace, look_ahead, {.candidates = candidates}};
   const runtime::Status status = scene.threats.size() == 1

@@ -31,8 +31,11 @@ struct RecordedThreat {
 /// What is recorded.
 struct RecordedScene {
   int stance = 0;                       ///< that the character is in
+  float stance_time_s = 0;              ///< how far it is in it
   std::vector<RecordedThreat> threats;  ///< at least one, the first to hit first
   std::optional<int> clip;              ///< that answers the first threat, which is the only one
+  bool by_rule = false;                 ///< Character::brace() answers the first threat
+  bool startles = false;                ///< by rule
   runtime::PerceptionLimits limits;
   std::uint64_t seed = 1;  ///< of the character's errors
   Ending ending = Ending::clip;
@@ -51,7 +54,7 @@ struct ResponseRecording {
   motion::Motion motion;
   database::BallTrack ball;
   bool is_noticed = true;            ///< false: the character has not noticed the threat
-  int clip = 0;                      ///< clip of the response
+  int clip = 0;                      ///< clip of the response, or runtime::kNoClip
   std::optional<int> reaction_clip;  ///< clip that takes over after the blow
   float impact_s = 0;                ///< of the first threat, predicted
   std::vector<RecordedHit> hits;     ///< of each threat

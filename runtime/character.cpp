@@ -10,6 +10,7 @@
 #include "motion/interpolation.h"
 #include "runtime/pose_blend.h"
 #include "runtime/pose_check.h"
+#include "runtime/response/brace.h"
 #include "runtime/response/prepared_library.h"
 #include "runtime/selection.h"
 
@@ -278,7 +279,7 @@ Status Character::counted(Status status) noexcept {
 
 Status Character::rank(const Perception& perception, Workspace& workspace,
                        std::span<models::Candidate> best, std::size_t& count) const noexcept {
-  if (!library_->is_loaded()) return Status::not_loaded;
+  if (!library_->is_loaded() || library_->selector().clips.empty()) return Status::not_loaded;
   count = 0;
   if (best.empty()) return Status::ok;
   const features::FeatureVector x =
@@ -371,13 +372,40 @@ Status Character::begin(const features::CharacterState& state,
   const Response response =
       make_response(library_->prepared(), state, clip, time_to_impact_s, inertialization);
   if (!is_valid(response)) return Status::bad_clip;
+  begin(response);
+  return Status::ok;
+}
+
+void Character::begin(const Response& response) noexcept {
   response_ = response;
-  state_ = state;
+  state_ = response.state;
   inertialization_ = {};
   time_s_ = 0;
   delayed_clip_.reset();
   waiting_count_ = 0;
-  return Status::ok;
+}
+
+Response Character::plan_brace(const Perception& perception, bool startles) const noexcept {
+  if (!library_->is_loaded()) return {};
+  const features::Scenario& scenario = perception.scenario;
+  const features::CharacterState state = current_state();
+  return make_brace(library_->prepared(), state,
+                    {scenario.threat, position_at(scenario.threat, scenario.time_to_impact_s),
+                     scenario.time_to_impact_s, perception.delay_s, startles},
+                    current_inertialization(state));
+}
+
+Status Character::brace(const features::Threat& threat, bool startles) noexcept {
+  Perception perception;
+  const Status status = predict(threat, perception);
+  if (status != Status::ok) return counted(status);
+  const Response response = plan_brace(perception, startles);
+  if (!is_valid(response)) return Status::bad_threat;
+  begin(response);
+  candidate_count_ = 0;
+  target_ = perception.scenario.target;
+  time_to_impact_s_ = double{perception.scenario.time_to_impact_s};
+  return counted(Status::ok);
 }
 
 void Character::finish() noexcept {

@@ -24,7 +24,7 @@ enum class Status : std::uint8_t {
   ok,
   misses,           ///< the threat will hit nothing: there is nothing to answer
   unnoticed,        ///< the character did not notice the threat (PerceptionLimits::chance_to_fail)
-  not_loaded,       ///< the library is empty
+  not_loaded,       ///< the library is empty, or has no selector
   other_workspace,  ///< the workspace was reserved for a library that needs less memory
   bad_clip,         ///< no such clip, or one without an annotation
   bad_threat,       ///< a threat that is not usable (features::is_usable), or a time out of range
@@ -156,6 +156,14 @@ class Character {
   /// clip's peak falls on `time_to_impact_s` from now (above 0, at most 100 s).
   Status respond(int clip, float time_to_impact_s) noexcept;
 
+  /// Answers by the pose rules of Hermens 2006 (runtime/response/brace.h), without a clip and
+  /// without a selector: predicts the impact as perceive() does, and braces against it. The library
+  /// may be one without a selector (Library::take). `startles`: it flinches first. While it plays,
+  /// clip() is kNoClip.
+  Status brace(const features::Threat& threat, bool startles = false) noexcept;
+  /// The response that brace() would start for what was noticed.
+  Response plan_brace(const Perception& perception, bool startles = false) const noexcept;
+
   /// Advances the character by `dt_s` (above 0, at most kMaxTimeStep_s), which may differ from
   /// frame to frame.
   Status update(float dt_s) noexcept;
@@ -171,7 +179,7 @@ class Character {
   const Library& library() const noexcept { return *library_; }
   /// What the character is doing.
   Phase phase() const noexcept;
-  /// Index in the library of the clip that answers, or of the idle clip.
+  /// Index in the library of the clip that answers, or of the idle clip; kNoClip: by rule.
   int clip() const noexcept;
   /// The clips that the selector considered for the last threat, best first; at most
   /// kMaxCandidates. Valid until the next call to perceive().
@@ -202,6 +210,7 @@ class Character {
   Status rank_and_answer(const Perception& perception, Workspace& workspace) noexcept;
   Status counted(Status status) noexcept;
   Status begin(int clip, float time_to_impact_s) noexcept;
+  void begin(const Response& response) noexcept;
   Status begin(const features::CharacterState& state, const Inertialization& inertialization,
                int clip, float time_to_impact_s) noexcept;
   void answer_next() noexcept;

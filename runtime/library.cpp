@@ -43,6 +43,16 @@ LoadStatus Library::load(std::span<const std::byte> bytes) noexcept try {
   return LoadStatus::out_of_memory;
 }
 
+LoadStatus Library::take(database::ClipLibrary clips) noexcept try {
+  auto contents = std::make_unique<Contents>();
+  contents->clips = std::move(clips);
+  contents->prepared = prepare(contents->clips);
+  contents_ = std::move(contents);
+  return LoadStatus::ok;
+} catch (const std::bad_alloc&) {
+  return LoadStatus::out_of_memory;
+}
+
 LoadStatus Library::load(const std::string& path) noexcept {
   std::vector<std::byte> bytes;
   const LoadStatus status = database::read_bytes(path, bytes);

@@ -36,6 +36,10 @@ class Library {
   /// The same from the file's bytes, which are not needed afterwards.
   database::LoadStatus load(std::span<const std::byte> bytes) noexcept;
 
+  /// Takes clips without a selector: its characters answer by rule (Character::brace) or as they
+  /// are told (Character::respond). Allocates; throws nothing.
+  database::LoadStatus take(database::ClipLibrary clips) noexcept;
+
   /// Whether a file was loaded. The functions below are for loaded libraries only.
   bool is_loaded() const noexcept { return contents_ != nullptr; }
 

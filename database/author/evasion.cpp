@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "database/author/pose_rules.h"
+#include "database/rules/pose_rules.h"
 #include "motion/rotation.h"
 #include "motion/support_polygon.h"
 

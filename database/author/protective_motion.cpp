@@ -1,18 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "database/author/protective_motion.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace flinch::database {
 
 using motion::Pose;
-
-float time_to_contact_s(float normalised_speed, float cos_angle) {
-  const float speed = std::clamp(normalised_speed, 0.0F, 1.0F);
-  const float cosine = std::clamp(cos_angle, -1.0F, 1.0F);
-  return (0.25F + 0.75F * (1 - speed)) * (1 + 0.2F * (1 - cosine));
-}
 
 ProtectivePoses protective_poses(const motion::Figure& figure, const motion::Motion& motion,
                                  float time_s, const AimedThreat& threat,

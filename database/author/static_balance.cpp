@@ -7,6 +7,7 @@
 #include <cmath>
 #include <string>
 
+#include "motion/body_distance.h"
 #include "motion/error.h"
 #include "motion/rotation.h"
 #include "motion/support_polygon.h"
@@ -222,6 +223,25 @@ void check_optimiser_code(int code) {
 
 // liblbfgs (Okazaki's C port of Nocedal's L-BFGS): small, quasi-Newton as in the thesis, and
 // deterministic.
+void check_threat(const motion::Figure& figure, const Pose& pose, const AimedThreat& aimed) {
+  const features::Threat& threat = aimed.threat;
+  const float speed_mps = threat.velocity.norm();
+  if (!(speed_mps > 0) || !std::isfinite(speed_mps)) {
+    throw Error("", "the threat's speed must be a positive number of metres per second");
+  }
+  if (!threat.position.allFinite() || !aimed.target_point.allFinite() || !(threat.radius > 0) ||
+      !std::isfinite(threat.radius)) {
+    throw Error("", "the threat's position, target point and radius must be finite numbers");
+  }
+  const JointFrames frames = motion::forward_kinematics(figure.skeleton(), pose);
+  if (distance_to_figure(figure, frames, threat.position) < threat.radius) {
+    throw Error("", "the threat starts inside the body: start it farther away");
+  }
+  if ((threat.position - aimed.target_point).norm() < 1e-3F) {
+    throw Error("", "the threat starts at its target point: start it farther away");
+  }
+}
+
 BalancedPose balanced_pose(const motion::Figure& figure, const Pose& pose,
                            const AimedThreat& threat, const RuleControls& controls, float brace_m) {
   check_threat(figure, pose, threat);

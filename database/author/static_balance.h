@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "database/author/pose_rules.h"
+#include "database/rules/pose_rules.h"
 
 namespace flinch::database {
 
@@ -40,7 +40,10 @@ struct BalancedPose {
   bool feet_reach = true;  ///< false: a foot's target was out of reach
 };
 
-inline constexpr float kBraceDistance = 0.10F;  // m, toward the threat
+/// Throws Error for a speed that is not positive and finite, or a position that is not finite, or
+/// inside the body in this pose, or at the target point.
+void check_threat(const motion::Figure& figure, const motion::Pose& pose,
+                  const AimedThreat& threat);
 
 /// Returns the sustained, braced pose (Hermens 2006, section 3.3): both feet on the ground, the
 /// rules applied, the centre of mass moved by `brace_m` towards the threat. Minimises equation 3.3

@@ -49,6 +49,12 @@ std::optional<ClipTrial> Oracle::try_clip(const runtime::Character& character,
                                           const features::Threat& threat, int clip) const {
   const runtime::Response response = character.plan(perception, clip);
   if (!is_valid(response)) return std::nullopt;
+  return try_response(response, perception, threat);
+}
+
+ClipTrial Oracle::try_response(const runtime::Response& response,
+                               const runtime::Perception& perception,
+                               const features::Threat& threat) const {
   const models::Selector& selector = library_.selector();
   const float delay_s = perception.delay_s;
   const double simulated_s =
@@ -59,7 +65,7 @@ std::optional<ClipTrial> Oracle::try_clip(const runtime::Character& character,
   const sim::SimulationResult result =
       simulator_.simulate(simulator_.rehearse(tracked.motion, 0, tracked.simulated_s), ball);
   ClipTrial trial;
-  trial.clip = clip;
+  trial.clip = response.clip;
   trial.work_j = tracked.work_j;
   trial.damage_ns = damage_ns(*selector.costs, result.impulse);
   trial.cost_ns = cost_ns(*selector.costs, selector.brawn, trial.damage_ns, trial.work_j);

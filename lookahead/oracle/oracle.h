@@ -48,6 +48,10 @@ class Oracle {
   std::optional<ClipTrial> try_clip(const runtime::Character& character,
                                     const runtime::Perception& perception,
                                     const features::Threat& threat, int clip) const;
+  /// The same for a response of another kind, such as Character::plan_brace(); its clip is
+  /// `response.clip`.
+  ClipTrial try_response(const runtime::Response& response, const runtime::Perception& perception,
+                         const features::Threat& threat) const;
   /// Tries all clips_to_try() that the character can answer with, in ascending order.
   std::vector<ClipTrial> try_all(const runtime::Character& character,
                                  const runtime::Perception& perception,

@@ -171,6 +171,25 @@ flinch_status flinch_character_place(flinch_character* character, float x, float
   }));
 }
 
+flinch_status flinch_character_place_in_stance(flinch_character* character, float x, float y,
+                                               float facing, float stance_time_s, int32_t stance) {
+  if (const flinch_status status = check(character)) return status;
+  return status_of(character->content->moved([&](runtime::Character& body) {
+    return body.place({x, y}, facing, stance_time_s, stance);
+  }));
+}
+
+flinch_status flinch_character_change_stance(flinch_character* character, int32_t stance) {
+  if (const flinch_status status = check(character)) return status;
+  return status_of(character->content->character().change_stance(stance));
+}
+
+int32_t flinch_library_stance(const flinch_library* library, int32_t stance) {
+  if (check(library) != FLINCH_OK) return -1;
+  const runtime::PreparedLibrary& prepared = library->content->prepared();
+  return prepared.has_stance(stance) ? prepared.stances[static_cast<std::size_t>(stance)].clip : -1;
+}
+
 flinch_status flinch_character_set_pose(flinch_character* character, const flinch_pose* before,
                                         const flinch_pose* now, float dt_s) {
   if (const flinch_status status = check(character, before, now)) return status;
@@ -227,6 +246,13 @@ flinch_status flinch_character_perceive_known(flinch_character* character,
   return status_of(character->content->character().perceive(
       runtime::threat_of(*threat), static_cast<motion::Target>(target), time_to_impact_s,
       workspace->content->workspace));
+}
+
+flinch_status flinch_character_brace(flinch_character* character, const flinch_threat* threat,
+                                     int32_t startles) {
+  if (const flinch_status status = check(character, threat)) return status;
+  return status_of(
+      character->content->character().brace(runtime::threat_of(*threat), startles != 0));
 }
 
 flinch_status flinch_character_respond(flinch_character* character, int32_t clip,

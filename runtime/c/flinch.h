@@ -235,6 +235,17 @@ FLINCH_API flinch_status flinch_character_free(flinch_character* character);
 FLINCH_API flinch_status flinch_character_place(flinch_character* character, float x, float y,
                                                 float facing, float idle_time_s);
 
+/* The same in stance number `stance`, from 0 on: 0 is the idle clip, the others are those of the
+ * library, such as a guard or a walk. FLINCH_BAD_PLACEMENT: there is no such stance. */
+FLINCH_API flinch_status flinch_character_place_in_stance(flinch_character* character, float x,
+                                                          float y, float facing,
+                                                          float stance_time_s, int32_t stance);
+/* Changes to stance number `stance` smoothly, with steps where the feet need them. */
+FLINCH_API flinch_status flinch_character_change_stance(flinch_character* character,
+                                                        int32_t stance);
+/* The index of the clip that stance number `stance` plays; -1: there is no such stance. */
+FLINCH_API int32_t flinch_library_stance(const flinch_library* library, int32_t stance);
+
 /* Reports the pose of a character that the game animates: `now`, and `before`, which it had `dt_s`
  * earlier (at least 1e-4); both in the world. The next response starts from `now` with these
  * velocities. Ends any response. Call it in each frame before `perceive` for as long as the game
@@ -291,6 +302,10 @@ FLINCH_API flinch_status flinch_character_perceive_known(flinch_character* chara
                                                          const flinch_threat* threat,
                                                          int32_t target, float time_to_impact_s,
                                                          flinch_workspace* workspace);
+/* Answers by the pose rules instead of a clip: predicts the impact as flinch_character_perceive
+ * does, and braces against it. `startles`: 1 to flinch first, else 0. */
+FLINCH_API flinch_status flinch_character_brace(flinch_character* character,
+                                                const flinch_threat* threat, int32_t startles);
 /* Answers with clip number `clip`, whatever the selector would choose; the time as above. */
 FLINCH_API flinch_status flinch_character_respond(flinch_character* character, int32_t clip,
                                                   float time_to_impact_s);
@@ -330,7 +345,7 @@ FLINCH_API const char* flinch_phase_name(int32_t phase); /* NULL: no such phase 
 typedef struct flinch_character_state {
   uint32_t size;
   int32_t phase;          /* FLINCH_IDLE, ... */
-  int32_t clip;           /* index of the clip that answers, or of the idle clip */
+  int32_t clip;           /* index of the clip that answers, or of the idle clip; -1: by rule */
   int32_t target;         /* of the last threat that was perceived */
   float time_to_impact_s; /* negative after it; infinite without a threat */
   float position[2];      /* where it stands, or began its response, world, m */

@@ -72,6 +72,7 @@ template <class StanceAt>
 motion::Signs arcs_at(const Response& r, motion::Signs arcs, float start_s, float time_s,
                       const StanceAt& stance_at, std::span<const Role> roles) {
   const auto clip_at = [&r](float at_s) -> const Pose& {
+    if (r.clip == kNoClip) return r.brace.sustained;
     return motion::pose_before(r.library->clip(r.clip).motion, clip_time_at(r, at_s));
   };
   motion::change_signs(stance_at(start_s), stance_at(time_s), roles, arcs);
@@ -233,7 +234,16 @@ float home_time_s(const Response& r, float time_s) noexcept {
   return since_s < kWalkOn_s ? since_s * since_s / (2 * kWalkOn_s) : since_s - kWalkOn_s / 2;
 }
 
+Pose brace_pose_at(const Response& r, float time_s, std::span<const Role> roles) {
+  const Brace& brace = r.brace;
+  if (brace.startle_s <= 0) return brace.sustained;
+  const float startled_s = r.begin_s + brace.startle_s;
+  const float weight = motion::minimum_jerk((time_s - startled_s) / (r.peak_s - startled_s));
+  return motion::blend(brace.startled, brace.sustained, weight, roles);
+}
+
 Pose clip_pose_at(const Response& r, float time_s, std::span<const Role> roles) {
+  if (r.clip == kNoClip) return brace_pose_at(r, time_s, roles);
   Pose pose = motion::sample(r.library->clip(r.clip).motion, clip_time_at(r, time_s), roles);
   motion::place(r.yaw, r.translation, pose);
   return pose;

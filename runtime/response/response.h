@@ -39,6 +39,13 @@ struct WeightShift {
   Eigen::Vector3f pelvis = Eigen::Vector3f::Zero();
 };
 
+/// Key poses of a response by rule (make_brace), world.
+struct Brace {
+  float startle_s = 0;  ///< duration of the startle; 0: none
+  motion::Pose startled;
+  motion::Pose sustained;  ///< reached at the response's peak
+};
+
 /// The plan of a motion that answers a scenario with a clip. Training and games make it with this
 /// same code. A plain value that refers to the library it was made from, which must outlive it.
 /// docs/response.md gives the reasons.
@@ -65,6 +72,7 @@ struct WeightShift {
 struct Response {
   const PreparedLibrary* library = nullptr;  ///< null: invalid
   int clip = 0;                    ///< index in the library; its idle clip means to do nothing
+  Brace brace;                     ///< in place of the clip where `clip` is kNoClip
   features::CharacterState state;  ///< of the character at perception
   /// Until when it goes on in a stance that travels; 0 for others, s after perception.
   float leave_s = 0;
@@ -92,6 +100,9 @@ struct Response {
   motion::Signs arcs_in{};            ///< signs of the blend into the clip, fixed when it begins
   motion::Signs arcs_back{};          ///< signs of the blend back to idle, fixed when it begins
 };
+
+/// In place of a clip's index: the response is by rule.
+inline constexpr int kNoClip = -1;
 
 /// The fastest playback of a clip, seconds of the clip per second.
 inline constexpr float kMaxPlaybackRate = 1.4F;

@@ -6,6 +6,7 @@
 
 #include "motion/rotation.h"
 #include "motion/support_polygon.h"
+#include "runtime/response/brace.h"
 #include "runtime/response/prepared_library.h"
 #include "runtime/response/response.h"
 #include "runtime/response/response_pose.h"
@@ -62,14 +63,18 @@ bool is_in_order(const motion::Annotation& annotation) {
          annotation.peak_s <= annotation.end_s && std::isfinite(annotation.end_s);
 }
 
+bool is_usable_start(const PreparedLibrary& prepared, const features::CharacterState& state,
+                     float time_to_impact_s, const Inertialization& inertialization) {
+  return prepared.library != nullptr && has_clip(*prepared.library, prepared.library->idle) &&
+         is_finite(state) && is_finite(inertialization) && prepared.has_stance(state.stance) &&
+         time_to_impact_s > 0 && std::isfinite(time_to_impact_s);
+}
+
 bool is_usable_input(const PreparedLibrary& prepared, const features::CharacterState& state,
                      int clip, float time_to_impact_s, const Inertialization& inertialization) {
-  if (prepared.library == nullptr) return false;
+  if (!is_usable_start(prepared, state, time_to_impact_s, inertialization)) return false;
   const database::ClipLibrary& library = *prepared.library;
-  if (!has_clip(library, library.idle) || !has_clip(library, clip)) return false;
-  if (!is_finite(state) || !is_finite(inertialization)) return false;
-  if (!prepared.has_stance(state.stance)) return false;
-  if (!(time_to_impact_s > 0) || !std::isfinite(time_to_impact_s)) return false;
+  if (!has_clip(library, clip)) return false;
   const auto& annotation = library.clip(clip).annotation;
   return clip == library.idle || (annotation && is_in_order(*annotation));
 }
@@ -124,7 +129,10 @@ Interval response_interval(const Response& r, const Swing& swing) {
           r.begin_s + (swing.end_s - onset_s) / r.playback_rate};
 }
 
+// None of a response by rule.
 const Footwork& footwork_of(const Response& r) {
+  static const Footwork kNone;
+  if (r.clip == kNoClip) return kNone;
   return r.library->footwork[static_cast<std::size_t>(r.clip)];
 }
 
@@ -392,10 +400,9 @@ FootPose away_foot(const Response& r, Side side, float time_s) {
 
 // A walking character goes on until shortly before the clip. From then on it comes to rest, and the
 // rest of the plan is that for any character that rests in another pose.
-void plan_leaving(const motion::Annotation& annotation, float time_to_impact_s, Response& r) {
+void plan_leaving(Response& r) {
   constexpr float kVelocityInterval_s = 1.0F / 240;
   const PreparedLibrary& library = *r.library;
-  set_timing(annotation, time_to_impact_s, 0, r);
   r.leave_s = std::max(r.begin_s - kStandstill_s, 0.0F);
   const motion::Loop& walk = library.stance_of(r.state).loop;
   const motion::Pose now = features::idle_pose(walk, r.state, r.leave_s);
@@ -470,7 +477,102 @@ void plan_return(Response& r) {
   }
 }
 
+bool is_usable(const RuledThreat& threat) {
+  return features::is_usable(threat.threat) && threat.target_point.allFinite() &&
+         velocity_at(threat.threat, threat.time_to_impact_s).norm() > 0.01F &&
+         threat.delay_s >= 0 && threat.delay_s < threat.time_to_impact_s;
+}
+
+// The threat as it will be at the impact, on the straight line on which it then comes: the thesis
+// keeps the values at the collision.
+database::AimedThreat aimed(const RuledThreat& threat) {
+  database::AimedThreat at_impact{threat.threat, threat.target_point};
+  at_impact.threat.velocity = velocity_at(threat.threat, threat.time_to_impact_s);
+  at_impact.threat.position =
+      threat.target_point - threat.time_to_impact_s * at_impact.threat.velocity;
+  return at_impact;
+}
+
+// Equation 4.1, as far as there is time.
+void set_timing(const RuledThreat& threat, Response& r) {
+  constexpr database::ThreatRange kRange;
+  const Eigen::Vector3f velocity = aimed(threat).threat.velocity;
+  const float speed =
+      database::normalised(velocity.norm(), kRange.min_speed_mps, kRange.max_speed_mps);
+  const Eigen::Vector3f facing =
+      motion::rotation_about(Eigen::Vector3f::UnitZ(), r.state.facing) * Eigen::Vector3f::UnitX();
+  const float cosine = -facing.dot(velocity.normalized());
+  r.begin_s = std::max(threat.time_to_impact_s - database::time_to_contact_s(speed, cosine),
+                       threat.delay_s);
+  r.peak_s = threat.time_to_impact_s;
+  r.end_s = r.peak_s + database::kHold;
+}
+
+// Flat on the ground, below where they are.
+motion::PerSide<FootPose> planted_feet(const Response& r, const motion::Pose& pose) {
+  motion::PerSide<FootPose> feet;
+  for (Side side : motion::kSides) {
+    FootPose& foot = feet[side];
+    foot = source_foot_in(r, side, pose);
+    foot.ankle.z() = motion::measure_foot(r.library->skeleton(), side).ankle_height;
+    foot.orientation =
+        motion::rotation_about(Eigen::Vector3f::UnitZ(), motion::yaw_of(foot.orientation));
+  }
+  return feet;
+}
+
+// The key poses start a little ahead in the motion, so that the body keeps its momentum.
+void plan_brace(const RuledThreat& threat, Response& r) {
+  const PreparedLibrary& library = *r.library;
+  const motion::Figure figure{library.library->character, library.body_model};
+  const database::AimedThreat at_impact = aimed(threat);
+  const motion::Pose source = source_pose_at(r, r.begin_s);
+  const motion::PerSide<FootPose> feet = planted_feet(r, source);
+  r.brace.sustained =
+      braced_pose(figure, source_pose_at(r, r.begin_s + database::kSustainedLookAhead), at_impact,
+                  database::rule_controls(at_impact), feet);
+  r.blend_duration_s = r.peak_s - r.begin_s;
+  if (threat.startles && r.blend_duration_s > 2 * database::kStartle) {
+    r.brace.startle_s = database::kStartle;
+    r.blend_duration_s = database::kStartle;
+    r.brace.startled = motion::with_feet(
+        library.skeleton(),
+        database::startle(figure, source_pose_at(r, r.begin_s + database::kStartleLookAhead),
+                          at_impact),
+        feet);
+  }
+  const Start start{source, clip_pose_at(r, r.begin_s)};
+  for (Side side : motion::kSides) plan_foot(r, side, start);
+  r.arcs_in = motion::shorter_arcs(start.source, start.clip);
+  r.support = weight_bearing_foot(r, source);
+  r.return_duration_s = database::kRecovery;
+}
+
 }  // namespace
+
+Response make_brace(const PreparedLibrary& library, const features::CharacterState& state,
+                    const RuledThreat& threat, const Inertialization& inertialization) noexcept {
+  Response r;
+  if (!is_usable_start(library, state, threat.time_to_impact_s, inertialization) ||
+      !is_usable(threat)) {
+    return r;
+  }
+  r.library = &library;
+  r.clip = kNoClip;
+  r.state = state;
+  r.rest = state;
+  r.home = state;
+  r.inertialization = inertialization;
+  set_timing(threat, r);
+  const motion::Loop& stance = library.stance_of(state).loop;
+  const bool walks = stance.travels() && inertialization.is_zero;
+  if (walks) plan_leaving(r);
+  plan_brace(threat, r);
+  if (walks) r.home = features::later(stance, state, r.leave_s);
+  plan_return(r);
+  r.first_motion_s = walks ? r.leave_s : r.begin_s;
+  return r;
+}
 
 Response make_response(const PreparedLibrary& library, const features::CharacterState& state,
                        int clip, float time_to_impact_s,
@@ -490,7 +592,10 @@ Response make_response(const PreparedLibrary& library, const features::Character
   }
   const motion::Annotation& annotation = *library.clip(clip).annotation;
   const bool walks = library.stance_of(state).loop.travels() && inertialization.is_zero;
-  if (walks) plan_leaving(annotation, time_to_impact_s, r);
+  if (walks) {
+    set_timing(annotation, time_to_impact_s, 0, r);
+    plan_leaving(r);
+  }
   plan_clip(annotation, time_to_impact_s, r.leave_s, r);
   const std::optional<float> lift_s = first_lift_s(r);
   if (lift_s && *lift_s - r.leave_s < kMinShiftDuration_s && !r.shifts[0].pelvis.isZero(0)) {

@@ -14,6 +14,7 @@ import sys
 from pathlib import Path
 
 ALLOWED_TARGETS = {"flinch_flags", "flinch_motion", "flinch_features", "flinch_database_library",
+                   "flinch_database_rules",
                    "flinch_models", "flinch_sim", "flinch_sim_collision", "flinch_sim_figure",
                    "flinch_sim_contact", "flinch_sim_tree", "flinch_sim_encounter",
                    "flinch_runtime_response", "flinch_runtime", "flinch_reaction", "flinch_lookahead",

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Throws balls that lead a character in each stance of a selector's library, and prints how often
-// it perceives the right target and what its selector's choices protect, beside the same balls at
-// the idle character:
+// it perceives the right target, what its selector's choices protect and what the pose rules do,
+// beside the same balls at the idle character:
 //
 //     stance_study SELECTOR [CASES]
 //
@@ -10,12 +10,15 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "features/random.h"
 #include "lookahead/oracle/oracle.h"
 #include "runtime/response/prepared_library.h"
 #include "runtime/workspace.h"
+#include "tests/bench/measures.h"
 #include "tests/bench/study.h"
 #include "train/scenario/scenario_sampling.h"
 
@@ -54,8 +57,11 @@ struct Result {
   int missed = 0;
   double going_on_ns = 0;  ///< costs, summed
   double chosen_ns = 0;
+  double ruled_ns = 0;
   double best_ns = 0;
-  double protection() const { return (going_on_ns - chosen_ns) / (going_on_ns - best_ns); }
+  double protection(double cost_ns) const {
+    return (going_on_ns - cost_ns) / (going_on_ns - best_ns);
+  }
 };
 
 features::Threat thrown(const runtime::PreparedLibrary& library,
@@ -132,6 +138,10 @@ class Study {
     };
     result.going_on_ns += cost_of(idle);
     result.chosen_ns += cost_of(chosen);
+    const runtime::Response ruled = character.plan_brace(seen != nullptr ? *seen : truth);
+    result.ruled_ns += seen != nullptr
+                           ? oracle_->try_response(ruled, truth, truth.scenario.threat).cost_ns
+                           : cost_of(idle);
     result.best_ns += trials[lookahead::best_of(trials)].cost_ns;
   }
 
@@ -141,18 +151,73 @@ class Study {
 };
 
 void print(const std::string& name, const Result& result) {
-  std::printf("| %s | %d | %.1f %% | %d | %.2f | %.2f | %.2f | %.3f |\n", name.c_str(),
-              result.cases, 100.0 * result.right / result.cases, result.missed,
+  std::printf("| %s | %d | %.1f %% | %d | %.2f | %.2f | %.2f | %.2f | %.3f | %.3f |\n",
+              name.c_str(), result.cases, 100.0 * result.right / result.cases, result.missed,
               result.going_on_ns / result.cases, result.chosen_ns / result.cases,
-              result.best_ns / result.cases, result.protection());
+              result.ruled_ns / result.cases, result.best_ns / result.cases,
+              result.protection(result.chosen_ns), result.protection(result.ruled_ns));
+}
+
+/// CPU time of planning a response and of a frame of it, us.
+struct Times {
+  double plan_us = 0;
+  double frame_us = 0;
+};
+
+Times times_of(const runtime::PreparedLibrary& library, int stance) {
+  constexpr int kRounds = 20;
+  constexpr float kFrame_s = 1.0F / 60;
+  double plan_s = 0;
+  double frames_s = 0;
+  int plans = 0;
+  int frames = 0;
+  float sum = 0;
+  for (int round = 0; round < kRounds; ++round) {
+    features::Random random(kSeed, features::RandomStream::scenario, static_cast<unsigned>(round));
+    features::CharacterState state;
+    state.stance = stance;
+    state.idle_time_s = static_cast<float>(random.uniform(0, 2));
+    const auto impact_s = static_cast<float>(random.uniform(0.4, 1.2));
+    for (std::size_t clip = 0; clip < library.library->clips.size(); ++clip) {
+      if (!library.library->clips[clip].annotation) continue;
+      const double begin_s = bench::thread_cpu_s();
+      const runtime::Response response =
+          runtime::make_response(library, state, static_cast<int>(clip), impact_s);
+      const double planned_s = bench::thread_cpu_s();
+      const float end_s = runtime::duration_s(response);
+      for (float t = 0; t < end_s; t += kFrame_s, ++frames)
+        sum += runtime::pose_at(response, t).root_position.x();
+      frames_s += bench::thread_cpu_s() - planned_s;
+      plan_s += planned_s - begin_s;
+      ++plans;
+    }
+  }
+  if (!std::isfinite(sum)) throw Error("", "a pose is not finite");
+  return {1e6 * plan_s / plans, 1e6 * frames_s / frames};
+}
+
+void print_times(const runtime::Library& library) {
+  std::printf(
+      "\n| stance | plan, us | of idle's | frame, us | of idle's |\n"
+      "| --- | ---: | ---: | ---: | ---: |\n");
+  Times idle;
+  int stance = 0;
+  for (const int clip : database::stance_clips(library.clip_library())) {
+    const Times times = times_of(library.prepared(), stance);
+    if (stance++ == 0) idle = times;
+    std::printf("| %s | %.1f | %.2f | %.2f | %.2f |\n",
+                library.clip_library().clip(clip).name.c_str(), times.plan_us,
+                times.plan_us / idle.plan_us, times.frame_us, times.frame_us / idle.frame_us);
+  }
 }
 
 void run(const bench::StudyArguments& arguments) {
   Study study(arguments.text(0));
   const auto cases = arguments.number_or<int>(1, 50);
   std::printf(
-      "| stance | cases | right target | unseen | going on, N s | selector | oracle | protection "
-      "|\n| --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: |\n");
+      "| stance | cases | right target | unseen | going on, N s | selector | rules | oracle "
+      "| protection | of the rules |\n"
+      "| --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: |\n");
   const database::ClipLibrary& clips = study.library().clip_library();
   Result moving;
   int stance = 0;
@@ -165,9 +230,11 @@ void run(const bench::StudyArguments& arguments) {
     moving.missed += result.missed;
     moving.going_on_ns += result.going_on_ns;
     moving.chosen_ns += result.chosen_ns;
+    moving.ruled_ns += result.ruled_ns;
     moving.best_ns += result.best_ns;
   }
   if (moving.cases > 0) print("all but the first", moving);
+  print_times(study.library());
 }
 
 }  // namespace

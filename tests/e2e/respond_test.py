@@ -126,6 +126,16 @@ class Respond(ProgramTest):
         self.assertGreater(len(set(clips)), 1)
         self.assertEqual(chosen(3), clips[3])
 
+    def test_answers_by_rule_from_any_motion_without_a_selector(self):
+        _, ruled = self.respond("ruled.bvh", *THREAT, "--rules", "--startle")
+        self.assertEqual(ruled["clip"], "by rule")
+        walk, out = self.folder / "ruled.bvh", self.folder / "walked.glb"
+        played = self.document("respond", "--motion", walk, "--at", 0.2, *THREAT, "--out", out)
+        self.assertEqual((played["clip"], played["target"]), ("by rule", "head"))
+        line = self.fail_with(1, "respond", "--motion", walk, "--at", 60, "--out", out)
+        self.assertIn("--at must be a moment of it", line)
+        self.assertIn("needs a SELECTOR or --motion", self.fail_with(2, "respond", "--out", out))
+
     def test_a_second_threat_is_answered_and_hits(self):
         _, both = self.respond("both.glb", *THREAT, "--second-time-to-impact", 1.1,
                                "--second-azimuth", -60, "--second-target", "trunk", "--end", "idle")

@@ -74,6 +74,26 @@ TEST(Character, PredictsTargetAndTimeToImpact) {
   }
 }
 
+TEST(Character, BracesWithoutASelector) {
+  Library clips;
+  ASSERT_EQ(clips.take(database::authored_library(motion::default_character())),
+            database::LoadStatus::ok);
+  Character character(clips);
+  Workspace workspace = make_workspace();
+  const features::Threat threat = threat_to(Target::head, 20, 0.6F);
+  EXPECT_EQ(character.perceive(threat, workspace), Status::not_loaded);
+  ASSERT_EQ(character.brace(threat), Status::ok);
+  EXPECT_EQ(character.target(), Target::head);
+  EXPECT_EQ(character.clip(), kNoClip);
+  bool moved = false;
+  for (int frame = 0; frame < 300; ++frame) {
+    ASSERT_EQ(character.update(1.0F / 60), Status::ok);
+    moved = moved || character.phase() == Phase::blending;
+  }
+  EXPECT_TRUE(moved);
+  EXPECT_EQ(character.phase(), Phase::idle);
+}
+
 TEST(Character, DoesNotAnswerAMiss) {
   Workspace workspace = make_workspace();
   Character character(library());

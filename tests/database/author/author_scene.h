@@ -3,8 +3,8 @@
 
 #include <gmock/gmock.h>
 
-#include "database/author/pose_rules.h"
 #include "database/author/stance.h"
+#include "database/rules/pose_rules.h"
 #include "motion/default_character.h"
 #include "motion/rotation.h"
 

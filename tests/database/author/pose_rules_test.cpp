@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "database/author/pose_rules.h"
+#include "database/rules/pose_rules.h"
 
 #include <gmock/gmock.h>
 

@@ -91,6 +91,26 @@ TEST_F(CApi, AnswersAKnownThreatWithTheSelectedClip) {
   EXPECT_EQ(state().phase, FLINCH_IDLE);
 }
 
+TEST_F(CApi, StandsOnGuardAndBraces) {
+  const database::ClipLibrary authored = database::authored_library(motion::default_character());
+  const std::int32_t guard = flinch_library_stance(library, 1);
+  ASSERT_GE(guard, 0);
+  EXPECT_EQ(authored.clip(guard).name, "guard");
+  EXPECT_EQ(flinch_library_stance(library, 2), -1);
+  EXPECT_EQ(flinch_library_stance(nullptr, 0), -1);
+  EXPECT_EQ(flinch_character_place_in_stance(character, 0, 0, 0, 0, 2), FLINCH_BAD_PLACEMENT);
+  const flinch_pose idle = pose();
+  ASSERT_EQ(flinch_character_place_in_stance(character, 0, 0, 0, 0, 1), FLINCH_OK);
+  EXPECT_NE(pose().root_position[2], idle.root_position[2]);
+  const flinch_threat threat = ball();
+  ASSERT_EQ(flinch_character_brace(character, &threat, 1), FLINCH_OK);
+  EXPECT_EQ(state().clip, -1);
+  ASSERT_EQ(flinch_character_change_stance(character, 0), FLINCH_OK);
+  EXPECT_EQ(flinch_character_change_stance(character, 7), FLINCH_BAD_PLACEMENT);
+  for (int i = 0; i < 200; ++i) ASSERT_EQ(flinch_character_update(character, 0.02F), FLINCH_OK);
+  EXPECT_EQ(state().phase, FLINCH_IDLE);
+}
+
 TEST_F(CApi, LibraryDescriptionMatchesTheFile) {
   const database::ClipLibrary authored = database::authored_library(motion::default_character());
   auto info = sized<flinch_library_info>();

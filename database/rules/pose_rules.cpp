@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "database/author/pose_rules.h"
+#include "database/rules/pose_rules.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "motion/body_distance.h"
-#include "motion/error.h"
 #include "motion/interpolation.h"
 #include "motion/joint_limits.h"
 #include "motion/rotation.h"
@@ -206,29 +205,16 @@ RuleControls rule_controls(const AimedThreat& aimed, const ThreatRange& range) {
   return controls;
 }
 
+float time_to_contact_s(float normalised_speed, float cos_angle) {
+  const float speed = std::clamp(normalised_speed, 0.0F, 1.0F);
+  const float cosine = std::clamp(cos_angle, -1.0F, 1.0F);
+  return (0.25F + 0.75F * (1 - speed)) * (1 + 0.2F * (1 - cosine));
+}
+
 TargetWeights target_weights(float distance_to_head_m, float distance_to_pelvis_m) {
   const float total = distance_to_head_m + distance_to_pelvis_m;
   if (!(total > 0)) return {0.5F, 0.5F};
   return {distance_to_pelvis_m / total, distance_to_head_m / total};
-}
-
-void check_threat(const motion::Figure& figure, const Pose& pose, const AimedThreat& aimed) {
-  const features::Threat& threat = aimed.threat;
-  const float speed_mps = threat.velocity.norm();
-  if (!(speed_mps > 0) || !std::isfinite(speed_mps)) {
-    throw Error("", "the threat's speed must be a positive number of metres per second");
-  }
-  if (!threat.position.allFinite() || !aimed.target_point.allFinite() || !(threat.radius > 0) ||
-      !std::isfinite(threat.radius)) {
-    throw Error("", "the threat's position, target point and radius must be finite numbers");
-  }
-  const JointFrames frames = motion::forward_kinematics(figure.skeleton(), pose);
-  if (distance_to_figure(figure, frames, threat.position) < threat.radius) {
-    throw Error("", "the threat starts inside the body: start it farther away");
-  }
-  if ((threat.position - aimed.target_point).norm() < 1e-3F) {
-    throw Error("", "the threat starts at its target point: start it farther away");
-  }
 }
 
 Pose lean_away(const Pose& pose, const Eigen::Vector3f& travel, float lean,

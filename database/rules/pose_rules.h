@@ -37,6 +37,28 @@ float normalised(float value, float min, float max);
 /// Table 3.1. Speeds and sizes beyond the range are clamped.
 RuleControls rule_controls(const AimedThreat& threat, const ThreatRange& range = {});
 
+/// Returns the time from the perception of a threat to its contact, s, by equation 4.1 (Hermens
+/// 2006):
+///
+/// TTC = (0.25 + 0.75 (1 - speed)) (1 + 0.2 (1 - cos angle))
+///
+/// `normalised_speed` is clamped to [0, 1]; `cos_angle` is that of the angle between facing and the
+/// direction to the threat. A faster threat has a shorter time, as in the equation and as for real
+/// balls; the thesis' text says the opposite. See docs/authoring.md.
+float time_to_contact_s(float normalised_speed, float cos_angle);
+
+/// How far ahead in the motion the key poses start, so that the body keeps its momentum, s.
+inline constexpr float kStartleLookAhead = 1.0F / 12;
+inline constexpr float kSustainedLookAhead = 1.0F / 6;
+
+/// Duration of the startle, if any, s (section 4.2).
+inline constexpr float kStartle = 15.0F / 120;
+/// How long the sustained pose is held, and how long the way back takes, if nothing hits, s.
+inline constexpr float kHold = 1.0F / 3;
+inline constexpr float kRecovery = 0.26F + 0.375F;
+
+inline constexpr float kBraceDistance = 0.10F;  ///< of the centre of mass, toward the threat, m
+
 /// Equation 3.4: weights of the responses for head and for pelvis to a threat at a given point. W_i
 /// = (D_total - D_i) / D_total; they add up to 1.
 struct TargetWeights {
@@ -44,11 +66,6 @@ struct TargetWeights {
   float pelvis = 0;
 };
 TargetWeights target_weights(float distance_to_head_m, float distance_to_pelvis_m);
-
-/// Throws Error for a speed that is not positive and finite, or a position that is not finite, or
-/// inside the body in this pose, or at the target point.
-void check_threat(const motion::Figure& figure, const motion::Pose& pose,
-                  const AimedThreat& threat);
 
 /// The rules, to be applied in this order. `travel` is the unit direction in which the threat
 /// travels, in the frame of the character's facing. Angles are in degrees in table 3.2, radians
