@@ -21,8 +21,10 @@ using motion::Pose;
 using motion::Role;
 
 constexpr float kVelocityInterval_s =
-    1.0F / 240;                     // interval over which velocities of responses are measured
-constexpr double kMaxTime_s = 1e6;  // longer times are not told apart
+    1.0F / 240;                        // interval over which velocities of responses are measured
+constexpr double kMaxTime_s = 1e6;     // longer times are not told apart
+constexpr float kDriftTime_s = 0.5F;   // over which the velocity of a character is averaged
+constexpr double kMaxPoseAge_s = 0.1;  // of a pose after which the game's motion goes on
 constexpr float kMinPoseInterval_s = 1e-4F;  // poses less far apart say nothing about velocities
 
 bool is_time_step(float time_s) {
@@ -36,6 +38,23 @@ bool is_answer(Status status) {
 
 bool is_time_to_impact(float time_s) {
   return time_s > 0 && time_s <= features::kMaxHorizon_s;
+}
+
+/// The impact on a character that keeps its pose and moves along the ground.
+features::PredictedImpact predict_impact(const features::Threat& threat,
+                                         const features::CollisionFigure& figure, const Pose& now,
+                                         const Eigen::Vector3f& drift_mps) noexcept {
+  const features::PredictionOptions options;
+  const auto pose_at = [&](float time_s) {
+    Pose pose = now;
+    pose.root_position += time_s * drift_mps;
+    return pose;
+  };
+  const Eigen::Vector3f way = options.horizon_s * drift_mps;
+  const features::MotionBounds bounds{now.root_position + 0.5F * way, 0.5F * way.norm(),
+                                      drift_mps.norm()};
+  return features::predict_impact(threat, figure, features::PredictedMotion(pose_at, bounds),
+                                  options);
 }
 
 /// Where the character sees from.
@@ -122,6 +141,12 @@ Status Character::set_pose(const Pose& before, const Pose& now, float dt_s) noex
   if (!library_->is_loaded()) return Status::not_loaded;
   if (!is_time_step(dt_s) || dt_s < kMinPoseInterval_s) return Status::bad_time;
   if (!is_usable(before) || !is_usable(now)) return Status::bad_pose;
+  // The first pose that the game reports counts alone.
+  const bool goes_on = !is_responding() && is_settling();
+  const float share = goes_on ? 1 - std::exp(-dt_s / kDriftTime_s) : 1.0F;
+  Eigen::Vector3f velocity_mps = (now.root_position - before.root_position) / dt_s;
+  velocity_mps.z() = 0;
+  drift_mps_ += share * (velocity_mps - drift_mps_);
   state_ = rest_state_at(library_->prepared(), now, state_.stance);
   inertialization_ = make_inertialization(library_->prepared(), state_, before, now, dt_s);
   time_s_ = 0;
@@ -171,13 +196,20 @@ Status Character::predict(const features::Threat& threat, Perception& perception
   const features::PredictedImpact impact =
       is_in_stance() ? features::predict_impact(seen.threat, library.figure(), stance.loop,
                                                 stance.bounds, state)
-                     : features::predict_impact(seen.threat, library.figure(), now);
+                     : predict_impact(seen.threat, library.figure(), now, current_drift_mps());
   if (!is_in_stance() && stance.loop.travels()) state.stance = 0;  // where it comes to rest
   if (impact.outcome == features::Outcome::unusable) return Status::bad_threat;
   if (impact.outcome == features::Outcome::miss) return Status::misses;
   const float time_s = std::max(impact.time_to_impact_s, 1e-3F);
+  if (!is_in_stance()) state.position += time_s * current_drift_mps().head<2>();
   perception = {{seen.threat, impact.aimed_at, time_s, state}, seen.delay_s};
   return Status::ok;
+}
+
+/// How a character goes on that the game animates; other characters come to rest.
+Eigen::Vector3f Character::current_drift_mps() const noexcept {
+  const bool is_animated = !is_responding() && is_settling() && time_s_ < kMaxPoseAge_s;
+  return is_animated ? drift_mps_ : Eigen::Vector3f(Eigen::Vector3f::Zero());
 }
 
 Status Character::notice(const features::Threat& threat, Perception& perception) noexcept {

@@ -98,7 +98,8 @@ class Character {
   /// Reports the pose of a character that the game animates: `now`, and `before`, which it had
   /// `dt_s` earlier (at least 1e-4 s); both in the world. The next response starts from `now` with
   /// these velocities. Ends any response. Call it in each frame before perceive() for as long as
-  /// the game animates the character.
+  /// the game animates the character: perceive() takes it to move on as it has on average over
+  /// about the last half second.
   Status set_pose(const motion::Pose& before, const motion::Pose& now, float dt_s) noexcept;
 
   /// Stops the response and returns to its stance smoothly, with steps where the feet need them.
@@ -207,6 +208,7 @@ class Character {
   features::CharacterState current_state() const noexcept;
   Inertialization current_inertialization(const features::CharacterState& state) const noexcept;
   Status predict(const features::Threat& threat, Perception& perception) const noexcept;
+  Eigen::Vector3f current_drift_mps() const noexcept;
   Status rank_and_answer(const Perception& perception, Workspace& workspace) noexcept;
   Status counted(Status status) noexcept;
   Status begin(int clip, float time_to_impact_s) noexcept;
@@ -229,6 +231,8 @@ class Character {
   double time_s_ = 0;               ///< of idling, or of the response while it plays
   Response response_;
   Inertialization inertialization_;  ///< of the next response, after set_pose()
+  /// Of the pelvis along the ground, a running mean of what set_pose() tells, m/s.
+  Eigen::Vector3f drift_mps_ = Eigen::Vector3f::Zero();
   PerceptionLimits limits_;
   std::uint64_t seed_ = 0;
   std::uint64_t threats_ = 0;  ///< perceived so far; refused ones do not count

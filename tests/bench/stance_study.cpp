@@ -55,6 +55,8 @@ struct Result {
   int cases = 0;
   int right = 0;
   int missed = 0;
+  int right_animated = 0;  ///< of a character that the game animates (set_pose)
+  int right_held = 0;      ///< if it were taken to hold its pose
   double going_on_ns = 0;  ///< costs, summed
   double chosen_ns = 0;
   double ruled_ns = 0;
@@ -112,11 +114,32 @@ class Study {
     const runtime::Status status = character.notice(threat, seen);
     const runtime::Perception truth{
         {threat, drawn.description.target, drawn.description.time_to_impact_s, state}, 0};
+    add_animated(loop, truth, result);
     ++result.cases;
     result.missed += status != runtime::Status::ok ? 1 : 0;
     result.right +=
         status == runtime::Status::ok && seen.scenario.target == truth.scenario.target ? 1 : 0;
     add_costs(character, truth, status == runtime::Status::ok ? &seen : nullptr, result);
+  }
+
+  /// The same motion as a game that animates the character tells it, frame by frame.
+  void add_animated(const motion::Loop& loop, const runtime::Perception& truth, Result& result) {
+    constexpr float kFrame_s = 1.0F / 60;
+    const features::Scenario& scenario = truth.scenario;
+    const auto pose_at = [&](float time_s) { return idle_pose(loop, scenario.state, time_s); };
+    runtime::Character character(library_);
+    for (int frame = -60; frame <= 0; ++frame) {
+      const float time_s = static_cast<float>(frame) * kFrame_s;
+      character.set_pose(pose_at(time_s - kFrame_s), pose_at(time_s), kFrame_s);
+    }
+    runtime::Perception seen;
+    if (character.notice(scenario.threat, seen) == runtime::Status::ok &&
+        seen.scenario.target == scenario.target)
+      ++result.right_animated;
+    const features::PredictedImpact held =
+        features::predict_impact(scenario.threat, library_.prepared().figure(), pose_at(0));
+    if (held.outcome == features::Outcome::impact && held.aimed_at == scenario.target)
+      ++result.right_held;
   }
 
   void add_costs(const runtime::Character& character, const runtime::Perception& truth,
@@ -151,11 +174,13 @@ class Study {
 };
 
 void print(const std::string& name, const Result& result) {
-  std::printf("| %s | %d | %.1f %% | %d | %.2f | %.2f | %.2f | %.2f | %.3f | %.3f |\n",
-              name.c_str(), result.cases, 100.0 * result.right / result.cases, result.missed,
-              result.going_on_ns / result.cases, result.chosen_ns / result.cases,
-              result.ruled_ns / result.cases, result.best_ns / result.cases,
-              result.protection(result.chosen_ns), result.protection(result.ruled_ns));
+  const auto share = [&](int count) { return 100.0 * count / result.cases; };
+  std::printf(
+      "| %s | %d | %.1f %% | %d | %.1f %% | %.1f %% | %.2f | %.2f | %.2f | %.2f | %.3f | %.3f |\n",
+      name.c_str(), result.cases, share(result.right), result.missed, share(result.right_animated),
+      share(result.right_held), result.going_on_ns / result.cases, result.chosen_ns / result.cases,
+      result.ruled_ns / result.cases, result.best_ns / result.cases,
+      result.protection(result.chosen_ns), result.protection(result.ruled_ns));
 }
 
 /// CPU time of planning a response and of a frame of it, us.
@@ -215,9 +240,9 @@ void run(const bench::StudyArguments& arguments) {
   Study study(arguments.text(0));
   const auto cases = arguments.number_or<int>(1, 50);
   std::printf(
-      "| stance | cases | right target | unseen | going on, N s | selector | rules | oracle "
-      "| protection | of the rules |\n"
-      "| --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: |\n");
+      "| stance | cases | right target | unseen | told by poses | pose held | going on, N s "
+      "| selector | rules | oracle | protection | of the rules |\n"
+      "| --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: |\n");
   const database::ClipLibrary& clips = study.library().clip_library();
   Result moving;
   int stance = 0;
@@ -228,6 +253,8 @@ void run(const bench::StudyArguments& arguments) {
     moving.cases += result.cases;
     moving.right += result.right;
     moving.missed += result.missed;
+    moving.right_animated += result.right_animated;
+    moving.right_held += result.right_held;
     moving.going_on_ns += result.going_on_ns;
     moving.chosen_ns += result.chosen_ns;
     moving.ruled_ns += result.ruled_ns;

@@ -12,6 +12,7 @@
 #include "tests/runtime/loaded_selector.h"
 #include "tests/scenes/allocation_count.h"
 #include "tests/scenes/not_finite.h"
+#include "tests/scenes/walk.h"
 
 namespace flinch::runtime {
 namespace {
@@ -70,6 +71,31 @@ TEST(Character, PredictsTargetAndTimeToImpact) {
       EXPECT_NEAR(predicting.time_to_impact_s(), 0.6F, 0.02F);
       EXPECT_FALSE(predicting.candidates().empty());
       EXPECT_EQ(predicting.clip(), predicting.candidates().front().clip);
+    }
+  }
+}
+
+TEST(Character, PredictsWhereACharacterWalksThatTheGameAnimates) {
+  Workspace workspace = make_workspace();
+  const motion::Motion walk =
+      tests::walking(motion::make_figure(library().clip_library().character));
+  const motion::Loop loop = motion::Loop::in_cycles(walk);
+  for (const float after_s : {0.7F, 1.0F, 1.3F}) {
+    Character character(library());
+    for (float t = 0; t <= after_s; t += 1.0F / 60) {
+      ASSERT_EQ(character.set_pose(sample(loop, t - 1.0F / 60), sample(loop, t), 1.0F / 60),
+                Status::ok);
+    }
+    const Eigen::Vector3f led = sample(loop, after_s + 0.8F).root_position -
+                                library().prepared().idle().poses.front().root_position;
+    for (Target target : {Target::head, Target::trunk, Target::legs}) {
+      features::Threat threat = threat_to(target, 90, 0.8F);
+      threat.position.head<2>() += led.head<2>();
+      ASSERT_EQ(character.perceive(threat, workspace), Status::ok) << after_s;
+      EXPECT_EQ(character.target(), target) << after_s;
+      EXPECT_NEAR(character.time_to_impact_s(), 0.8F, 0.05F);
+      for (float t = after_s - 0.5F; t <= after_s; t += 1.0F / 60)
+        character.set_pose(sample(loop, t - 1.0F / 60), sample(loop, t), 1.0F / 60);
     }
   }
 }
