@@ -10,6 +10,9 @@
 #include <vector>
 
 #include "database/files/library_writer.h"
+#include "lookahead/oracle/response_motion.h"
+#include "motion/rotation.h"
+#include "motion/support_polygon.h"
 #include "runtime/response/prepared_library.h"
 #include "tests/bench/measures.h"
 #include "tests/bench/study.h"
@@ -32,6 +35,61 @@ void print_rows(const char* name, const char* unit, float scale, std::vector<Row
   std::printf("| %s, %s | %zu | %.3g | %.3g | %.3g | %.3g | %s |\n", name, unit, rows.size(),
               double{at(0.5)}, double{at(0.95)}, double{at(0.99)}, double{at(1)},
               rows.back().what.c_str());
+}
+
+/// A response in which no foot leaves the ground before the peak, with the weight shifted over the
+/// support foot all the same, as Zordan et al. do.
+runtime::Response with_shift(const runtime::Response& planned) {
+  constexpr float kShift_s = 0.3F;  // as response_plan.cpp has them
+  constexpr float kBack_s = 0.45F;
+  constexpr float kMargin_m = 0.015F;
+  constexpr float kOvershoot = 1.17F;
+  constexpr float kDip = 0.2F;
+  const runtime::PreparedLibrary& library = *planned.library;
+  const runtime::Sole& sole = library.soles[planned.support];
+  const motion::JointFrames frames =
+      motion::forward_kinematics(library.skeleton(), runtime::pose_at(planned, planned.begin_s));
+  const motion::FootPose foot = motion::foot_pose(frames, planned.support);
+  const Eigen::Quaternionf heading =
+      motion::rotation_about(Eigen::Vector3f::UnitZ(), motion::yaw_of(foot.orientation));
+  const Eigen::Vector2f centre =
+      (heading.conjugate() * (motion::centre_of_mass(library.body_model, frames) - foot.ankle))
+          .head<2>();
+  const Eigen::Vector2f missing =
+      motion::fraction_to_inside(kMargin_m, sole.hull, centre, sole.middle) *
+      (sole.middle - centre);
+  runtime::Response shifted = planned;
+  runtime::WeightShift& shift = shifted.shifts[0];
+  shift.interval = {planned.begin_s - kShift_s, planned.begin_s + kBack_s};
+  shift.hold = {planned.begin_s, planned.begin_s};
+  shift.pelvis = kOvershoot * (heading * Eigen::Vector3f(missing.x(), missing.y(), 0));
+  shift.pelvis.z() = -kDip * shift.pelvis.norm();
+  shifted.first_motion_s = shift.interval.begin_s;
+  return shifted;
+}
+
+/// What a weight shift would cost where both feet stay.
+void print_shifts(const runtime::PreparedLibrary& library) {
+  constexpr float kImpact_s = 1;
+  std::vector<double> way_m, work;
+  int stay = 0;
+  int clips = 0;
+  for (int clip = 0; clip < static_cast<int>(library.library->clips.size()); ++clip) {
+    if (!library.clip(clip).annotation) continue;
+    ++clips;
+    const runtime::Response planned = runtime::make_response(library, {}, clip, kImpact_s);
+    if (!planned.shifts[0].pelvis.isZero(0)) continue;
+    ++stay;
+    const runtime::Response shifted = with_shift(planned);
+    way_m.push_back(double{shifted.shifts[0].pelvis.head<2>().norm()});
+    work.push_back(lookahead::response_work_j(library, shifted) /
+                   lookahead::response_work_j(library, planned));
+  }
+  std::printf(
+      "\nIn %d of %d responses no weight is shifted. A shift over the support foot would move the "
+      "pelvis by %.1f cm in the median, %.1f in 95 %%, and multiply the work by %.2f, %.2f.\n",
+      stay, clips, 100 * bench::quantile(way_m, 0.5), 100 * bench::quantile(way_m, 0.95),
+      bench::quantile(work, 0.5), bench::quantile(work, 0.95));
 }
 
 void run(const bench::StudyArguments& arguments) {
@@ -72,6 +130,7 @@ void run(const bench::StudyArguments& arguments) {
   print_rows("centre of mass beyond the standing sole when the other foot lifts", "mm", 1e3F, lift);
   print_rows("extrapolated centre of mass beyond it, then", "mm", 1e3F, extrapolated);
   print_rows("peak from impact, where there is time", "frames of 1/60 s", 60, peak);
+  print_shifts(prepared);
 }
 
 }  // namespace
