@@ -22,6 +22,7 @@
 #include "database/files/file_io.h"
 #include "database/files/file_kind.h"
 #include "database/files/text_encoding.h"
+#include "database/import/fbx_bytes.h"
 #include "motion/error.h"
 
 namespace flinch::database {
@@ -356,21 +357,31 @@ class SceneMaker {
   bool has_guessed_encoding_ = false;
 };
 
-// Assimp does not add animation layers: of two that move one joint it keeps the later. It does not
-// tell of them, but every layer and every stack of them has its class in the file, in text
-// `AnimLayer::`, in binary after "\0\1".
-bool has_animation_layers(std::string_view bytes) {
-  const auto count = [&](const std::string& name) {
-    std::size_t found = 0;
-    for (const std::string& mark : {"\"" + name + "::", std::string("\0\1", 2) + name}) {
-      for (std::size_t at = bytes.find(mark); at != std::string_view::npos;
-           at = bytes.find(mark, at + 1)) {
-        ++found;
-      }
-    }
-    return found;
+// Assimp does not add animation layers: of two that move one joint it keeps the later. It reads an
+// order of rotations that is none of Euler angles as no turn at all, and rotations that are
+// switched off as any others. It tells nothing of all that.
+void check_fbx(std::string_view bytes, const std::string& path, Scene& scene) {
+  if (has_animation_layers(bytes)) {
+    scene.warnings.emplace_back(
+        "has animation layers, which are not added: where several move one joint, one of them is "
+        "read; merge them, or bake the motion into one");
+  }
+  const std::vector<FbxRotationRules> nodes = fbx_rotation_rules(bytes);
+  for (const FbxRotationRules& node : nodes) {
+    if (node.has_euler_order()) continue;
+    throw Error(path, "`" + node.name +
+                          "` has a rotation order that is not one of Euler angles, such as spheric "
+                          "XYZ, and cannot be read; set it to Euler XYZ and bake the motion");
+  }
+  const auto is_unclear = [](const FbxRotationRules& node) {
+    return !node.name.empty() && !node.is_active && (node.is_turned_else || node.order != 0);
   };
-  return count("AnimLayer") > std::max<std::size_t>(count("AnimStack"), 1);
+  if (const auto node = std::ranges::find_if(nodes, is_unclear); node != nodes.end()) {
+    scene.warnings.push_back(
+        "`" + node->name +
+        "` has a rotation order or a pre- or post-rotation that is switched off (RotationActive) "
+        "and is read all the same; where the pose is wrong, switch it on or bake the motion");
+  }
 }
 
 }  // namespace
@@ -392,12 +403,8 @@ Scene read_scene(const std::string& path) {
     throw Error(path, "cannot be read: " + printable_text(importer.GetErrorString()));
   }
   Scene made = SceneMaker(*scene, path).scene();
-  if (const std::string bytes = read_file(path);
-      file_kind_of(bytes) == FileKind::fbx && has_animation_layers(bytes)) {
-    made.warnings.emplace_back(
-        "has animation layers, which are not added: where several move one joint, one of them is "
-        "read; merge them, or bake the motion into one");
-  }
+  if (const std::string bytes = read_file(path); file_kind_of(bytes) == FileKind::fbx)
+    check_fbx(bytes, path, made);
   return made;
 }
 

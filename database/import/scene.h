@@ -38,10 +38,11 @@ struct Scene {
 
 /// Reads an FBX or glTF file with Assimp, of which only these two readers are used. Other files
 /// that it refers to are read only from its own folder and those below. Of several animations,
-/// takes the longest, and of several animation layers does not take the sum, each with a warning.
-/// Throws Error for a file that cannot be read, is larger than
-/// 256 MiB with all that it refers to, has no animation, several nodes with the name of one that
-/// moves, numbers that are not finite or keys out of order.
+/// takes the longest, and of several animation layers does not take the sum, each with a warning;
+/// rotations of FBX that are switched off are read, with a warning. Throws Error for a file that
+/// cannot be read, is larger than 256 MiB with all that it refers to, has no animation, several
+/// nodes with the name of one that moves, a rotation order that is not one of Euler angles, numbers
+/// that are not finite or keys out of order.
 Scene read_scene(const std::string& path);
 
 }  // namespace flinch::database

@@ -61,10 +61,13 @@ class Writer {
   void add_joint(int index) {
     const BvhJoint& joint = bvh_.joints[static_cast<std::size_t>(index)];
     const int id = kFirstJoint + index;
+    const bool is_last = &joint == &bvh_.joints.back();
     objects_ << "Model: " << id << ", \"Model::" << joint.name << "\", \"LimbNode\" {\n"
              << "Version: 232\nProperties70:  {\n"
-             << property("RotationOrder", "enum", "") << kOrderYxz << "\n"
-             << property("RotationActive", "bool", "") << "1\n"
+             << property("RotationOrder", "enum", "")
+             << (is_last ? settings_.last_rotation_order : kOrderYxz) << "\n"
+             << property("RotationActive", "bool", "")
+             << (is_last && !settings_.is_rotation_active ? 0 : 1) << "\n"
              << property("PreRotation", "Vector3D", "Vector") << list(settings_.pre_rotation)
              << "\n"
              << property("PostRotation", "Vector3D", "Vector") << list(settings_.post_rotation)

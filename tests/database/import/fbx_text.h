@@ -19,6 +19,8 @@ struct FbxSettings {
   Eigen::Vector3d geometric_translation = Eigen::Vector3d::Zero();
   Eigen::Vector3d geometric_rotation = Eigen::Vector3d::Zero();  ///< degrees
   int layer_count = 1;                                           ///< the second one turns the root
+  int last_rotation_order = 3;     ///< of the last joint; 3 is that of `bvh`, 6 spheric XYZ
+  bool is_rotation_active = true;  ///< of the last joint
 };
 
 /// Returns the joints and the motion of a BVH file as a minimal FBX file of version 7.4, in text.

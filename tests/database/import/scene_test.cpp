@@ -159,6 +159,26 @@ TEST(Scene, AnimationLayersOfFbxAreNoted) {
               ElementsAre(HasSubstr("animation layers, which are not added")));
 }
 
+TEST(Scene, FbxRotationsThatAreNotOfEulerAnglesAreRefused) {
+  const TemporaryFolder folder;
+  for (const int order : {6, 7, -1}) {
+    const std::string path =
+        folder.write("a.fbx", fbx_text(waving(), {.last_rotation_order = order}));
+    EXPECT_THAT(error_of([&] { read_source_file(path); }),
+                testing::AllOf(StartsWith(path + ": `right_toes` has a rotation order"),
+                               HasSubstr("set it to Euler XYZ and bake")))
+        << order;
+  }
+}
+
+TEST(Scene, FbxRotationsThatAreSwitchedOffAreNoted) {
+  EXPECT_THAT(read_fbx(waving(), {.is_rotation_active = false}).warnings,
+              ElementsAre(HasSubstr("`right_toes` has a rotation order or a pre- or "
+                                    "post-rotation that is switched off")));
+  EXPECT_THAT(read_fbx(waving(), {.last_rotation_order = 0, .is_rotation_active = false}).warnings,
+              IsEmpty());
+}
+
 Bvh read_gltf(const Bvh& bvh, const GltfSettings& settings) {
   const TemporaryFolder folder;
   return read_source_file(write_gltf(folder, bvh, settings));
