@@ -52,11 +52,11 @@ class Descent {
     for (int pass = 0; pass < limits.pass_count; ++pass) {
       Seen seen = visit_active(last);
       const bool is_settled = seen.gap <= limits.tolerance * dual();
-      if (is_settled && active_ == order_.size()) {
+      if (is_settled) {
         is_converged = gap() <= limits.tolerance * dual();
         if (is_converged) break;
+        active_ = order_.size();
       }
-      if (is_settled) active_ = order_.size();
       // Shrinking thresholds for the next pass (their section 3.2): none after a settled pass.
       last.max_gradient = is_settled || seen.max_gradient <= 0 ? kInfinity : seen.max_gradient;
       last.min_gradient = is_settled || seen.min_gradient >= 0 ? -kInfinity : seen.min_gradient;
