@@ -125,6 +125,10 @@ void run_evolve_throw(const EvolveOptions& options) {
   database::ClipLibrary library = database::load_library(options.library);
   const evolve::TrialOptions tried = trial_options(options, library);
   const evolve::PoseTrial trial(library.character, library.idle_clip().motion, tried);
+  if (!(trial.idle_pain() > 0))
+    throw Error(options.library,
+                "standing still does not hurt, so no pose can hurt less; give another --target or "
+                "--pain");
   const evolve::ClipDescription description{
       clip_name(options), *motion::target_named(options.target), motion::radians(options.azimuth),
       "evolved, seed " + std::to_string(options.seed)};

@@ -11,13 +11,20 @@
 
 namespace flinch::database {
 
+std::string read_toml_text(const std::string& path) {
+  constexpr std::size_t kMaxBytes = std::size_t{1} << 24;
+  std::string text = read_file_start(path, kMaxBytes + 1);
+  if (text.size() > kMaxBytes)
+    throw Error(path, "is larger than 16 MiB, which no TOML file of Flinch is; check the path");
+  return text;
+}
+
 toml::table read_toml(const std::string& path) {
-  const std::string text = read_file(path);
-  require_not_utf16(text, path);
-  return parse_toml(text, path);
+  return parse_toml(read_toml_text(path), path);
 }
 
 toml::table parse_toml(std::string_view text, const std::string& path) {
+  require_not_utf16(text, path);
   try {
     return toml::parse(text, path);
   } catch (const toml::parse_error& error) {

@@ -10,7 +10,9 @@
 
 namespace flinch::database {
 
-/// Parses a TOML file. Throws Error "FILE:LINE: …".
+/// Reads a TOML file of at most 16 MiB: parsing takes much longer than reading. Throws Error.
+std::string read_toml_text(const std::string& path);
+/// Parses a TOML file as read_toml_text reads it. Throws Error "FILE:LINE: …".
 toml::table read_toml(const std::string& path);
 /// Parses the text of a TOML file; `path` is for messages. Throws Error as read_toml does.
 toml::table parse_toml(std::string_view text, const std::string& path);

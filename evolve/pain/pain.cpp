@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "evolve/pain/pain.h"
 
+#include <algorithm>
+
 #include "database/files/toml_reader.h"
 
 namespace flinch::evolve {
 namespace {
+
+constexpr double kMaxMultiplier = 1000;
 
 constexpr PainMap kThesis{{15, 14, 10, 5, 5, 2, 4, 4, 2, 3, 3, 1, 1, 2, 3, 1}};
 
@@ -35,10 +39,12 @@ PainMap read_pain(const std::string& path) {
       multipliers.fail(key.str(), "names a region '" + std::string(key.str()) +
                                       "' that does not exist; the regions are: " + all_names());
     const double multiplier = multipliers.needed_number(key.str());
-    if (multiplier < 0)
-      multipliers.fail(key.str(), "needs at least 0 for " + std::string(key.str()));
+    if (!(multiplier >= 0 && multiplier <= kMaxMultiplier))
+      multipliers.fail(key.str(), "needs a number from 0 to 1000 for " + std::string(key.str()));
     map.multiplier[*region] = multiplier;
   }
+  if (std::ranges::all_of(map.multiplier, [](double value) { return value == 0; }))
+    multipliers.fail({}, "has only values of 0, so nothing would hurt; give one above 0");
   return map;
 }
 

@@ -19,9 +19,9 @@ struct PainMap {
 /// and feet as arms and hands. Backs of hands hurt as palms do, as there.
 const PainMap& thesis_pain();
 
-/// Reads a pain map from a TOML file with a table [multipliers] of regions and numbers of at least
-/// 0; regions that it leaves out keep those of thesis_pain(). Throws Error "FILE:LINE: …", for a
-/// region that does not exist with a list of those that do.
+/// Reads a pain map from a TOML file with a table [multipliers] of regions and numbers from 0
+/// to 1000; regions that it leaves out keep those of thesis_pain(). Throws Error "FILE:LINE: …",
+/// for a region that does not exist with a list of those that do.
 PainMap read_pain(const std::string& path);
 
 /// Equation 4.2 with impulses in place of forces in each step, so that it does not depend on the

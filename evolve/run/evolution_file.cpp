@@ -13,6 +13,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr std::size_t kMaxGenerations = 100'000;  // of all runs; `flinch evolve` makes fewer
+
 bool is_chromosome(const Json& json, std::size_t gene_count) {
   return json.is_array() && json.size() == gene_count &&
          std::ranges::all_of(json, [](const Json& gene) {
@@ -85,15 +87,17 @@ std::optional<EvolutionSeries> read_evolution(const std::string& path, const std
   if (!std::filesystem::exists(path)) return std::nullopt;
   const std::string text = database::read_file(path);
   if (!text.starts_with(kEvolutionMark)) throw Error(path, "is no unfinished evolution");
-  // One level of nesting more than ours has would be refused below; deep nesting would overflow the
-  // stack before.
-  bool is_flat = true;
-  const auto require_flat = [&is_flat](int depth, Json::parse_event_t, const Json&) {
-    is_flat &= depth <= 6;
-    return is_flat;
+  // Deep nesting would overflow the stack, and many small values take twenty times the memory of
+  // the file, before is_sound() could refuse them.
+  const std::size_t max_events = 16 + (gene_count + 10) * (population + kMaxGenerations);
+  std::size_t events = 0;
+  bool is_bounded = true;
+  const auto require_bounded = [&](int depth, Json::parse_event_t, const Json&) {
+    is_bounded = is_bounded && depth <= 6 && ++events <= max_events;
+    return is_bounded;
   };
-  const Json json = Json::parse(text, require_flat, false);
-  if (!is_flat || !json.is_object() || !json.contains("key") || !json["key"].is_string())
+  const Json json = Json::parse(text, require_bounded, false);
+  if (!is_bounded || !json.is_object() || !json.contains("key") || !json["key"].is_string())
     throw Error(path, "the unfinished evolution is damaged; remove the file to begin anew");
   if (json["key"].get<std::string>() != key)
     throw Error(path,

@@ -17,7 +17,8 @@ void write_evolution(const std::string& path, const std::string& key,
                      const EvolutionSeries& series);
 
 /// Reads runs; nothing if there is no file. Throws Error if the file holds no runs, is damaged, has
-/// another key, or holds chromosomes of other numbers than these. Between two runs there are none.
+/// another key, more than about 100,000 generations, or chromosomes of other numbers than these.
+/// Between two runs there are none.
 std::optional<EvolutionSeries> read_evolution(const std::string& path, const std::string& key,
                                               std::size_t population, std::size_t gene_count);
 

@@ -113,6 +113,13 @@ class BadInput(ProgramTest):
             for what, command in commands.items():
                 with self.subTest(file=name, read_as=what):
                     self.refuse(1, [str(path), words], *command)
+        long = self.file("long.toml", "#" * (1 << 24) + "\n")
+        for command in (["import", self.folder, "--manifest", long, "--out", self.out],
+                        ["simulate", self.library, "--threats", long, "--out", self.out, "-n", 1],
+                        ["evolve", self.library, "--pain", long, "--out", self.out]):
+            with self.subTest(command=command[0]):
+                self.refuse(1, [str(long), "larger than 16 MiB"], *command)
+        long.unlink()
         sizes = {p: p.stat().st_size for p in self.folder.iterdir()}
         line = self.fail_with(1, "import", sparse, "--out", self.out)
         self.assertIn("larger than 1 GiB", line)
@@ -198,6 +205,7 @@ class BadInput(ProgramTest):
                 self.refuse(1, words, "import", bvh, "--manifest", path, "--out", self.out)
 
     def test_text_in_utf16(self):
+        self.make_store_and_selector()
         for coding in ("utf-16", "utf-16-le", "utf-16-be"):
             words = "is text in UTF-16"
             bvh = self.file("a.bvh", BVH.encode(coding))
@@ -206,7 +214,11 @@ class BadInput(ProgramTest):
                     (bvh, ["info", bvh]), (bvh, ["import", bvh, "--out", self.out]),
                     (toml, ["import", bvh, "--manifest", toml, "--out", self.out]),
                     (toml, ["import", bvh, "--roles", toml, "--out", self.out]),
-                    (toml, ["author", "--character", toml, "--out", self.out])):
+                    (toml, ["author", "--character", toml, "--out", self.out]),
+                    (toml, ["evolve", self.library, "--pain", toml, "--out", self.out]),
+                    (toml, ["simulate", self.library, "-n", 1, "--threats", toml,
+                            "--out", self.out]),
+                    (toml, ["compare", self.store, "--vulnerability", toml])):
                 with self.subTest(coding=coding, command=command):
                     self.refuse(1, f"{path}: {words}", *command)
 

@@ -131,6 +131,10 @@ class Evolve(ProgramTest):
     def test_refuses_what_it_cannot_evolve_in_one_line(self):
         pain = self.folder / "pain.toml"
         pain.write_text("[multipliers]\near = 3\n")
+        feet = self.folder / "feet.toml"  # of which a ball at the head is nowhere near
+        feet.write_text("[multipliers]\nfoot = 1\n" + "".join(f"{name} = 0\n" for name in (
+            "eyes", "nose", "face", "head", "neck", "chest", "stomach", "pelvis", "upper_arm",
+            "forearm_inside", "forearm_outside", "palm", "back_of_hand", "thigh", "shin")))
         for code, arguments, text in [
                 (2, ["--azimuth", 400], "not in range"),
                 (2, ["--azimuth", "nan"], "not in range"),
@@ -141,7 +145,8 @@ class Evolve(ProgramTest):
                 (1, ["--population", 4, "--tournament", 8], "at least as large as a tournament"),
                 (1, ["--tournament", 6], "a multiple of 4"),
                 (1, ["--pain", pain], f"{pain}:2: [multipliers] names a region 'ear' that does"),
-                (1, ["--pain", self.folder / "none.toml"], "none.toml")]:
+                (1, ["--pain", self.folder / "none.toml"], "none.toml"),
+                (1, ["--pain", feet], "standing still does not hurt")]:
             with self.subTest(arguments):
                 line = self.fail_with(code, "evolve", self.library, "--out", self.out, *arguments)
                 self.assertIn(text, line)

@@ -7,7 +7,6 @@
 #include <optional>
 #include <utility>
 
-#include "database/files/file_io.h"
 #include "database/files/file_kind.h"
 #include "database/files/toml_reader.h"
 #include "database/library/library_bounds.h"
@@ -44,6 +43,8 @@ constexpr Bounds kAimRadius{0, 1, " m"};
 constexpr Bounds kWeight{0, 1e6, ""};
 constexpr Bounds kRestitution{0, 1, ""};
 constexpr Bounds kFriction{0, 2, ""};
+/// Of a kind. More would not fit into a store's description of its scenarios.
+constexpr std::size_t kMaxSectors = 16;
 
 void require_in(const TomlReader& reader, std::string_view key, double value,
                 const Bounds& bounds) {
@@ -107,6 +108,9 @@ std::vector<ValueRange> azimuth(const TomlReader& reader,
   if (node == nullptr) return otherwise;
   std::vector<ValueRange> sectors;
   const toml::array* list = node->as_array();
+  if (list != nullptr && list->size() > kMaxSectors)
+    reader.fail(kKey, "has more than " + std::to_string(kMaxSectors) + " sectors for " +
+                          std::string(kKey) + "; join some of them");
   for (std::size_t i = 0; list != nullptr && i < list->size(); ++i) {
     const std::optional<ValueRange> sector = pair_of((*list)[i]);
     if (!sector) {
@@ -215,7 +219,7 @@ ScenarioDistribution parse_threats(std::string_view text, const std::string& pat
 
 ScenarioDistribution find_threats(const std::string& name_or_file) {
   if (database::names_toml_file(name_or_file))
-    return parse_threats(database::read_file(name_or_file), name_or_file);
+    return parse_threats(database::read_toml_text(name_or_file), name_or_file);
   std::string names;
   for (const ThreatFile& file : threat_files()) {
     if (file.name == name_or_file) return parse_threats(file.text, std::string(file.name));

@@ -23,7 +23,7 @@ std::span<const ThreatFile> threat_files();
 /// in each a name, and whatever differs from the default kind. `path` is for messages. Throws Error
 /// "PATH:LINE: …" for an unknown key, a kind without a name or with that of another, no weight at
 /// all, a range the wrong way round, a number out of its bounds, times to impact that are not on
-/// one grid, and more than features::kMaxThreatKinds kinds.
+/// one grid, more than 16 sectors of a kind, and more than features::kMaxThreatKinds kinds.
 ScenarioDistribution parse_threats(std::string_view text, const std::string& path);
 
 /// Returns the shipped distribution with that name or, if it ends in ".toml", the one in that file.

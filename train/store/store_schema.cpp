@@ -20,8 +20,8 @@ namespace {
 
 /// Of numbers that only have to be finite and leave room for sums.
 constexpr double kMaxMeasure = 1e12;
-/// Bytes of a text in `meta`. Ours have some hundred.
-constexpr std::size_t kMaxDescription = 1 << 14;
+/// Bytes of a text in `meta`. Ours have some hundred, and at most 32 KiB: see parse_threats.
+constexpr std::size_t kMaxDescription = 1 << 16;
 
 /// The numbers of a kind of threat, one per column after `kind` and `name`.
 constexpr std::array<const char*, 12> kKindColumns{

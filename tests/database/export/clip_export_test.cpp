@@ -25,6 +25,17 @@ TEST(ClipExport, NamesAreLowerCaseAndDifferent) {
               ElementsAre("duck_left", "duck_left_2", "duck_left_3", "bl__ck_01", "duck_left_2_2"));
 }
 
+TEST(ClipExport, NamesOfFilesAreShortAndManyAlikeTakeNoTime) {
+  ClipLibrary library = scenes::synthetic_library();
+  motion::Clip clip = library.clips[1];
+  clip.motion.poses.resize(1);
+  clip.name = std::string(255, 'A');
+  library.clips.assign(10'000, clip);
+  const std::vector<NamedMotion> clips = exported_clips(library);
+  EXPECT_EQ(clips.front().name, std::string(100, 'a'));
+  EXPECT_EQ(clips.back().name, std::string(100, 'a') + "_10000");
+}
+
 TEST(ClipExport, EachClipKeepsItsMotionAndAnnotation) {
   const ClipLibrary library = scenes::synthetic_library();
   const std::vector<NamedMotion> clips = exported_clips(library);

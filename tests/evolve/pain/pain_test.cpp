@@ -106,9 +106,13 @@ TEST_F(PainFile, IsRefusedWithItsLine) {
               testing::StartsWith(path_ + ":3: [multipliers] names a region 'ear' that does not "
                                           "exist; the regions are: eyes, nose, face, head, neck"));
   EXPECT_THAT(error("[multipliers]\nhead = -1\n"),
-              testing::StrEq(path_ + ":2: [multipliers] needs at least 0 for head"));
+              testing::StrEq(path_ + ":2: [multipliers] needs a number from 0 to 1000 for head"));
+  EXPECT_THAT(error("[multipliers]\nhead = 1e300\n"), testing::HasSubstr("from 0 to 1000"));
   EXPECT_THAT(error("[multipliers]\nhead = \"5\"\n"), testing::HasSubstr(":2: "));
   EXPECT_THAT(error("[multipliers]\nhead = inf\n"), testing::HasSubstr(":2: "));
+  std::string nothing = "[multipliers]\n";
+  for (const PainRegion region : kPainRegions) nothing += std::string(name_of(region)) + " = 0\n";
+  EXPECT_THAT(error(nothing), testing::HasSubstr("only values of 0, so nothing would hurt"));
   EXPECT_THAT(error("head = 5\n"), testing::HasSubstr("unknown key \"head\""));
   EXPECT_THAT(error("multipliers = 3\n"), testing::HasSubstr("needs a table [multipliers]"));
 }

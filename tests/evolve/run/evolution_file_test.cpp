@@ -6,6 +6,7 @@
 
 #include "motion/error.h"
 #include "tests/scenes/error_of.h"
+#include "tests/scenes/read_cost.h"
 #include "tests/scenes/temporary_folder.h"
 
 namespace flinch::evolve {
@@ -85,6 +86,18 @@ TEST_F(EvolutionFile, ThatIsDamagedIsRefused) {
         key + std::string(100000, '[')}) {
     EXPECT_THAT(error(start + rest), testing::HasSubstr("damaged")) << rest.substr(0, 80);
   }
+}
+
+// Three bytes in the file would be forty in memory.
+TEST_F(EvolutionFile, WithMoreValuesThanARunHasIsRefusedBeforeTheyTakeMemory) {
+  std::string text(kEvolutionMark);
+  text.append("\"key\":\"key\",\"history\":[[]");
+  for (int k = 0; k < 2'000'000; ++k) text.append(",[]");
+  folder_.write("run.evolution", text.append("],\"chromosomes\":[]}"));
+  const tests::ReadCost cost;
+  EXPECT_THAT(tests::error_of([&] { read_evolution(path_, "key", 3, 2); }),
+              testing::HasSubstr("damaged"));
+  cost.expect_below(std::size_t{128} << 20);
 }
 
 }  // namespace

@@ -96,6 +96,9 @@ TEST(ThreatFile, WhatIsWrongIsSaidWithItsLine) {
   EXPECT_THAT(refusal("speed_mps = 0"), HasSubstr("not from 0.1 to 200 m/s"));
   EXPECT_THAT(refusal("azimuth_degrees = [-60, 60]"), HasSubstr("such as [[-60, 60]]"));
   EXPECT_THAT(refusal("azimuth_degrees = [[60, -60]]"), HasSubstr("smaller number first"));
+  std::string sectors = "[0, 1]";
+  for (int k = 1; k < 17; ++k) sectors += ", [0, 1]";
+  EXPECT_THAT(refusal("azimuth_degrees = [" + sectors + "]"), HasSubstr("more than 16 sectors"));
   EXPECT_THAT(refusal("elevation_degrees = [0, 90]"), HasSubstr("not from -89 to 89 degrees"));
   EXPECT_THAT(refusal("time_to_impact_s = [0.25, 0.33]"),
               HasSubstr("not a whole number of steps of 0.05 s"));

@@ -111,7 +111,7 @@ TEST(HostileStore, WithALogOfItsOwnIsRefusedAndLeavesNoFile) {
 
 TEST(HostileStore, ValuesOutOfBoundsAreRefusedThoughTheChecksumIsRight) {
   for (const char* sql : {
-           "UPDATE meta SET value = hex(zeroblob(20000)) WHERE key = 'distribution'",
+           "UPDATE meta SET value = hex(zeroblob(40000)) WHERE key = 'distribution'",
            "UPDATE meta SET value = char(27) || '[2J' WHERE key = 'distribution'",
            "UPDATE meta SET value = char(10) WHERE key = 'library_name'",
            "UPDATE meta SET value = 9e999 WHERE key = 'reference_work_j'",
