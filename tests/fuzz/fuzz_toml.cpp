@@ -1,35 +1,20 @@
 // SPDX-License-Identifier: MIT
-// The readers of TOML files: manifests, roles and characters. One input is read as each of them.
-#include <sys/mman.h>
-#include <unistd.h>
-
-#include <stdexcept>
+// The readers of TOML files: manifests, roles, characters, kinds of threats, tables of
+// vulnerability and maps of pain. One input is read as each of them.
+#include <algorithm>
+#include <cmath>
 
 #include "database/author/character_toml.h"
 #include "database/import/manifest.h"
 #include "database/import/role_map.h"
+#include "evolve/pain/pain.h"
 #include "motion/error.h"
 #include "tests/fuzz/fuzz.h"
+#include "tests/fuzz/memory_file.h"
+#include "train/objective/vulnerability.h"
+#include "train/scenario/threat_file.h"
 
 namespace {
-
-/// A file in memory alone.
-class MemoryFile {
- public:
-  explicit MemoryFile(std::string_view bytes) : descriptor_(memfd_create("input.toml", 0)) {
-    if (descriptor_ < 0 ||
-        write(descriptor_, bytes.data(), bytes.size()) != static_cast<ssize_t>(bytes.size()))
-      throw std::runtime_error("cannot make a file in memory");
-  }
-  MemoryFile(const MemoryFile&) = delete;
-  MemoryFile& operator=(const MemoryFile&) = delete;
-  ~MemoryFile() { close(descriptor_); }
-
-  std::string path() const { return "/proc/self/fd/" + std::to_string(descriptor_); }
-
- private:
-  int descriptor_;
-};
 
 template <class Read>
 void try_to(Read read) {
@@ -39,11 +24,20 @@ void try_to(Read read) {
   }
 }
 
+void require_sound(const flinch::train::ThreatKind& kind) {
+  using flinch::tests::require;
+  require(!kind.name.empty() && kind.weight >= 0 && kind.mass_kg.min > 0, "a threat is a thing");
+  require(!kind.azimuth.empty() && kind.azimuth.size() <= 16, "a threat comes from somewhere");
+  for (const flinch::train::ValueRange& range :
+       {kind.radius_m, kind.mass_kg, kind.speed_mps, kind.elevation, kind.time_to_impact_s})
+    require(std::isfinite(range.max - range.min) && range.min <= range.max, "ranges ascend");
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using flinch::tests::require;
-  const MemoryFile file(flinch::tests::text_of(data, size));
+  const flinch::tests::MemoryFile file(flinch::tests::text_of(data, size));
   try_to([&] {
     const flinch::database::Manifest manifest = flinch::database::read_manifest(file.path());
     require(!manifest.entries.empty(), "a manifest has entries");
@@ -58,6 +52,21 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     require(character.mass_kg > 0 && character.mass_kg < 1000, "a character has a person's mass");
     for (const Eigen::Vector3f& offset : character.skeleton.offset)
       require(offset.allFinite() && offset.norm() < 3, "a character has a person's bones");
+  });
+  try_to([&] {
+    const auto text = flinch::tests::text_of(data, size);
+    const auto threats = flinch::train::parse_threats(text, "input.toml");
+    require(!threats.kinds.empty(), "there are threats");
+    for (const flinch::train::ThreatKind& kind : threats.kinds) require_sound(kind);
+  });
+  try_to([&] {
+    const auto text = flinch::tests::text_of(data, size);
+    for (const double value : flinch::train::parse_vulnerability(text, "input.toml").vulnerability)
+      require(value >= 0 && value <= 1, "a vulnerability is a share");
+  });
+  try_to([&] {
+    for (const double value : flinch::evolve::read_pain(file.path()).multiplier)
+      require(value >= 0 && value <= 1000, "pain is bounded");
   });
   return 0;
 }

@@ -36,8 +36,11 @@ void write_seeds(const std::filesystem::path& folder) {
                                                      {"knn_cost", ModelKind::knn_cost},
                                                      {"network", ModelKind::network},
                                                      {"pairwise", ModelKind::pairwise}};
-  for (const auto& [name, kind] : kinds)
-    write(folder / "selector" / name, content_of(made_up_selector(library, 20, kind).file()));
+  for (const auto& [name, kind] : kinds) {
+    MadeUpSelector made = made_up_selector(library, 20, kind);
+    made.selector.kinds.push_back({.name = "stone"});
+    write(folder / "selector" / name, content_of(made.file()));
+  }
 
   const train::SimulationSetup setup(library, {});
   train::RehearsalCache rehearsals(std::uint64_t{1} << 26U);

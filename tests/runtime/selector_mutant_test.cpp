@@ -24,7 +24,9 @@ std::string small_selector_file(tests::ModelKind model) {
     if (clip.annotation) clip.annotation->end_s = clip.motion.duration_s();
   }
   library.rate_hz = 4;
-  return tests::made_up_selector(library, 30, model).file();
+  tests::MadeUpSelector made = tests::made_up_selector(library, 30, model);
+  made.selector.kinds.push_back({.name = "stone"});
+  return made.file();
 }
 
 void play(const Library& library, const std::string& what) {

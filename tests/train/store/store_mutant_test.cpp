@@ -81,7 +81,7 @@ void change_values(const std::string& path, Random& random) {
   database.trust();
   database.execute("PRAGMA synchronous = OFF");
   std::string sql;
-  switch (random() % 4) {
+  switch (random() % 5) {
     case 0:
       sql = "UPDATE meta SET value = " + extreme() + " WHERE key = '" +
             one_of({"library_name", "seed", "distribution", "simulation", "reference_impulse_ns",
@@ -96,6 +96,14 @@ void change_values(const std::string& path, Random& random) {
       break;
     case 2:
       sql = "UPDATE target SET " + one_of({"x", "y", "z"}) + " = " + extreme();
+      break;
+    case 3:
+      sql = "UPDATE kind SET " +
+            one_of({"kind", "name", "min_radius_m", "max_radius_m", "min_mass_kg", "max_mass_kg",
+                    "min_speed_mps", "max_speed_mps", "min_elevation", "max_elevation",
+                    "min_time_to_impact_s", "max_time_to_impact_s", "restitution", "friction",
+                    "falls"}) +
+            " = " + extreme();
       break;
     default:
       break;
@@ -122,6 +130,7 @@ void change_values(const std::string& path, Random& random) {
                              &observation.trials.back().work_j,
                              &observation.trials.front().impulse.values[3]};
     *places[random() % std::size(places)] = value;
+    if (random() % 4 == 0) scenario.threat.kind = static_cast<int>(random() % 40) - 4;
     if (random() % 4 == 0) observation.trials.back().clip += static_cast<int>(random() % 2000);
     database.execute("DELETE FROM observation WHERE number = " +
                      std::to_string(observation.number));
