@@ -36,7 +36,8 @@ install(EXPORT flinch NAMESPACE flinch:: FILE flinchTargets.cmake DESTINATION ${
 # The C interface, as one library: `flinch::flinch`, and for all build systems `flinch.pc`, which
 # finds its prefix from where it is.
 install(TARGETS flinch_shared flinch_static EXPORT flinch_c
-  LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+  LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR}
+  ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(EXPORT flinch_c NAMESPACE flinch:: FILE flinchCTargets.cmake
   DESTINATION ${package_directory})
 file(RELATIVE_PATH to_prefix /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)

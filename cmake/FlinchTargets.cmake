@@ -31,7 +31,7 @@ if(FLINCH_SANITIZE)
     target_compile_options(flinch_flags INTERFACE -fno-sanitize=null,object-size)
   endif()
   target_link_options(flinch_flags INTERFACE -fsanitize=${FLINCH_SANITIZE})
-elseif(NOT FLINCH_WASM)  # sanitizers find more than these, and the two do not mix; WebAssembly has its own
+elseif(NOT FLINCH_WASM AND NOT WIN32)  # sanitizers find more than these, and the two do not mix; WebAssembly has its own, and for Windows they need a library beside the game
   target_compile_options(flinch_flags INTERFACE -fstack-protector-strong
     $<$<NOT:$<CONFIG:Debug>>:-U_FORTIFY_SOURCE;-D_FORTIFY_SOURCE=2>)  # needs an optimizing compiler
 endif()
