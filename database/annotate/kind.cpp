@@ -25,7 +25,7 @@ constexpr int kDirections = 16;                // around which the feet are boun
 
 constexpr float kFloor_m = 0.8F;
 constexpr float kFootRise_m = 0.45F;
-constexpr float kDuck_m = 0.3F;
+constexpr float kDuck_m = 0.24F;
 constexpr float kHandOverHead_m = 0.05F;
 constexpr float kTravel_m = 0.3F;
 constexpr float kTravelPerLean = 1.5F;

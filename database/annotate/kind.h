@@ -29,8 +29,8 @@ struct MovementMeasures {
 };
 
 /// A hand faster than this, relative to the chest, is thrown: arms that swing along with a step
-/// reach 1.8 m/s, hands in blocks from karate 6; this is their geometric mean.
-inline constexpr float kThrownHand_mps = 3.3F;
+/// reach 1.8 m/s, those of someone who is hit 2.5, hands in blocks from karate 2.8 to 6.
+inline constexpr float kThrownHand_mps = 2.65F;
 /// Both feet this high above the ground are in a jump, m.
 inline constexpr float kJumpRise_m = 0.15F;
 MovementMeasures measures_of(const TakeSignals& signals, const Movement& movement);
@@ -54,14 +54,15 @@ float external_speed(const TakeSignals& signals, const FrameSpan& span);
 /// | --- | --- |
 /// | dodge | takes the head down by 0.8 m: the body goes to the floor |
 /// | lift | raises a foot by 0.45 m, as high as the other knee, or both by 0.15 m: a jump |
-/// | duck | takes the head down by 0.3 m, out of a ball's way, and no hand comes above it |
+/// | duck | takes the head down by 0.24 m, out of a ball's way, and no hand comes above it |
 /// | block | raises a wrist above the head joint by 0.05 m, or throws a hand (kThrownHand_mps) |
 /// | push | carries the body 0.2 m, with a quarter of its speed from other forces than the feet's |
 /// | step | carries the body 0.3 m, and 1.5 times as far as the head leans |
 /// | flinch | leans the head away from above the pelvis: all the rest |
 ///
-/// 0.3 m is the height of a head and a volleyball's radius (0.2 + 0.1). The confidence is that of
-/// the least certain of the answers that led to the kind.
+/// 0.24 m is half the height of a head and a volleyball's radius (0.13 + 0.11): what was aimed at
+/// its middle passes over it. The confidence is that of the least certain of the answers that led
+/// to the kind.
 Guess<MovementKind> kind_of(const MovementMeasures& measures);
 
 }  // namespace flinch::database

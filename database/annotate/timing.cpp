@@ -10,8 +10,8 @@ namespace {
 using motion::Role;
 
 constexpr float kAhead = 0.95F;
-constexpr float kBehind = 0.12F;
-constexpr double kMaxEarlier_s = 0.2;
+constexpr float kBehind = 0.15F;
+constexpr double kMaxEarlier_s = 0.15;
 constexpr float kTurnedBack = 0.9F;
 constexpr float kHeadUnderway = 0.2F;
 constexpr double kMaxLead_s = 0.3;

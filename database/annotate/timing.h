@@ -28,11 +28,11 @@ struct MovementTimes {
 /// the first frame s to the peak p:
 ///
 ///   - the last with d(t, p) >= 0.95 max d(., p): nearly the whole way to the peak is still ahead;
-///   - the last before d(s, t) > 0.12 max d(s, .): the body is still where it was.
+///   - the last before d(s, t) > 0.15 max d(s, .): the body is still where it was.
 ///
 /// The first finds the onset where a movement goes straight to its peak, however long the body
 /// fidgets before; the second where it winds up first and comes back past the start. In a moving
-/// stance, distances are relative to it and s moves back, by at most 0.2 s, as long as that is
+/// stance, distances are relative to it and s moves back, by at most 0.15 s, as long as that is
 /// farther from the peak; where the head is the guarded part, s is at most 0.3 s before the head
 /// has gone 0.2 of its way: hands and knees lead the head by no more.
 MovementTimes times_of(const TakeSignals& signals, const Movement& movement,

@@ -2,7 +2,9 @@
 # SPDX-License-Identifier: MIT
 """The five commands of the main path with motion capture, if there is any."""
 
+import os
 import re
+import subprocess
 import sys
 import unittest
 
@@ -24,6 +26,15 @@ class Mocap(ProgramTest):
                                "head", "--time-to-impact", 0.5)
         names = [clip["name"] for clip in self.document("info", library)["clips"]]
         self.assertIn(answer["clip"], names)
+
+    def test_drafts_agree_with_annotations_made_by_hand(self):
+        study = subprocess.run([os.environ["FLINCH_ANNOTATE_STUDY"], MOCAP / "manifest.toml"],
+                               capture_output=True, text=True, check=True).stdout
+        row, = [line for line in study.splitlines() if line.startswith("| all |")]
+        onset, peak, kind = [int(share) for share in re.findall(r"\((\d+) %\)", row)[:3]]
+        self.assertGreaterEqual(min(onset, peak, kind), 70, row)
+        seconds = float(re.search(r"A take of 35 s at 120 Hz: ([\d.]+) s", study)[1])
+        self.assertLess(seconds, 3)
 
     def test_a_time_range_outside_its_file_is_refused(self):
         text = (MOCAP / "manifest.toml").read_text()
