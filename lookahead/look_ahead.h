@@ -43,7 +43,8 @@ enum class Foreseen : std::uint8_t {
   costlier,  ///< its work alone costs more than the best; not simulated: its damage is not known
   misses,    ///< no ball comes near it
   simulated,
-  /// Simulated until its damage made it costlier than the best: damage and cost are lower bounds.
+  /// Given up where its first hit, or its simulation until then, made it costlier than the best:
+  /// damage and cost are what was certain by then, no more than it would have cost.
   cut,
 };
 /// As one word; never null.

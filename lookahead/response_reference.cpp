@@ -34,6 +34,19 @@ ResponseReference::Frame& ResponseReference::placed(std::size_t k) {
   return placed;
 }
 
+sim::BodyState ResponseReference::moving_part(std::size_t k, Body body) {
+  sim::BodyState part = placed(k).state.body[body];
+  part.velocity = rate_hz() * (placed(k + 1).state.body[body].position - part.position);
+  part.angular_velocity.setZero();
+  return part;
+}
+
+Eigen::Vector3d ResponseReference::turn_rate(std::size_t k, Body body) {
+  const Eigen::Quaterniond& from = placed(k).state.body[body].orientation;
+  const Eigen::Quaterniond& to = placed(k + 1).state.body[body].orientation;
+  return rate_hz() * motion::rotation_vector(to * from.conjugate());
+}
+
 const sim::ReferenceState& ResponseReference::moving_at(std::size_t k) {
   Frame& here = placed(k);
   if (here.has_velocities) return here.state;

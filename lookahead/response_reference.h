@@ -36,6 +36,10 @@ class ResponseReference {
   const motion::PerBody<sim::BodyState>& places_at_frame(std::size_t k) {
     return placed(k).state.body;
   }
+  /// A body at frame `k`, with the velocity that takes it straight to where it is at the next
+  /// frame; and the angular velocity that does, which is dearer to find.
+  sim::BodyState moving_part(std::size_t k, motion::Body body);
+  Eigen::Vector3d turn_rate(std::size_t k, motion::Body body);
   /// The position of the pelvis joint at frame `k`, world, m.
   Eigen::Vector3d pelvis_at(std::size_t k) { return frame(k).pose.root_position.cast<double>(); }
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "motion/rotation.h"
+#include "lookahead/first_hit.h"
 #include "sim/contact/bouncing_ball.h"
 #include "sim/figure/figure_rows.h"
 
@@ -24,6 +24,9 @@ constexpr double kMaxPartSpeed_mps = 15;
 constexpr double kMaxPelvisSpeed_mps = 6;
 constexpr double kMaxSwaySpeed_mps = 0.5;
 constexpr double kMaxAhead_s = 0.25;  // that is skipped at once
+// Of the damage until a second body is hit, simulated from kSettlingSteps before, that which
+// kLongSettlingSteps confirm in all but one of 200 such hits.
+constexpr double kSureShareOfSecondHit = 0.75;
 // By which a time in steps may fall short of a whole number.
 constexpr double kRounding = 1e-6;
 
@@ -59,22 +62,16 @@ ResponseTrial::ResponseTrial(const sim::FigureModel& figure_model, double reach_
 /// bodies before the next frame. Parts move straight from frame to frame.
 bool ResponseTrial::comes_near(const features::Ball& ball, std::size_t frame, double since_s,
                                double distance_m, sim::BodySet bodies) {
-  const double rate_hz = reference_.rate_hz();
-  const double horizon_s = 1 / rate_hz - since_s;
-  const motion::PerBody<sim::BodyState>& from = reference_.places_at_frame(frame);
-  const motion::PerBody<sim::BodyState>& to = reference_.places_at_frame(frame + 1);
+  const double horizon_s = 1 / reference_.rate_hz() - since_s;
   return std::ranges::any_of(motion::kBodies, [&](Body body) {
     if (!sim::contains(bodies, body)) return false;
-    sim::BodyState part = from[body];
-    part.velocity = rate_hz * (to[body].position - part.position);
-    part.angular_velocity.setZero();
+    sim::BodyState part = reference_.moving_part(frame, body);
     // The sphere about its centre contains a part however it turns.
     if (!may_reach(moved_on(part, since_s), figure_model_.radius[body], ball, horizon_s,
                    distance_m)) {
       return false;
     }
-    part.angular_velocity =
-        rate_hz * motion::rotation_vector(to[body].orientation * part.orientation.conjugate());
+    part.angular_velocity = reference_.turn_rate(frame, body);
     const sim::MovingShape there =
         placed_shape(figure_model_.outline[body], moved_on(part, since_s));
     return time_of_contact(ball, there, horizon_s, distance_m, 0).has_value();
@@ -176,11 +173,19 @@ TrialResult ResponseTrial::meet(const features::Ball& ball, double until_s,
                                 const models::ResponseCosts& costs, double max_damage_ns) {
   const auto near = find_near(ball, until_s);
   if (!near) return {};
+  if (std::isfinite(max_damage_ns)) {
+    const FirstHit hit =
+        least_first_hit(reference_, figure_model_, ball, *near, costs.vulnerability);
+    if (hit.damage_ns > max_damage_ns) return {{}, hit.damage_ns, hit.contact_s, 0, true};
+  }
   const double near_s = static_cast<double>(*near) / reference_.rate_hz();
   const int near_step = static_cast<int>(near_s / options_.free_step_s + kRounding);
   const Conditions conditions{ball, until_s, costs, max_damage_ns};
-  const TrialResult first = run(near_step, std::min(kSettlingSteps, near_step), conditions, true);
+  TrialResult first = run(near_step, std::min(kSettlingSteps, near_step), conditions, true);
   if (first.is_cut || count_of_hit(first.impulse) < 2) return first;
+  first.damage_ns *= kSureShareOfSecondHit;
+  first.is_cut = first.damage_ns > max_damage_ns;
+  if (first.is_cut) return first;
   TrialResult result = run(near_step, std::min(kLongSettlingSteps, near_step), conditions, false);
   result.steps += first.steps;
   return result;
@@ -225,8 +230,8 @@ TrialResult ResponseTrial::run(int near_step, int settling, const Conditions& co
     now = is_whole ? target : reference_.at(encounter_.time_s());
     ++result.steps;
     if (std::isinf(encounter_.first_contact_s())) continue;
-    if (first_hit && count_of_hit(encounter_.impulse()) > 1) break;
     result.damage_ns = damage_ns(conditions.costs, encounter_.impulse());
+    if (first_hit && count_of_hit(encounter_.impulse()) > 1) break;
     if (result.damage_ns > conditions.max_damage_ns) {
       result.is_cut = true;
       break;

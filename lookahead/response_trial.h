@@ -17,7 +17,7 @@ struct TrialResult {
   double damage_ns = 0;
   /// Time of the first contact, s after perception; infinite if there is none.
   double first_contact_s = std::numeric_limits<double>::infinity();
-  int steps = 0;        ///< simulated; 0 where the ball passes at a distance
+  int steps = 0;        ///< simulated; 0 where it passes at a distance, or is cut before
   bool is_cut = false;  ///< stopped because the damage exceeded what was asked for
 };
 
@@ -40,7 +40,8 @@ class ResponseTrial {
   }
 
   /// Simulates `ball`, as it is at perception, until `until_s` after perception. Stops as soon as
-  /// the damage exceeds `max_damage_ns`; the result's damage is then a lower bound.
+  /// the damage exceeds `max_damage_ns`, and does not begin if the first hit must
+  /// (least_first_hit); the result's damage is then a lower bound.
   TrialResult meet(const features::Ball& ball, double until_s, const models::ResponseCosts& costs,
                    double max_damage_ns = std::numeric_limits<double>::infinity());
 

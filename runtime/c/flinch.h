@@ -394,7 +394,7 @@ enum {
   FLINCH_FORESEEN_COSTLIER = 1, /* its work alone costs more than the best; not simulated */
   FLINCH_FORESEEN_MISSES = 2,   /* no ball comes near it */
   FLINCH_FORESEEN_SIMULATED = 3,
-  FLINCH_FORESEEN_CUT = 4 /* simulated until it cost more than the best: damage is a lower bound */
+  FLINCH_FORESEEN_CUT = 4 /* given up when it cost more than the best: damage is a lower bound */
 };
 FLINCH_API const char* flinch_foreseen_name(int32_t foreseen); /* NULL: no such value */
 

@@ -33,7 +33,9 @@ struct Pair {
   double foreseen_damage_ns = 0;
   double work_j = 0;
   double foreseen_work_j = 0;
-  int bodies_hit = 0;  ///< as training measured it
+  int bodies_hit = 0;        ///< as training measured it
+  bool is_given_up = false;  ///< although its damage is 1 % below the limit
+  bool is_foretold = false;  ///< given up without simulation at a limit of half its damage
   std::array<double, kBrawns.size()> cost_ns{};
   std::array<double, kBrawns.size()> foreseen_cost_ns{};
 
@@ -114,6 +116,13 @@ void print(Study study) {
     print_changes(what.c_str(), study, [&](const Pair& pair) { return pair.cost_change(brawn); });
   }
   print_by_bodies(study);
+  std::printf(
+      "\ngiven up without simulation at a limit of half their damage: %.1f %% of the hits\n",
+      share_of(study.pairs, [](const Pair& pair) { return pair.is_foretold; }) * 100 /
+          share_of(study.pairs, hits));
+  std::printf("given up at a limit that is 1 %% above their damage: %.2f %%\n",
+              share_of(study.pairs, [](const Pair& pair) { return pair.is_given_up; }) * 100 /
+                  share_of(study.pairs, hits));
   std::printf("\n| us | median | p99 |\n| --- | --- | --- |\n");
   std::printf("| plan | %.1f | %.1f |\n", bench::quantile(study.plan_us, 0.5),
               bench::quantile(study.plan_us, 0.99));
@@ -174,8 +183,17 @@ void run(const bench::StudyArguments& arguments) {
                 0,
                 static_cast<int>(
                     std::ranges::count_if(measured.impulse, [](float ns) { return ns > 0; })),
+                false,
+                false,
                 {},
                 {}};
+      if (found.damage_ns > 0) {
+        const auto met = [&](double limit_ns) {
+          return trial.meet(ball, double{time_s} + kTail_s, costs, limit_ns);
+        };
+        pair.is_given_up = met(1.01 * found.damage_ns).is_cut;
+        pair.is_foretold = met(0.5 * found.damage_ns).steps == 0;
+      }
       pair.foreseen_work_j = double{
           work_j(costs, measured.clip, (scenario.state.idle_time_s + time_s) / period_s, time_s)};
       for (std::size_t b = 0; b < kBrawns.size(); ++b) {
