@@ -18,6 +18,10 @@ KnownKind kind_of(const std::string& name, const KindNumbers& numbers, bool fall
           {n[6], n[7]}, {n[8], n[9]}, {n[10], n[11]}, falls};
 }
 
+double largest_impulse_ns(const KnownKind& kind) {
+  return (1 + kind.bounce.restitution) * kind.mass_kg.max * kind.speed_mps.max;
+}
+
 bool is_sound(const KnownKind& kind) {
   Threat threat;
   threat.bounce = kind.bounce;

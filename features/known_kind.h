@@ -41,6 +41,10 @@ using KindNumbers = std::array<double, 12>;
 KindNumbers numbers_of(const KnownKind& kind);
 KnownKind kind_of(const std::string& name, const KindNumbers& numbers, bool falls);
 
+/// Returns the largest impulse that a threat of this kind can give, N·s: (1 + restitution) times
+/// mass times speed.
+double largest_impulse_ns(const KnownKind& kind);
+
 /// Whether all numbers are finite and bounded, no range is the wrong way round, restitution is from
 /// 0 to 1 and friction at least 0. Names are not checked.
 bool is_sound(const KnownKind& kind);

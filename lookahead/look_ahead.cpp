@@ -214,7 +214,9 @@ bool Search::try_candidate(ForeseenCandidate& candidate, const Budget& budget, d
   candidate.work_j = work_j(costs, clip, phase_at_impact(library.prepared(), urgent.scenario),
                             urgent.scenario.time_to_impact_s);
   const double work_j = double{candidate.work_j};
-  const double least_ns = cost_ns(costs, brawn, 0, work_j);
+  // Of several threats, the one that is met says what work counts.
+  const int kind = urgent.scenario.threat.kind;
+  const double least_ns = cost_ns(costs, brawn, kind, 0, work_j);
   if (least_ns > limit_ns) {
     candidate.foreseen = Foreseen::costlier;
     candidate.cost_ns = static_cast<float>(least_ns);
@@ -248,7 +250,7 @@ bool Search::try_candidate(ForeseenCandidate& candidate, const Budget& budget, d
   }
   candidate.foreseen = foreseen;
   candidate.damage_ns = static_cast<float>(damage_ns);
-  candidate.cost_ns = static_cast<float>(cost_ns(costs, brawn, damage_ns, work_j));
+  candidate.cost_ns = static_cast<float>(cost_ns(costs, brawn, kind, damage_ns, work_j));
   candidate.contact_s = static_cast<float>(contact_s);
   if (is_known(candidate) && (!is_known(best) || is_cheaper(candidate, best))) {
     status_.chosen = static_cast<std::size_t>(&candidate - status_.candidates.data());

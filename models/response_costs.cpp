@@ -33,9 +33,24 @@ double damage_ns(const ResponseCosts& costs, const motion::PerBody<double>& impu
   return damage;
 }
 
-double cost_ns(const ResponseCosts& costs, double brawn, double damage_ns, double work_j) {
+namespace {
+
+double reference_damage_ns(const ResponseCosts& costs, int kind) {
+  const auto index = static_cast<std::size_t>(kind);
+  const bool is_known = kind >= 0 && index < costs.reference_damage_ns.size();
+  return costs.reference_damage_ns[is_known ? index : 0];
+}
+
+}  // namespace
+
+double damage_per_work(const ResponseCosts& costs, int kind) {
+  return reference_damage_ns(costs, kind) / costs.reference_work_j;
+}
+
+double cost_ns(const ResponseCosts& costs, double brawn, int kind, double damage_ns,
+               double work_j) {
   return (1 - brawn) * damage_ns +
-         brawn * work_j * costs.reference_damage_ns / costs.reference_work_j;
+         brawn * work_j * reference_damage_ns(costs, kind) / costs.reference_work_j;
 }
 
 }  // namespace flinch::models

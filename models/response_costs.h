@@ -12,8 +12,9 @@ namespace flinch::models {
 /// simulated hit into a cost at run time, and the measured work of each clip's response.
 struct ResponseCosts {
   motion::PerBody<double> vulnerability;  ///< v_b, at least 0
-  double reference_damage_ns = 1;         ///< D*, positive
-  double reference_work_j = 1;            ///< W*, positive
+  /// D* of each kind of threat that the selector knows, positive.
+  std::vector<double> reference_damage_ns = std::vector<double>(1, 1.0);
+  double reference_work_j = 1;  ///< W*, positive
   /// The work of the response of each clip, J: for each clip of the library, for each phase of the
   /// idle clip at the impact, from `min_time_s` to the impact on in steps of `time_step_s`.
   std::vector<float> work_j;
@@ -33,7 +34,11 @@ float work_j(const ResponseCosts& costs, int clip, float idle_phase, float time_
 /// damage = sum over the bodies b of v_b I_b, N·s, of these impulses (N·s).
 double damage_ns(const ResponseCosts& costs, const motion::PerBody<double>& impulse);
 
-/// cost = (1 - brawn) damage + brawn work D*/W*, N·s.
-double cost_ns(const ResponseCosts& costs, double brawn, double damage_ns, double work_j);
+/// Returns what a joule counts as damage, D*/W*, N·s/J, against a kind of threat. A kind that the
+/// selector does not know counts as the first.
+double damage_per_work(const ResponseCosts& costs, int kind);
+
+/// cost = (1 - brawn) damage + brawn work D*/W*, N·s, of a response to a threat of this kind.
+double cost_ns(const ResponseCosts& costs, double brawn, int kind, double damage_ns, double work_j);
 
 }  // namespace flinch::models

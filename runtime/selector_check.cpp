@@ -175,7 +175,8 @@ bool is_part_sound(const models::ResponseCosts& costs, std::size_t clip_count) {
   constexpr int kMaxCount = 1 << 12;
   const auto is_amount = [](double x) { return std::isfinite(x) && x >= 0; };
   return std::all_of(costs.vulnerability.begin(), costs.vulnerability.end(), is_amount) &&
-         is_amount(costs.reference_damage_ns) && costs.reference_damage_ns > 0 &&
+         std::ranges::all_of(costs.reference_damage_ns,
+                             [&](double x) { return is_amount(x) && x > 0; }) &&
          is_amount(costs.reference_work_j) && costs.reference_work_j > 0 &&
          costs.phase_count >= 1 && costs.phase_count <= kMaxCount && costs.time_count >= 1 &&
          costs.time_count <= kMaxCount &&
@@ -208,6 +209,7 @@ bool is_sound(const models::Selector& selector) {
   return selector.idle >= 0 && static_cast<std::size_t>(selector.idle) < clip_count &&
          clip_count <= database::kMaxClips &&
          std::all_of(selector.clips.begin(), selector.clips.end(), is_clip_sound) &&
+         (!selector.costs || selector.costs->reference_damage_ns.size() == selector.kinds.size()) &&
          feature_count > 0 && is_part_sound(selector.scaling, feature_count) &&
          selector.brawn >= 0 && selector.brawn <= 1 && is_part_sound(selector.kinds) &&
          (!selector.costs || is_part_sound(*selector.costs, clip_count)) &&

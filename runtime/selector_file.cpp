@@ -121,8 +121,10 @@ bool has_bounded_size(const schema::Selector& stored, std::size_t content_size) 
   for (const schema::Clip* clip : *stored.clips()) unfolded.add(clip->name());
   for (const flatbuffers::String* name : *stored.feature_names()) unfolded.add(name);
   unfolded.add(stored.least()).add(stored.most()).add(stored.library());
-  if (const schema::ResponseCosts* costs = stored.costs())
+  if (const schema::ResponseCosts* costs = stored.costs()) {
     unfolded.add(costs->vulnerability()).add(costs->work_j()).add(costs->vulnerability_name());
+    unfolded.add(costs->reference_damages_ns());
+  }
   if (stored.kinds() != nullptr) {
     if (stored.kinds()->size() > features::kMaxThreatKinds) return false;
     for (const schema::Kind* kind : *stored.kinds())
@@ -141,12 +143,16 @@ bool has_bounded_size(const schema::Selector& stored, std::size_t content_size) 
 }
 
 /// Returns nothing where the number of bodies is not that of a figure.
-std::optional<models::ResponseCosts> read_costs(const schema::ResponseCosts& stored) {
+std::optional<models::ResponseCosts> read_costs(const schema::ResponseCosts& stored,
+                                                std::size_t kind_count) {
   models::ResponseCosts costs;
   if (stored.vulnerability()->size() != motion::kBodyCount) return std::nullopt;
   std::copy(stored.vulnerability()->begin(), stored.vulnerability()->end(),
             costs.vulnerability.begin());
-  costs.reference_damage_ns = stored.reference_damage_ns();
+  costs.reference_damage_ns =
+      stored.reference_damages_ns() == nullptr
+          ? std::vector<double>(kind_count, stored.reference_damage_ns())
+          : to_vector(*stored.reference_damages_ns());
   costs.reference_work_j = stored.reference_work_j();
   costs.work_j = to_vector(*stored.work_j());
   costs.phase_count = stored.phase_count();
@@ -203,7 +209,8 @@ bool read_stored(const schema::Selector& stored, models::Selector& selector) {
     return false;
   }
   if (stored.costs() != nullptr) {
-    selector.costs = read_costs(*stored.costs());
+    selector.costs =
+        read_costs(*stored.costs(), stored.kinds() == nullptr ? 1 : stored.kinds()->size());
     if (!selector.costs) return false;
   }
   if (stored.kinds() != nullptr) {

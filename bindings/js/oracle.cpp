@@ -133,7 +133,7 @@ flinch_status flinch_oracle_costs(const flinch_oracle* oracle, flinch_costs* out
   if (out == nullptr) return FLINCH_NULL_POINTER;
   if (const flinch_status status = check(oracle)) return status;
   const flinch::models::Selector& selector = oracle->content->library->selector();
-  const double weight = selector.costs->reference_damage_ns / selector.costs->reference_work_j;
+  const double weight = damage_per_work(*selector.costs, 0);
   *out = {static_cast<float>(selector.brawn), static_cast<float>(weight)};
   return FLINCH_OK;
 }

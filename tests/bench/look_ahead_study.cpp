@@ -197,9 +197,9 @@ void run(const bench::StudyArguments& arguments) {
       pair.foreseen_work_j = double{
           work_j(costs, measured.clip, (scenario.state.idle_time_s + time_s) / period_s, time_s)};
       for (std::size_t b = 0; b < kBrawns.size(); ++b) {
-        pair.cost_ns[b] = cost_ns(costs, kBrawns[b], pair.damage_ns, pair.work_j);
+        pair.cost_ns[b] = cost_ns(costs, kBrawns[b], 0, pair.damage_ns, pair.work_j);
         pair.foreseen_cost_ns[b] =
-            cost_ns(costs, kBrawns[b], pair.foreseen_damage_ns, pair.foreseen_work_j);
+            cost_ns(costs, kBrawns[b], 0, pair.foreseen_damage_ns, pair.foreseen_work_j);
       }
       study.pairs.push_back(pair);
     }

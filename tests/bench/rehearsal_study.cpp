@@ -132,9 +132,9 @@ void compare_scenario(const train::SimulationSetup& setup, const train::CostMode
                                         trial.impulse, rehearsed[i].impulse));
     study.pairs.back().scenario = number;
   }
-  const auto costs = train::costs_of(observation.trials, model);
+  const auto costs = train::costs_of(observation.trials, 0, model);
   const std::size_t best = train::best_trial(observation.trials, costs);
-  const std::size_t found = train::best_trial(rehearsed, train::costs_of(rehearsed, model));
+  const std::size_t found = train::best_trial(rehearsed, train::costs_of(rehearsed, 0, model));
   ++study.scenarios;
   study.same_best += best == found;
   if (best != found) {

@@ -22,12 +22,15 @@ def costs(store, vulnerability, brawn):
         meta = dict(database.execute("SELECT key, value FROM meta"))
         bodies = [name for (name,) in database.execute("SELECT name FROM body ORDER BY body")]
         v = [vulnerability[name] for name in bodies]
-        reference_damage = max(v) * meta["reference_impulse_ns"]
+        reference_damage = [max(v) * (1 + restitution) * mass * speed for restitution, mass, speed in
+                            database.execute("SELECT restitution, max_mass_kg, max_speed_mps "
+                                             "FROM kind ORDER BY kind")]
         result = {}
-        for number, trials in database.execute("SELECT number, trials FROM observation"):
+        for number, kind, trials in database.execute("SELECT number, kind, trials FROM observation"):
             result[number] = {}
             for clip, work, impulse in trials_of(trials):
                 damage = sum(v[body] * i for body, i in sorted(impulse.items()))
                 result[number][clip] = ((1 - brawn) * damage
-                                        + brawn * work * reference_damage / meta["reference_work_j"])
+                                        + brawn * work * reference_damage[int(kind)]
+                                        / meta["reference_work_j"])
         return result

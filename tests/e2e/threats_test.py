@@ -103,7 +103,8 @@ class Threats(StoreTest):
         store = self.folder / "store"
         self.succeed(*self.command(store, "--threats", self.file(text)))
         model = self.document("compare", store, "--models", "knn")["cost_model"]
-        self.assertAlmostEqual(model["reference_damage_ns"], 1.5 * 2 * 10)
+        damage, = model["reference_damage_ns"]
+        self.assertAlmostEqual(damage, 1.5 * 2 * 10)
 
     def test_bad_files_are_refused_with_their_line(self):
         cases = {

@@ -61,7 +61,7 @@ double whole_cost_ns(const Character& character, std::span<const features::Threa
   const float period_s = 2 * trained().library.prepared().idle().duration_s();
   const features::Scenario& scenario = urgent.scenario;
   const float phase = (scenario.state.idle_time_s + scenario.time_to_impact_s) / period_s;
-  return cost_ns(trained().costs(), trained().library.selector().brawn, damage_ns,
+  return cost_ns(trained().costs(), trained().library.selector().brawn, 0, damage_ns,
                  double{work_j(trained().costs(), clip, phase, scenario.time_to_impact_s)});
 }
 

@@ -30,11 +30,11 @@ TEST(Oracle, MeasuresWhatTrainingMeasuresAndChoosesItsLabel) {
       const train::Trial& expected = observation.trials[k];
       EXPECT_EQ(trials[k].clip, expected.clip);
       // Training shares the response of other times to impact, which is the same but for rounding.
-      const double cost_ns = train::cost_of(expected, model);
+      const double cost_ns = train::cost_of(expected, 0, model);
       EXPECT_NEAR(trials[k].cost_ns, cost_ns, 1e-3 * (1 + cost_ns)) << "scenario " << i;
       EXPECT_NEAR(trials[k].work_j, expected.work_j, 1e-3 * (1 + double{expected.work_j}));
     }
-    const std::vector<double> costs = train::costs_of(observation.trials, model);
+    const std::vector<double> costs = train::costs_of(observation.trials, 0, model);
     EXPECT_EQ(best_of(trials), train::best_trial(observation.trials, costs));
   }
 }

@@ -42,7 +42,7 @@ TEST(ResponseCosts, CostIsThatOfTheTrainer) {
   ResponseCosts costs = small_costs();
   costs.vulnerability[Body::head] = 1;
   costs.vulnerability[Body::left_hand] = 0.2;
-  costs.reference_damage_ns = 12;
+  costs.reference_damage_ns = {12, 24};
   costs.reference_work_j = 300;
   motion::PerBody<double> impulse;
   impulse[Body::head] = 3;
@@ -50,7 +50,10 @@ TEST(ResponseCosts, CostIsThatOfTheTrainer) {
   impulse[Body::chest] = 7;
   const double damage = damage_ns(costs, impulse);
   EXPECT_DOUBLE_EQ(damage, 4);
-  EXPECT_DOUBLE_EQ(cost_ns(costs, 0.25, damage, 50), 0.75 * 4 + 0.25 * 50 * 12 / 300);
+  EXPECT_DOUBLE_EQ(cost_ns(costs, 0.25, 0, damage, 50), 0.75 * 4 + 0.25 * 50 * 12 / 300);
+  EXPECT_DOUBLE_EQ(cost_ns(costs, 0.25, 1, damage, 50), 0.75 * 4 + 0.25 * 50 * 24 / 300);
+  // A kind that it does not know counts as the first.
+  EXPECT_DOUBLE_EQ(cost_ns(costs, 0.25, 2, damage, 50), 0.75 * 4 + 0.25 * 50 * 12 / 300);
 }
 
 }  // namespace

@@ -47,7 +47,7 @@ Selector selector_without_model() {
   for (Eigen::Vector3f& centre : selector.target_centres) centre = {0.1F, -0.2F, 1.0F / 3};
   models::ResponseCosts& costs = selector.costs.emplace();
   for (double& vulnerability : costs.vulnerability) vulnerability = 1.0 / 3;
-  costs.reference_damage_ns = 100.0 / 7;
+  costs.reference_damage_ns = {100.0 / 7, 100.0 / 3};
   costs.reference_work_j = 1000.0 / 7;
   costs.phase_count = 2;
   costs.time_count = 3;

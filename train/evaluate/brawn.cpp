@@ -34,7 +34,8 @@ std::vector<BrawnRow> brawn_rows(const TrainTestSplit& split, const CostModel& c
     row.kind = no_kinds;
     std::vector<int> clips;
     for (const Observation& observation : split.tested) {
-      const std::vector<double> costs = costs_of(observation.trials, model);
+      const std::vector<double> costs =
+          costs_of(observation.trials, observation.scenario.threat.kind, model);
       const Trial& chosen = observation.trials[best_trial(observation.trials, costs)];
       row.mean_damage_ns += share * damage_ns(chosen.impulse, model.vulnerability);
       row.mean_work_j += share * double{chosen.work_j};

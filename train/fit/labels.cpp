@@ -8,15 +8,16 @@ namespace flinch::train {
 
 CostModel make_cost_model(const StoreHeader& header, const VulnerabilityProfile& profile,
                           double brawn) {
-  return {profile.vulnerability, brawn,
-          reference_damage_ns(profile.vulnerability, header.reference_impulse_ns),
-          header.reference_work_j, profile.name};
+  std::vector<double> damages_ns;
+  for (const features::KnownKind& kind : header.kinds)
+    damages_ns.push_back(reference_damage_ns(profile.vulnerability, kind));
+  return {profile.vulnerability, brawn, damages_ns, header.reference_work_j, profile.name};
 }
 
 Labels label(std::span<const Observation> observations, const CostModel& model) {
   Labels labels;
   for (const Observation& observation : observations) {
-    labels.cost.push_back(costs_of(observation.trials, model));
+    labels.cost.push_back(costs_of(observation.trials, observation.scenario.threat.kind, model));
     const std::size_t best = best_trial(observation.trials, labels.cost.back());
     labels.clip.push_back(observation.trials[best].clip);
   }

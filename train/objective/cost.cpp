@@ -16,8 +16,8 @@ constexpr double kTieTolerance = 0.01;
 
 }  // namespace
 
-double reference_damage_ns(const Vulnerability& vulnerability, double reference_impulse_ns) {
-  return *std::max_element(vulnerability.begin(), vulnerability.end()) * reference_impulse_ns;
+double reference_damage_ns(const Vulnerability& vulnerability, const features::KnownKind& kind) {
+  return *std::max_element(vulnerability.begin(), vulnerability.end()) * largest_impulse_ns(kind);
 }
 
 double damage_ns(const motion::PerBody<float>& impulse, const Vulnerability& vulnerability) {
@@ -26,15 +26,16 @@ double damage_ns(const motion::PerBody<float>& impulse, const Vulnerability& vul
   return damage;
 }
 
-double cost_of(const Trial& trial, const CostModel& model) {
-  const double work = double{trial.work_j} * model.reference_damage_ns / model.reference_work_j;
+double cost_of(const Trial& trial, int kind, const CostModel& model) {
+  const double reference_ns = model.reference_damage_ns[static_cast<std::size_t>(kind)];
+  const double work = double{trial.work_j} * reference_ns / model.reference_work_j;
   return (1 - model.brawn) * damage_ns(trial.impulse, model.vulnerability) + model.brawn * work;
 }
 
-std::vector<double> costs_of(std::span<const Trial> trials, const CostModel& model) {
+std::vector<double> costs_of(std::span<const Trial> trials, int kind, const CostModel& model) {
   std::vector<double> costs;
   costs.reserve(trials.size());
-  for (const Trial& trial : trials) costs.push_back(cost_of(trial, model));
+  for (const Trial& trial : trials) costs.push_back(cost_of(trial, kind, model));
   return costs;
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "features/known_kind.h"
 #include "motion/body.h"
 #include "train/objective/observation.h"
 #include "train/objective/vulnerability.h"
@@ -15,23 +16,24 @@ namespace flinch::train {
 struct CostModel {
   Vulnerability vulnerability = vulnerability_profiles()[0].vulnerability;
   double brawn = 0.5;              ///< in [0, 1]: weight of work against damage
-  double reference_damage_ns = 1;  ///< D*
+  std::vector<double> reference_damage_ns{1};  ///< D* of each kind of threat
   double reference_work_j = 1;     ///< W*, positive
   std::string vulnerability_name = vulnerability_profiles()[0].name;
 };
 
-/// Returns D*: the largest vulnerability times the largest impulse of a threat in the distribution,
-/// (1 + restitution) times mass times speed.
-double reference_damage_ns(const Vulnerability& vulnerability, double reference_impulse_ns);
+/// Returns D* of a kind of threat: the largest vulnerability times the largest impulse that such a
+/// threat can give.
+double reference_damage_ns(const Vulnerability& vulnerability, const features::KnownKind& kind);
 
 /// damage = sum over the bodies b of v_b I_b, N·s (Zordan et al. 2007, equation 1).
 double damage_ns(const motion::PerBody<float>& impulse, const Vulnerability& vulnerability);
 
-/// cost = (1 - h) damage + h W D*/W*, N·s. The factor D*/W* makes work and damage comparable.
-double cost_of(const Trial& trial, const CostModel& model);
+/// cost = (1 - h) damage + h W D*/W*, N·s. The factor D*/W* makes work and damage comparable. `kind`
+/// is that of the threat, an index of the model's.
+double cost_of(const Trial& trial, int kind, const CostModel& model);
 
 /// Returns one cost per trial.
-std::vector<double> costs_of(std::span<const Trial> trials, const CostModel& model);
+std::vector<double> costs_of(std::span<const Trial> trials, int kind, const CostModel& model);
 
 /// Returns the index of the best trial: the one with the lowest cost; among those within 1 % of it,
 /// the one with less work, then the one with the lower clip index. `costs` has one value for each

@@ -127,10 +127,6 @@ GridCell grid_cell_of(const ScenarioDistribution& distribution, const motion::Mo
   return cell;
 }
 
-double largest_impulse_ns(const features::KnownKind& kind) {
-  return (1 + kind.bounce.restitution) * kind.mass_kg.max * kind.speed_mps.max;
-}
-
 double largest_impulse_ns(const ScenarioDistribution& distribution) {
   double most = 0;
   for (const ThreatKind& kind : distribution.kinds) most = std::max(most, largest_impulse_ns(kind));

@@ -25,8 +25,4 @@ struct ThreatKind : features::KnownKind {
   bool operator==(const ThreatKind&) const = default;
 };
 
-/// Returns the largest impulse that a ball of this kind can give, N·s: (1 + restitution) times mass
-/// times speed.
-double largest_impulse_ns(const features::KnownKind& kind);
-
 }  // namespace flinch::train

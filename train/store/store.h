@@ -35,8 +35,8 @@ struct StoreHeader {
   std::string simulation;    ///< JSON text, see describe()
   std::vector<features::KnownKind> kinds =
       std::vector<features::KnownKind>(1);  ///< that Threat::kind counts
-  /// Largest impulse that a threat of the distribution can give, N·s. D* is the largest
-  /// vulnerability times this.
+  /// Largest impulse that a threat of the distribution can give, N·s; for readers, since D* is a
+  /// kind's.
   double reference_impulse_ns = 1;
   double reference_work_j = 1;  ///< W*
   std::vector<models::ClipSummary> clips;

@@ -22,7 +22,7 @@ const std::string& file_with_costs() {
         database::authored_library(motion::default_character()), 60, tests::ModelKind::knn);
     models::ResponseCosts& costs = made.selector.costs.emplace();
     for (double& vulnerability : costs.vulnerability) vulnerability = 0.5;
-    costs.reference_damage_ns = 13;
+    costs.reference_damage_ns = {13};
     costs.reference_work_j = 300;
     costs.work_j.assign(made.selector.clips.size(), 40);
     return made.file();

@@ -24,11 +24,11 @@ StoreHeader three_clips() {
 
 TEST(ResponseCosts, HoldTheConstantsOfTheCostModel) {
   CostModel model;
-  model.reference_damage_ns = 13;
+  model.reference_damage_ns = {13, 17};
   model.reference_work_j = 400;
   const models::ResponseCosts costs = response_costs(three_clips(), {}, model);
   EXPECT_EQ(costs.vulnerability, model.vulnerability);
-  EXPECT_EQ(costs.reference_damage_ns, 13);
+  EXPECT_EQ(costs.reference_damage_ns, (std::vector<double>{13, 17}));
   EXPECT_EQ(costs.reference_work_j, 400);
 }
 

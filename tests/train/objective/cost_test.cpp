@@ -42,16 +42,24 @@ TEST(Cost, MatchesItsFormula) {
   model.vulnerability[Body::head] = 2;
   model.vulnerability[Body::left_hand] = 0.5;
   model.brawn = 0.25;
-  model.reference_damage_ns = reference_damage_ns(model.vulnerability, 10);
+  features::KnownKind light;
+  light.mass_kg = light.speed_mps = {1, 2};
+  light.bounce.restitution = 0.25;
+  features::KnownKind heavy = light;
+  heavy.mass_kg.max = 4;
+  model.reference_damage_ns = {reference_damage_ns(model.vulnerability, light),
+                               reference_damage_ns(model.vulnerability, heavy)};
   model.reference_work_j = 400;
   Trial trial;
   trial.work_j = 100;
   trial.impulse[Body::head] = 3;
   trial.impulse[Body::left_hand] = 4;
   trial.impulse[Body::pelvis] = 100;  // not vulnerable
-  // damage = 2 * 3 + 0.5 * 4 = 8; D* = 2 * 10 = 20; cost = 0.75 * 8 + 0.25 * 100 * 20 / 400
+  // damage = 2 * 3 + 0.5 * 4 = 8; D* = 2 * 1.25 * 2 * 2 = 10 and 20;
+  // cost = 0.75 * 8 + 0.25 * 100 * D* / 400
   EXPECT_DOUBLE_EQ(damage_ns(trial.impulse, model.vulnerability), 8);
-  EXPECT_DOUBLE_EQ(cost_of(trial, model), 7.25);
+  EXPECT_DOUBLE_EQ(cost_of(trial, 0, model), 6.625);
+  EXPECT_DOUBLE_EQ(cost_of(trial, 1, model), 7.25);
 }
 
 std::vector<Trial> trials(std::initializer_list<std::pair<int, float>> clip_and_work) {
