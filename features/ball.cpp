@@ -19,13 +19,24 @@ Ball Ball::at(double time_s) const {
   Ball later = *this;
   later.position = position_at(time_s);
   later.velocity = velocity_at(time_s);
+  later.window = window.at(time_s);
   return later;
 }
 
 Ball ball_of(const Threat& threat, double gravity_mps2) {
-  return {threat.position.cast<double>(),     threat.velocity.cast<double>(),
-          static_cast<double>(threat.radius), static_cast<double>(threat.mass_kg),
-          threat.falls ? gravity_mps2 : 0,    threat.bounce};
+  Ball ball{threat.position.cast<double>(),
+            threat.velocity.cast<double>(),
+            static_cast<double>(threat.radius),
+            static_cast<double>(threat.mass_kg),
+            threat.falls && !threat.stroke ? gravity_mps2 : 0,
+            threat.bounce,
+            {}};
+  if (threat.stroke) {
+    const double starts_in_s = double{threat.stroke->starts_in_s};
+    ball.position -= starts_in_s * ball.velocity;
+    ball.window = {starts_in_s, starts_in_s + double{threat.stroke->lasts_s}};
+  }
+  return ball;
 }
 
 double moment_of_inertia(const Ball& ball) {

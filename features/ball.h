@@ -2,11 +2,25 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <limits>
 #include <optional>
 
 #include "features/threat.h"
 
 namespace flinch::features {
+
+/// The time in which a ball can touch anything, s from now: always, except for a stroke.
+struct TouchWindow {
+  double from_s = -std::numeric_limits<double>::infinity();
+  double until_s = std::numeric_limits<double>::infinity();
+
+  bool is_open() const { return from_s <= 0 && until_s >= 0; }
+  bool is_over() const { return until_s < 0; }
+  /// Whether it is open at some time in [0, horizon_s].
+  bool opens_within(double horizon_s) const { return from_s <= horizon_s && until_s >= 0; }
+  /// The window as it is `time_s` later.
+  TouchWindow at(double time_s) const { return {from_s - time_s, until_s - time_s}; }
+};
 
 /// A ball as physics moves it, and its free flight: x(t) = x + v t - g t^2 / 2 z. World frame, Z
 /// up.
@@ -17,6 +31,7 @@ struct Ball {
   double mass_kg = kVolleyballMass_kg;
   double gravity_mps2 = kGravity_mps2;  ///< downwards; 0 for a ball that flies straight
   Bounce bounce{};
+  TouchWindow window{};
 
   /// The position `time_s` later: x + v t - g t^2 / 2 z.
   Eigen::Vector3d position_at(double time_s) const;
@@ -27,7 +42,8 @@ struct Ball {
 };
 
 /// The ball that a threat is, with its current position and velocity. `gravity_mps2` is that of one
-/// that falls.
+/// that falls. A stroke is a ball that flies along its line all the time, but touches only during
+/// the stroke; one that waits is then farther back on the line than where it waits.
 Ball ball_of(const Threat& threat, double gravity_mps2 = kGravity_mps2);
 
 /// The moment of inertia of a ball about any axis, kg m^2, as a thin spherical shell: 2/3 m r^2.

@@ -94,11 +94,12 @@ class ImpactSearch {
       : ball_(ball),
         figure_(figure),
         ahead_(ahead),
-        horizon_s_(horizon_s),
+        horizon_s_(std::min(horizon_s, ball.window.until_s)),
         pelvis_centre_(ahead.bounds().pelvis_centre.cast<double>()) {}
 
   PredictedImpact until(double end_s) {
-    double time_s = 0;
+    double time_s = std::max(ball_.window.from_s, 0.0);
+    end_s = std::min(end_s, horizon_s_);
     while (time_s <= end_s) {
       const double step_s = step_outside(time_s);
       if (step_s > 0) {

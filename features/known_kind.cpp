@@ -15,7 +15,8 @@ KindNumbers numbers_of(const KnownKind& kind) {
 KnownKind kind_of(const std::string& name, const KindNumbers& numbers, bool falls) {
   const KindNumbers& n = numbers;
   return {name,         {n[0], n[1]}, {n[2], n[3]},   {n[4], n[5]},
-          {n[6], n[7]}, {n[8], n[9]}, {n[10], n[11]}, falls};
+          {n[6], n[7]}, {n[8], n[9]}, {n[10], n[11]}, falls,
+          ThreatShape::ball, {}};
 }
 
 double largest_impulse_ns(const KnownKind& kind) {
@@ -29,7 +30,10 @@ bool is_sound(const KnownKind& kind) {
     return std::abs(range.min) <= double{kMaxExtent} && range.min <= range.max &&
            range.max <= double{kMaxExtent};  // false for NaN
   };
-  return is_usable(threat) && is_range(kind.radius_m) && is_range(kind.mass_kg) &&
+  const bool is_fist = kind.shape == ThreatShape::fist;
+  const bool has_reach = is_range(kind.reach_m) && (is_fist ? kind.reach_m.min > 0 && !kind.falls
+                                                            : kind.reach_m == ValueRange{});
+  return kind.shape <= ThreatShape::fist && has_reach && is_usable(threat) && is_range(kind.radius_m) && is_range(kind.mass_kg) &&
          is_range(kind.speed_mps) && is_range(kind.elevation) && is_range(kind.time_to_impact_s);
 }
 

@@ -28,6 +28,8 @@ struct KnownKind {
   ValueRange time_to_impact_s{0.25, 1.2};                               ///< from perception
   Bounce bounce{};
   bool falls = true;  ///< or flies straight
+  ThreatShape shape = ThreatShape::ball;
+  ValueRange reach_m{};  ///< how far a fist moves before the impact; 0 for other shapes
 
   bool operator==(const KnownKind&) const = default;
 };
@@ -39,6 +41,7 @@ inline constexpr std::size_t kMaxThreatKinds = 16;
 /// order of the struct, then restitution and friction.
 using KindNumbers = std::array<double, 12>;
 KindNumbers numbers_of(const KnownKind& kind);
+/// Returns a ball with these numbers.
 KnownKind kind_of(const std::string& name, const KindNumbers& numbers, bool falls);
 
 /// Returns the largest impulse that a threat of this kind can give, N·s: (1 + restitution) times
@@ -46,7 +49,8 @@ KnownKind kind_of(const std::string& name, const KindNumbers& numbers, bool fall
 double largest_impulse_ns(const KnownKind& kind);
 
 /// Whether all numbers are finite and bounded, no range is the wrong way round, restitution is from
-/// 0 to 1 and friction at least 0. Names are not checked.
+/// 0 to 1, friction at least 0, and the reach above 0 for a fist, which flies straight, and 0 for
+/// others. Names are not checked.
 bool is_sound(const KnownKind& kind);
 
 }  // namespace flinch::features

@@ -2,6 +2,9 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
+#include <optional>
+#include <string_view>
 
 #include "motion/clip.h"
 
@@ -27,6 +30,24 @@ struct Bounce {
   bool operator==(const Bounce&) const = default;
 };
 
+/// The shape of a threat.
+enum class ThreatShape : std::uint8_t {
+  ball,
+  blade,  ///< thin, such as a knife: a sphere as small as its point, which does not bounce
+  fist,   ///< the end of a limb: a sphere that is driven along a stroke
+};
+/// Returns "ball", "blade" or "fist".
+std::string_view name_of(ThreatShape shape);
+/// Returns the shape with that name, if there is one.
+std::optional<ThreatShape> threat_shape_named(std::string_view name);
+
+/// The motion of a threat that is driven, as a fist is: it waits, moves straight, and stops. It
+/// touches nothing before and after.
+struct Stroke {
+  float starts_in_s = 0;  ///< from now, at least 0
+  float lasts_s = 0;      ///< from its start or, once it has started, from now; at least 0
+};
+
 /// Something that approaches in free fall or straight, at the moment of perception: a ball as a
 /// character perceives it. features::Ball is a ball as physics moves it. World frame, Z up.
 struct Threat {
@@ -37,6 +58,9 @@ struct Threat {
   Bounce bounce{};
   bool falls = true;  ///< or flies straight
   int kind = 0;       ///< index among the kinds of threats that a store or a selector knows
+  /// Of a fist, which flies straight whatever `falls` says; its `velocity` is that of the stroke,
+  /// also while it waits. None for what is thrown.
+  std::optional<Stroke> stroke = std::nullopt;
 };
 
 /// Numbers beyond these are refused: no real scene reaches them, and sums lose precision.
@@ -44,15 +68,16 @@ inline constexpr float kMaxHorizon_s = 100;  ///< of a time to impact, s
 /// Of a position, m, a velocity, m/s, a radius, m, a mass, kg, and gravity, m/s².
 inline constexpr float kMaxExtent = 1e6F;
 
-/// Whether all numbers are finite and within kMaxExtent, radius, mass, friction and kind at least
-/// 0, and restitution from 0 to 1. Every call that takes a threat from outside refuses others.
+/// Whether all numbers are finite and within kMaxExtent, radius, mass, friction, kind and the times
+/// of a stroke at least 0, and restitution from 0 to 1. Every call that takes a threat from outside
+/// refuses others.
 bool is_usable(const Threat& threat);
 
 /// The position of a threat `time_s` after perception: p + v t - g t^2 / 2, where g is 0 for one
-/// that flies straight.
+/// that flies straight. For a stroke, t is the time for which it has moved by then.
 Eigen::Vector3f position_at(const Threat& threat, float time_s);
 
-/// Its velocity then: v - g t.
+/// Its velocity then: v - g t. For a stroke always that of the stroke.
 Eigen::Vector3f velocity_at(const Threat& threat, float time_s);
 
 /// The threat `time_s` later: its position and velocity then.
@@ -72,6 +97,9 @@ struct ThreatDescription {
   Bounce bounce{};
   bool falls = true;  ///< or flies straight
   int kind = 0;       ///< see Threat::kind
+  /// Of a fist: how far it moves before the impact point, where it stops, m. One that would have
+  /// had to start before perception is under way then.
+  std::optional<float> reach_m = std::nullopt;
 };
 
 /// The threat whose centre reaches `impact_point` (world, m) after `description.time_to_impact_s`

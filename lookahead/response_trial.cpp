@@ -119,6 +119,7 @@ std::size_t ResponseTrial::clear_frames(const features::Ball& ball, std::size_t 
 /// The first frame after which the ball may come near the figure before the next, also after a
 /// bounce.
 std::optional<std::size_t> ResponseTrial::find_near(const features::Ball& ball, double until_s) {
+  until_s = std::min(until_s, ball.window.until_s);
   const double rate_hz = reference_.rate_hz();
   const auto bounce_s = features::time_of_bounce(ball, until_s, sim::kContactDistance_m);
   const std::size_t bounce_frame =

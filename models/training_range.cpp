@@ -39,6 +39,9 @@ OutsideTrainings outside_training(const Selector& selector, const features::Scen
   add("speed_mps", speed_mps, kind.speed_mps, outside);
   add("elevation_degrees", motion::degrees(elevation), elevations, outside);
   add("time_to_impact_s", double{scenario.time_to_impact_s}, kind.time_to_impact_s, outside);
+  // One that starts at perception has perhaps moved before.
+  const bool waits = threat.stroke && threat.stroke->starts_in_s > 0;
+  if (waits) add("reach_m", speed_mps * double{threat.stroke->lasts_s}, kind.reach_m, outside);
   return outside;
 }
 

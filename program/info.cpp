@@ -224,7 +224,7 @@ std::string vulnerability_name(const models::ResponseCosts& costs) {
 Json kinds_document(std::span<const features::KnownKind> kinds) {
   const auto range = [](const features::ValueRange& of) { return Json::array({of.min, of.max}); };
   Json list = Json::array();
-  for (const features::KnownKind& kind : kinds)
+  for (const features::KnownKind& kind : kinds) {
     list.push_back({{"name", kind.name},
                     {"radius_m", range(kind.radius_m)},
                     {"mass_kg", range(kind.mass_kg)},
@@ -234,7 +234,10 @@ Json kinds_document(std::span<const features::KnownKind> kinds) {
                     {"time_to_impact_s", range(kind.time_to_impact_s)},
                     {"restitution", kind.bounce.restitution},
                     {"friction", kind.bounce.friction},
-                    {"flight", kind.falls ? "falling" : "straight"}});
+                    {"flight", kind.falls ? "falling" : "straight"},
+                    {"shape", name_of(kind.shape)}});
+    if (kind.shape == features::ThreatShape::fist) list.back()["reach_m"] = range(kind.reach_m);
+  }
   return list;
 }
 

@@ -72,8 +72,13 @@ features::ThreatDescription described(const ThreatOptions& options,
       given_or_near(options.radius_m, features::kVolleyballRadius_m, kind.radius_m);
   const double mass_kg = given_or_near(options.mass_kg, features::kVolleyballMass_kg, kind.mass_kg);
   threat.target = *motion::target_named(options.target);
+  double moves_s = options.time_to_impact_s;
+  if (kind.shape == features::ThreatShape::fist) {
+    threat.reach_m = static_cast<float>(kind.reach_m.max);
+    moves_s = std::min(moves_s, kind.reach_m.max / speed_mps);
+  }
   const double min_elevation = rounded_degrees(train::min_feasible_elevation(
-      speed_mps, options.time_to_impact_s, radius_m,
+      speed_mps, moves_s, radius_m,
       double{selector.target_centres[threat.target].z()}, kind.falls));
   const double elevation = options.elevation.value_or(std::max(0.0, min_elevation));
   if (min_elevation >= 90)

@@ -150,11 +150,14 @@ motion::Pose ReactionSimulation::pose(const motion::Pose& motion) const {
 
 features::Ball ReactionSimulation::ball(const features::Ball& initial_ball) const {
   features::Ball ball = initial_ball;
-  if (!encounter_.scene().flight()) return ball;
+  const auto flight = encounter_.scene().flight();
+  if (!flight) return ball;
   const double share = share_of_last_step();
   const sim::BodyState state = between(before_.ball, after_.ball, share);
   ball.position = state.position;
   ball.velocity = after_.ball.velocity;
+  ball.window = flight->window;
+  if (ball.window.from_s > 0) ball.position += ball.window.from_s * ball.velocity;  // it waits there
   return ball;
 }
 

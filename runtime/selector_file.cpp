@@ -173,6 +173,8 @@ std::optional<std::vector<features::KnownKind>> read_kinds(
     if (kind->numbers()->size() != numbers.size()) return std::nullopt;
     std::copy(kind->numbers()->begin(), kind->numbers()->end(), numbers.begin());
     kinds.push_back(features::kind_of(kind->name()->str(), numbers, kind->falls()));
+    kinds.back().shape = static_cast<features::ThreatShape>(kind->shape());
+    kinds.back().reach_m = {kind->min_reach_m(), kind->max_reach_m()};
   }
   return kinds;
 }

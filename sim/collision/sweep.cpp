@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "sim/collision/sweep.h"
 
+#include <algorithm>
+
 namespace flinch::sim {
 
 MovingShape MovingShape::at(double time_s) const {
@@ -34,8 +36,9 @@ std::optional<double> time_of_contact(const features::Ball& ball, const MovingSh
   const double max_distance_m =
       contact_distance_m + (rate + 0.5 * slack_mps2 * horizon_s) * horizon_s;
   if (!may_be_near(ball, shape, max_distance_m)) return std::nullopt;
-  double time_s = 0;
-  while (time_s <= horizon_s) {
+  double time_s = std::max(ball.window.from_s, 0.0);
+  const double end_s = std::min(horizon_s, ball.window.until_s);
+  while (time_s <= end_s) {
     const double gap = motion::gap(ball.position_at(time_s), ball.radius, shape.at(time_s)) -
                        0.5 * slack_mps2 * time_s * time_s;
     if (gap <= contact_distance_m) return time_s;

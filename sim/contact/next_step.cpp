@@ -65,7 +65,7 @@ NextStep next_step(const features::Ball& ball, std::span<const MovingShape> shap
 }
 
 bool hits(const features::Ball& ball, const MovingShape& shape, const motion::Clearance& near) {
-  return near.gap <= kContactDistance_m &&
+  return near.gap <= kContactDistance_m && ball.window.is_open() &&
          near.normal.dot(ball.velocity - shape.velocity_at(near.point)) < 0;
 }
 

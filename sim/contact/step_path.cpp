@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "sim/contact/step_path.h"
 
+#include <algorithm>
+
 #include "sim/contact/next_step.h"
 #include "sim/figure/figure_rows.h"
 
@@ -46,7 +48,8 @@ std::optional<double> time_of_touch(const features::Ball& ball, const MovingShap
   const BodyState moving = path.moving(body);
   const double rate = (ball.velocity - moving.velocity).norm() + ball.gravity_mps2 * horizon_s +
                       moving.angular_velocity.norm() * radius;
-  double time_s = 0;
+  double time_s = std::max(ball.window.from_s, 0.0);
+  horizon_s = std::min(horizon_s, ball.window.until_s);
   while (time_s <= horizon_s) {
     const features::Ball then = ball.at(time_s);
     const MovingShape there = placed_shape(outline, path.at(body, time_s));

@@ -27,6 +27,7 @@ void BallFlight::place(const features::Ball& ball) {
   state.position = ball.position;
   state.velocity = ball.velocity;
   set_state(body_, state);
+  thrown_.window = ball.window;
 }
 
 void BallFlight::add_ground_contact(Contacts& contacts, const Eigen::Quaterniond& frame) const {
@@ -39,10 +40,12 @@ void BallFlight::apply_gravity(double time_s) const {
                     velocity.z() - thrown_.gravity_mps2 * time_s);
 }
 
-void BallFlight::step(OdeWorld& world, double step_s) const {
+void BallFlight::step(OdeWorld& world, double step_s) {
   apply_gravity(step_s / 2);
   world.step(step_s);
   apply_gravity(step_s / 2);
+  thrown_.window = thrown_.window.at(step_s);
+  if (thrown_.window.is_over()) dBodySetLinearVel(body_, 0, 0, 0);  // the stroke ends
 }
 
 }  // namespace flinch::sim

@@ -20,7 +20,7 @@ class BallFlight {
   /// See bounce_constraint.
   void add_ground_contact(Contacts& contacts, const Eigen::Quaterniond& frame) const;
   /// Steps the ball's world.
-  void step(OdeWorld& world, double step_s) const;
+  void step(OdeWorld& world, double step_s);
 
  private:
   void apply_gravity(double time_s) const;

@@ -13,7 +13,9 @@ std::optional<FirstContact> first_contact(const FigureModel& figure_model,
                                           const features::Ball& ball) {
   for (std::size_t step = 0; step < track.step_begins_s.size(); ++step) {
     const features::Ball flight = ball.at(track.step_begins_s[step]);
+    if (flight.window.is_over()) return std::nullopt;
     const double step_s = track.step_s(step);
+    if (!flight.window.opens_within(step_s)) continue;
     const auto bounce_s = features::time_of_bounce(flight, step_s, kContactDistance_m);
     if (!bounce_s && !track.reach[step].may_reach(flight, step_s, kContactDistance_m)) continue;
     if (step < track.first_kept) {

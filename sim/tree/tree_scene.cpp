@@ -60,6 +60,7 @@ void TreeScene::place(const motion::PerBody<BodyState>& figure, const features::
   bodies_ = figure;
   ball_state_.position = ball.position;
   ball_state_.velocity = ball.velocity;
+  if (ball_) ball_->window = ball.window;
 }
 
 void TreeScene::clear_contacts() {
@@ -192,6 +193,8 @@ void TreeScene::move_ball(const Twist& impulse, double step_s) {
        {ball_state_.velocity + impulse.linear / ball_->mass_kg,
         ball_state_.angular_velocity + impulse.angular / ball_inertia_},
        step_s);
+  ball_->window = ball_->window.at(step_s);
+  if (ball_->window.is_over()) ball_state_.velocity.setZero();  // the stroke ends
 }
 
 // As in ODE, bodies move with their new velocities.

@@ -270,6 +270,29 @@ TEST(PredictImpact, ImpactAfterTheHorizonIsAMiss) {
             Outcome::miss);
 }
 
+// A ball on the same line tells when a fist touches, if its stroke is not over by then.
+TEST(PredictImpact, AFistTouchesWithinItsStrokeOnly) {
+  const motion::Pose pose = idle_pose(figure().idle, {}, 0);
+  const Eigen::Vector3f head = figure().outlines(pose)[Body::head].centre.cast<float>();
+  Threat fist;
+  fist.radius = 0.04F;
+  fist.falls = false;
+  fist.velocity = {-8, 0, 0};
+  fist.position = head + Eigen::Vector3f(0.6F, 0, 0);
+  const PredictedImpact straight = predict_impact(fist, figure().collision_figure, pose);
+  ASSERT_EQ(straight.outcome, Outcome::impact);
+  for (const float starts_in_s : {0.0F, 0.3F}) {
+    fist.stroke = {starts_in_s, straight.touch_s + 0.01F};
+    const PredictedImpact impact = predict_impact(fist, figure().collision_figure, pose);
+    ASSERT_EQ(impact.outcome, Outcome::impact);
+    EXPECT_NEAR(impact.touch_s, starts_in_s + straight.touch_s, 1e-3F);
+    EXPECT_EQ(impact.body, Body::head);
+    EXPECT_LE(impact.time_to_impact_s, starts_in_s + fist.stroke->lasts_s + 1e-6F);
+    fist.stroke->lasts_s = straight.touch_s - 0.01F;
+    EXPECT_EQ(predict_impact(fist, figure().collision_figure, pose).outcome, Outcome::miss);
+  }
+}
+
 TEST(PredictImpact, BallInsideABodyIsTouching) {
   for (const motion::CollisionShape& outline : figure().outlines(figure().standing)) {
     Threat threat;

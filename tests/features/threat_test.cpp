@@ -61,6 +61,36 @@ TEST(Threat, IsUsableWithinItsRanges) {
   EXPECT_FALSE(is_usable(negative));
 }
 
+// Waits for 0.2 s, then moves 0.6 m in 0.1 s, whatever gravity does to other threats.
+TEST(Threat, AStrokeWaitsMovesStraightAndStops) {
+  Threat fist;
+  fist.position = {1, 0, 1.5F};
+  fist.velocity = {-6, 0, 0};
+  fist.stroke = {0.2F, 0.1F};
+  const auto x_at = [&](float time_s) { return position_at(fist, time_s).x(); };
+  EXPECT_EQ(x_at(0), 1);
+  EXPECT_EQ(x_at(0.2F), 1);
+  EXPECT_NEAR(x_at(0.25F), 0.7F, 1e-6F);
+  EXPECT_NEAR(x_at(0.3F), 0.4F, 1e-6F);
+  EXPECT_EQ(x_at(5), x_at(0.3F));
+  EXPECT_EQ(position_at(fist, 0.28F).z(), 1.5F);
+  for (const float time_s : {0.0F, 0.25F, 5.0F}) EXPECT_EQ(velocity_at(fist, time_s), fist.velocity);
+  for (const float passed_s : {0.1F, 0.24F, 0.4F}) {
+    for (const float time_s : {0.0F, 0.03F, 0.15F, 1.0F}) {
+      EXPECT_LT((position_at(advanced(fist, passed_s), time_s) -
+                 position_at(fist, passed_s + time_s))
+                    .norm(),
+                1e-6F);
+    }
+  }
+  for (const float bad : {-1e-3F, tests::kNan, tests::kInfinity}) {
+    fist.stroke = {bad, 0.1F};
+    EXPECT_FALSE(is_usable(fist));
+    fist.stroke = {0.1F, bad};
+    EXPECT_FALSE(is_usable(fist));
+  }
+}
+
 // The trajectory agrees with step-by-step integration of Newton's second law.
 TEST(Threat, MatchesNumericalIntegration) {
   Threat ball;
@@ -96,6 +126,22 @@ TEST(ThreatFromDescription, ReachesTheImpactPointOnTimeAtTheGivenSpeed) {
     EXPECT_EQ(threat.radius, 0.2F);
     EXPECT_EQ(threat.mass_kg, 0.5F);
   }
+}
+
+TEST(ThreatFromDescription, AFistStartsAtItsReachFromTheImpactPointAndStopsThere) {
+  const Eigen::Vector3f point(0, 0, 1.5F);
+  ThreatDescription punch{.speed_mps = 8, .time_to_impact_s = 0.5F, .reach_m = 0.6F};
+  Threat fist = threat_from_description(punch, point, 0);
+  EXPECT_LT((fist.position - Eigen::Vector3f(0.6F, 0, 1.5F)).norm(), 1e-6F);
+  EXPECT_NEAR(fist.stroke->starts_in_s, 0.5F - 0.6F / 8, 1e-6F);
+  EXPECT_LT((position_at(fist, 0.5F) - point).norm(), 1e-6F);
+  EXPECT_LT((position_at(fist, 2) - point).norm(), 1e-6F);
+  // One that must have started before is under way.
+  punch.time_to_impact_s = 0.05F;
+  fist = threat_from_description(punch, point, 0);
+  EXPECT_EQ(fist.stroke->starts_in_s, 0);
+  EXPECT_NEAR(fist.position.x(), 0.4F, 1e-6F);
+  EXPECT_LT((position_at(fist, 0.05F) - point).norm(), 1e-6F);
 }
 
 // The left of a character that faces +Y is -X. A horizontal ball from there flies towards +X; a

@@ -47,6 +47,25 @@ std::vector<std::string> outside(const features::ThreatDescription& description)
 
 using Names = std::vector<std::string>;
 
+TEST(OutsideTraining, NamesAReachThatNoFistHad) {
+  Selector selector = two_kinds();
+  selector.kinds[1].shape = features::ThreatShape::fist;
+  selector.kinds[1].reach_m = {0.4, 0.7};
+  features::ThreatDescription punch = stone();
+  const auto names = [&](float reach_m) {
+    punch.reach_m = reach_m;
+    features::Scenario scenario;
+    scenario.threat = threat_from_description(punch, {0, 0, 1.5F}, 0);
+    scenario.time_to_impact_s = punch.time_to_impact_s;
+    Names found;
+    for (const OutsideTraining& number : outside_training(selector, scenario))
+      found.emplace_back(number.name);
+    return found;
+  };
+  EXPECT_EQ(names(0.7F), Names{});
+  EXPECT_EQ(names(0.8F), Names{"reach_m"});
+}
+
 TEST(OutsideTraining, IsNothingWithinAndAtTheEndsOfTheRanges) {
   EXPECT_EQ(outside(stone()), Names{});
   features::ThreatDescription end = stone();

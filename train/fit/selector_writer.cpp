@@ -112,7 +112,9 @@ Offset<schema::Kind> store(FlatBufferBuilder& builder, const features::KnownKind
   const auto name = builder.CreateString(kind.name);
   const features::KindNumbers of_kind = features::numbers_of(kind);
   const auto numbers = builder.CreateVector(of_kind.data(), of_kind.size());
-  return schema::CreateKind(builder, name, numbers, kind.falls);
+  return schema::CreateKind(builder, name, numbers, kind.falls,
+                            static_cast<std::uint8_t>(kind.shape), kind.reach_m.min,
+                            kind.reach_m.max);
 }
 
 // Stores the library at a multiple of 16 bytes, so that it can be read in place.

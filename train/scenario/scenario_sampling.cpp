@@ -201,6 +201,9 @@ features::Scenario sample_scenario(const database::ClipLibrary& library,
   description.bounce = kind.bounce;
   description.falls = kind.falls;
   description.kind = static_cast<int>(kind_index);
+  const bool is_fist = kind.shape == features::ThreatShape::fist;
+  const double reach_m = draw(kind.reach_m, random);
+  if (is_fist) description.reach_m = static_cast<float>(reach_m);
   const Eigen::Vector3f offset = point_in_ball(kind.aim_radius_m, random);
 
   for (int draws = 0; draws < kMaxDraws; ++draws) {
@@ -209,11 +212,12 @@ features::Scenario sample_scenario(const database::ClipLibrary& library,
     scenario.time_to_impact_s = time_to_impact_s(distribution, cell.time);
     scenario.state = character_state_at(distribution, idle, cell);
     const double time = double{scenario.time_to_impact_s};
+    const double moves_s = is_fist ? std::min(time, reach_m / speed) : time;
     const motion::Pose ahead = features::idle_pose(idle, scenario.state, scenario.time_to_impact_s);
     const Eigen::Vector3f aim =
         target_centres(library.character.skeleton, body_model, ahead)[scenario.target] + offset;
     const double least = std::max(
-        kind.elevation.min, min_feasible_elevation(speed, time, radius_m, aim.z(), kind.falls));
+        kind.elevation.min, min_feasible_elevation(speed, moves_s, radius_m, aim.z(), kind.falls));
     if (least > kind.elevation.max) continue;
     description.speed_mps = static_cast<float>(speed);
     description.time_to_impact_s = scenario.time_to_impact_s;

@@ -39,6 +39,7 @@ constexpr Bounds kSpeed{0.1, 200, " m/s"};
 constexpr Bounds kAzimuth{-360, 360, " degrees"};
 constexpr Bounds kElevation{-89, 89, " degrees"};
 constexpr Bounds kTime{0.05, 10, " s"};
+constexpr Bounds kReach{0.05, 5, " m"};
 constexpr Bounds kAimRadius{0, 1, " m"};
 constexpr Bounds kWeight{0, 1e6, ""};
 constexpr Bounds kRestitution{0, 1, ""};
@@ -148,10 +149,39 @@ bool falls(const TomlReader& reader, bool otherwise) {
   return *flight == "falling";
 }
 
+features::ThreatShape shape(const TomlReader& reader) {
+  const std::optional<std::string> name = reader.text("shape");
+  if (!name) return features::ThreatShape::ball;
+  if (const auto known = features::threat_shape_named(*name)) return *known;
+  reader.fail("shape", "has an unknown shape \"" + *name + "\"; known are: ball, blade, fist");
+}
+
+/// Reads what depends on the shape: how it bounces and flies, and its reach.
+void read_by_shape(const TomlReader& reader, ThreatKind& kind) {
+  using features::ThreatShape;
+  kind.shape = shape(reader);
+  if (kind.shape != ThreatShape::ball) kind.bounce.restitution = 0;
+  if (kind.shape == ThreatShape::fist) kind.falls = false;
+  kind.bounce.restitution = number(reader, "restitution", kind.bounce.restitution, kRestitution);
+  kind.bounce.friction = number(reader, "friction", kind.bounce.friction, kFriction);
+  kind.falls = falls(reader, kind.falls);
+  if (kind.shape == ThreatShape::blade && kind.bounce.restitution > 0)
+    reader.fail("restitution", "has a blade that bounces; a blade's restitution is 0");
+  if (kind.shape == ThreatShape::fist && kind.falls)
+    reader.fail("flight", "has a fist that falls; a fist's flight is \"straight\"");
+  if (kind.shape != ThreatShape::fist) {
+    if (reader.has("reach_m")) reader.fail("reach_m", "has reach_m, which only a fist has");
+    return;
+  }
+  if (!reader.has("reach_m"))
+    reader.fail({}, "needs reach_m, how far the fist moves before the impact");
+  kind.reach_m = range(reader, "reach_m", {}, kReach);
+}
+
 ThreatKind kind_of(const TomlReader& reader) {
   reader.expect_keys({"name", "weight", "radius_m", "mass_kg", "speed_mps", "azimuth_degrees",
                       "elevation_degrees", "time_to_impact_s", "targets", "aim_radius_m",
-                      "restitution", "friction", "flight"});
+                      "restitution", "friction", "flight", "shape", "reach_m"});
   ThreatKind kind;
   kind.name = reader.needed_text("name");
   if (const char* fault = database::fault_of_name(kind.name)) reader.fail("name", fault);
@@ -164,9 +194,7 @@ ThreatKind kind_of(const TomlReader& reader) {
   kind.time_to_impact_s = range(reader, "time_to_impact_s", kind.time_to_impact_s, kTime);
   kind.target_weight = target_weights(reader, kind.target_weight);
   kind.aim_radius_m = number(reader, "aim_radius_m", kind.aim_radius_m, kAimRadius);
-  kind.bounce.restitution = number(reader, "restitution", kind.bounce.restitution, kRestitution);
-  kind.bounce.friction = number(reader, "friction", kind.bounce.friction, kFriction);
-  kind.falls = falls(reader, kind.falls);
+  read_by_shape(reader, kind);
   return kind;
 }
 
@@ -188,8 +216,8 @@ void require_grid(const TomlReader& reader, const std::vector<ThreatKind>& kinds
 }  // namespace
 
 std::span<const ThreatFile> threat_files() {
-  static constexpr std::array<ThreatFile, 2> kFiles{
-      {{"default", kThreatFiles[0]}, {"balls", kThreatFiles[1]}}};
+  static constexpr std::array<ThreatFile, 3> kFiles{
+      {{"default", kThreatFiles[0]}, {"balls", kThreatFiles[1]}, {"kinds", kThreatFiles[2]}}};
   return kFiles;
 }
 

@@ -15,7 +15,7 @@ struct ThreatFile {
   std::string_view text;
 };
 
-/// Returns the shipped files, "default" and "balls"; the first is that of the distribution that
+/// Returns the shipped files, "default", "balls" and "kinds"; the first is that of the distribution that
 /// ScenarioDistribution has by default.
 std::span<const ThreatFile> threat_files();
 

@@ -11,8 +11,8 @@ namespace flinch::train {
 
 using features::ValueRange;
 
-/// One kind of threat that scenarios are drawn with: a ball whose numbers are uniform in their
-/// ranges. By default it comes from any direction. Angles in radians.
+/// One kind of threat that scenarios are drawn with; its numbers are uniform in their ranges. By
+/// default it comes from any direction. Angles in radians.
 struct ThreatKind : features::KnownKind {
   double weight = 1;  ///< share of scenarios, relative to the other kinds
   /// Sectors that it comes from, counter-clockwise from the facing; together they are uniform.

@@ -53,7 +53,7 @@ Json document_of(const ThreatKind& kind) {
   Json targets;
   for (const motion::Target target : motion::kTargets)
     targets[std::string(motion::name_of(target))] = kind.target_weight[target];
-  return {{"name", kind.name},
+  Json document{{"name", kind.name},
           {"weight", kind.weight},
           {"radius_m", document_of(kind.radius_m)},
           {"mass_kg", document_of(kind.mass_kg)},
@@ -66,6 +66,9 @@ Json document_of(const ThreatKind& kind) {
           {"restitution", kind.bounce.restitution},
           {"friction", kind.bounce.friction},
           {"flight", kind.falls ? "falling" : "straight"}};
+  if (kind.shape != features::ThreatShape::ball) document["shape"] = name_of(kind.shape);
+  if (kind.shape == features::ThreatShape::fist) document["reach_m"] = document_of(kind.reach_m);
+  return document;
 }
 
 std::string describe(const SimulationPlan& plan) {

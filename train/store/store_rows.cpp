@@ -15,15 +15,19 @@ namespace flinch::train {
 
 namespace {
 
-/// The numbers of a scenario, one per column after `number` and `target`. Version 3 lacks the last.
-constexpr std::array<const char*, 14> kScenarioColumns{
-    "time_to_impact_s",  "threat_x",          "threat_y",         "threat_z", "threat_velocity_x",
-    "threat_velocity_y", "threat_velocity_z", "radius_m",         "mass_kg",  "idle_time_s",
-    "character_x",       "character_y",       "character_facing", "kind"};
+/// The numbers of a scenario, one per column after `number` and `target`. Version 4 lacks the last
+/// two, and version 3 the kind too.
+constexpr std::array<const char*, 16> kScenarioColumns{
+    "time_to_impact_s",  "threat_x",          "threat_y",           "threat_z",
+    "threat_velocity_x", "threat_velocity_y", "threat_velocity_z",  "radius_m",
+    "mass_kg",           "idle_time_s",       "character_x",        "character_y",
+    "character_facing",  "kind",              "stroke_starts_in_s", "stroke_lasts_s"};
+constexpr std::size_t kKindColumn = 13;
 using ScenarioNumbers = std::array<double, kScenarioColumns.size()>;
 
 std::size_t scenario_column_count(int version) {
-  return kScenarioColumns.size() - (version < 4 ? 1 : 0);
+  if (version >= 5) return kScenarioColumns.size();
+  return kKindColumn + (version < 4 ? 0 : 1);
 }
 
 std::span<const char* const> scenario_columns(int version) {
@@ -33,6 +37,7 @@ std::span<const char* const> scenario_columns(int version) {
 ScenarioNumbers numbers_of(const features::Scenario& scenario) {
   const features::Threat& threat = scenario.threat;
   const features::CharacterState& state = scenario.state;
+  const features::Stroke stroke = threat.stroke.value_or(features::Stroke{});
   const std::array<float, kScenarioColumns.size()> numbers{scenario.time_to_impact_s,
                                                            threat.position.x(),
                                                            threat.position.y(),
@@ -46,7 +51,9 @@ ScenarioNumbers numbers_of(const features::Scenario& scenario) {
                                                            state.position.x(),
                                                            state.position.y(),
                                                            state.facing,
-                                                           static_cast<float>(threat.kind)};
+                                                           static_cast<float>(threat.kind),
+                                                           stroke.starts_in_s,
+                                                           stroke.lasts_s};
   ScenarioNumbers exact{};
   std::ranges::copy(numbers, exact.begin());
   return exact;
@@ -60,10 +67,12 @@ features::Scenario scenario_of(const ScenarioNumbers& numbers, motion::Target ta
   features::Scenario scenario;
   scenario.target = target;
   scenario.time_to_impact_s = n[0];
-  const auto kind = static_cast<std::size_t>(n[13]);
+  const auto kind = static_cast<std::size_t>(n[kKindColumn]);
   scenario.threat = {
       {n[1], n[2], n[3]},       {n[4], n[5], n[6]},    n[7], n[8], header.kinds[kind].bounce,
       header.kinds[kind].falls, static_cast<int>(kind)};
+  if (header.kinds[kind].shape == features::ThreatShape::fist)
+    scenario.threat.stroke = {n[kKindColumn + 1], n[kKindColumn + 2]};
   scenario.state = {n[9], {n[10], n[11]}, n[12]};
   return scenario;
 }
@@ -99,7 +108,7 @@ bool are_sound(std::span<const Trial> trials, const StoreHeader& header) {
 /// Whether a float can hold the numbers, and they are those of a scenario.
 bool are_sound(const ScenarioNumbers& numbers, motion::Target target, const StoreHeader& header) {
   const auto is_bounded = [](double x) { return std::abs(x) <= double{features::kMaxExtent}; };
-  const double kind = numbers.back();
+  const double kind = numbers[kKindColumn];
   return std::ranges::all_of(numbers, is_bounded) && kind >= 0 &&
          kind < static_cast<double>(header.kinds.size()) && kind == std::floor(kind) &&
          features::is_usable(scenario_of(numbers, target, header).threat);

@@ -60,33 +60,51 @@ std::vector<StoreTable> store_tables(int version) {
        "checksum INTEGER NOT NULL)"},
       {"observation", observation_table_sql(version)},
   };
+  const std::string shape =
+      version < 5 ? ""
+                  : ", shape TEXT NOT NULL, min_reach_m REAL NOT NULL, max_reach_m REAL NOT NULL";
   if (version >= 4)
     tables.push_back({"kind", "CREATE TABLE kind(kind INTEGER PRIMARY KEY, name TEXT NOT NULL" +
-                                  number_columns(" REAL NOT NULL") + ", falls INTEGER NOT NULL)"});
+                                  number_columns(" REAL NOT NULL") + ", falls INTEGER NOT NULL" +
+                                  shape + ")"});
   return tables;
 }
 
 void write_kinds(Database& database, const StoreHeader& header) {
-  std::string marks = "?, ?, ?";
+  std::string marks = "?, ?, ?, ?, ?, ?";
   for (std::size_t i = 0; i < kKindColumns.size(); ++i) marks += ", ?";
   Statement insert = database.prepare("INSERT INTO kind(kind, name" + number_columns() +
-                                      ", falls) VALUES(" + marks + ")");
+                                      ", falls, shape, min_reach_m, max_reach_m) VALUES(" +
+                                      marks + ")");
   for (std::size_t i = 0; i < header.kinds.size(); ++i) {
     insert.bind(static_cast<std::int64_t>(i)).bind(header.kinds[i].name);
     for (const double number : numbers_of(header.kinds[i])) insert.bind(number);
-    insert.bind(std::int64_t{header.kinds[i].falls}).run();
+    insert.bind(std::int64_t{header.kinds[i].falls})
+        .bind(std::string(name_of(header.kinds[i].shape)))
+        .bind(header.kinds[i].reach_m.min)
+        .bind(header.kinds[i].reach_m.max)
+        .run();
   }
 }
 
 void read_kinds(Database& database, StoreHeader& header) {
   if (header.format_version < 4) return;
   header.kinds.clear();
-  Statement row =
-      database.prepare("SELECT kind, name, falls" + number_columns() + " FROM kind ORDER BY kind");
+  const bool has_shapes = header.format_version >= 5;
+  Statement row = database.prepare("SELECT kind, name, falls" + number_columns() +
+                                   (has_shapes ? ", shape, min_reach_m, max_reach_m" : "") +
+                                   " FROM kind ORDER BY kind");
   while (row.step()) {
     features::KindNumbers numbers{};
     for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = row.real(3 + static_cast<int>(i));
-    const features::KnownKind kind = features::kind_of(row.text(1), numbers, row.integer(2) != 0);
+    features::KnownKind kind = features::kind_of(row.text(1), numbers, row.integer(2) != 0);
+    if (has_shapes) {
+      constexpr int kShapeColumn = 3 + static_cast<int>(numbers.size());
+      const auto shape = features::threat_shape_named(row.text(kShapeColumn));
+      if (!shape) throw Error(database.path(), kDamagedStore);
+      kind.shape = *shape;
+      kind.reach_m = {row.real(kShapeColumn + 1), row.real(kShapeColumn + 2)};
+    }
     if (row.integer(0) != static_cast<std::int64_t>(header.kinds.size()) ||
         header.kinds.size() == features::kMaxThreatKinds || !features::is_sound(kind) ||
         database::fault_of_name(kind.name) != nullptr)
@@ -240,8 +258,8 @@ int require_store(Database& database) {
   if (version < kMinStoreFormatVersion || version > kStoreFormatVersion)
     throw Error(database.path(), "is a store of format " + std::to_string(version) +
                                      ", and this program reads format " +
-                                     std::to_string(kStoreFormatVersion) + " and " +
-                                     std::to_string(kMinStoreFormatVersion) +
+                                     std::to_string(kMinStoreFormatVersion) + " to " +
+                                     std::to_string(kStoreFormatVersion) +
                                      "; delete it and run `flinch simulate` again");
   require_tables(database, static_cast<int>(version));
   return static_cast<int>(version);

@@ -137,6 +137,28 @@ TEST(BallFlight, ImpulseOfAVolleyballOnAFreeHeadMatchesTheClosedForm) {
   }
 }
 
+// What does not bounce stays at the sphere: J = v m1 m2 / (m1 + m2). It stops where its stroke ends.
+TEST(BallFlight, ImpulseOfAFistMatchesTheClosedFormAndEndsWithItsStroke) {
+  features::Ball fist = ball_at({3, 0, 0}, {-8, 0, 0});
+  fist.radius = 0.05;
+  fist.mass_kg = 2.9;
+  fist.bounce = {0, 0};
+  const double touches_s = (3 - 0.1 - fist.radius) / 8;
+  fist.window = {0.1, touches_s + 0.05};
+  FreeSphere scene(fist, {}, 0.1, 4.4, weightless());
+  scene.run(1);
+  const double expected = head_on_impulse(0, 8, 2.9, 4.4);
+  EXPECT_NEAR(scene.impulse(), expected, 0.02 * expected);
+  EXPECT_EQ(scene.ball().velocity, Eigen::Vector3d::Zero());
+  for (const features::TouchWindow elsewhere :
+       {features::TouchWindow{0.1, touches_s - 0.01}, {touches_s + 0.1, 1}}) {
+    fist.window = elsewhere;
+    FreeSphere missed(fist, {}, 0.1, 4.4, weightless());
+    missed.run(1);
+    EXPECT_EQ(missed.impulse(), 0);
+  }
+}
+
 TEST(BallFlight, ImpulseOnAMovingSphereFollowsFromTheRelativeVelocity) {
   BodyState state;
   state.velocity = {6, 0, 0};

@@ -83,6 +83,48 @@ TEST_F(RehearsalTest, ImpulsesMatchTheFullSimulation) {
   EXPECT_LE(other, 2);
 }
 
+/// The same balls as fists and blades: heavy and slow without gravity, or small; neither bounces.
+/// Every third stroke ends before the contact, and every third starts after it.
+std::vector<scenes::Hit> struck(std::vector<scenes::Hit> hits) {
+  for (std::size_t i = 0; i < hits.size(); ++i) {
+    features::Ball& ball = hits[i].ball;
+    ball.bounce = {0, 0.5};
+    if (i % 2 == 0) {
+      ball.radius = 0.012;
+      continue;
+    }
+    ball.gravity_mps2 = 0;
+    ball.mass_kg = 3;
+    ball.radius = 0.05;
+    const double until_s = i % 3 == 0 ? 0.2 : i % 3 == 1 ? 0.6 : 1;
+    ball.window = {until_s - 0.3, until_s};
+  }
+  return hits;
+}
+
+TEST_F(RehearsalTest, ImpulsesOfFistsAndBladesMatchTheFullSimulation) {
+  const auto rehearsed = rehearsals();
+  int hits = 0;
+  int strokes = 0;
+  int other = 0;
+  const std::vector<scenes::Hit> thrown = struck(balls(120, 12));
+  for (const scenes::Hit& hit : thrown) {
+    const auto slow = reference_.simulate(motions_[hit.motion].motion, &hit.ball, 1);
+    const auto fast = simulator_.simulate(rehearsed[hit.motion], hit.ball);
+    EXPECT_EQ(total_impulse(slow) > 0, total_impulse(fast) > 0);
+    if (total_impulse(slow) == 0) continue;
+    ++hits;
+    strokes += hit.ball.gravity_mps2 == 0;
+    EXPECT_GE(fast.first_contact_s, hit.ball.window.from_s);
+    EXPECT_LE(fast.first_contact_s, hit.ball.window.until_s);
+    EXPECT_NEAR(slow.first_contact_s, fast.first_contact_s, 1e-6);
+    if (change(slow, fast) > 0.005) ++other;
+  }
+  EXPECT_GT(hits, 30);
+  EXPECT_GT(strokes, 10);
+  EXPECT_LE(other, 3);
+}
+
 // The ball falls before the shins, bounces off the ground and hits them on its way up.
 TEST_F(RehearsalTest, FindsHitsAfterABounceOffTheGround) {
   const Rehearsal standing = simulator_.rehearse(motions_[0].motion, 0, 1);

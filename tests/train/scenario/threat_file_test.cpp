@@ -77,6 +77,19 @@ TEST(ThreatFile, ShippedBallsHaveTheDensityOfThingsThatAreThrown) {
                                              "rock"}));
 }
 
+TEST(ThreatFile, AFistHasAReachAndFliesStraightAndABladeDoesNotBounce) {
+  const ThreatKind fist =
+      only_kind("[[kind]]\nname = \"jab\"\nshape = \"fist\"\nreach_m = [0.3, 0.6]\n");
+  EXPECT_EQ(fist.shape, features::ThreatShape::fist);
+  EXPECT_EQ(fist.reach_m, (ValueRange{0.3, 0.6}));
+  EXPECT_FALSE(fist.falls);
+  EXPECT_EQ(fist.bounce.restitution, 0);
+  const ThreatKind blade = only_kind("[[kind]]\nname = \"knife\"\nshape = \"blade\"\n");
+  EXPECT_EQ(blade.shape, features::ThreatShape::blade);
+  EXPECT_TRUE(blade.falls);
+  EXPECT_EQ(blade.bounce.restitution, 0);
+}
+
 TEST(ThreatFile, WhatIsWrongIsSaidWithItsLine) {
   const auto refusal = [](const std::string& line) {
     return tests::error_of(
@@ -106,6 +119,14 @@ TEST(ThreatFile, WhatIsWrongIsSaidWithItsLine) {
   EXPECT_THAT(refusal("targets = { head = 0 }"), HasSubstr("above 0"));
   EXPECT_THAT(refusal("restitution = 1.1"), HasSubstr("not from 0 to 1"));
   EXPECT_THAT(refusal("flight = \"curved\""), HasSubstr("known are: falling, straight"));
+  EXPECT_THAT(refusal("shape = \"net\""), HasSubstr("known are: ball, blade, fist"));
+  EXPECT_EQ(refusal("shape = \"blade\"\nrestitution = 0.1"),
+            "a.toml:4: [[kind]] has a blade that bounces; a blade's restitution is 0");
+  EXPECT_THAT(refusal("shape = \"fist\""), HasSubstr("needs reach_m"));
+  EXPECT_THAT(refusal("reach_m = 0.5"), HasSubstr("a.toml:3: [[kind]] has reach_m, which only"));
+  EXPECT_THAT(refusal("shape = \"fist\"\nreach_m = 6"), HasSubstr("not from 0.05 to 5 m"));
+  EXPECT_THAT(refusal("shape = \"fist\"\nreach_m = 1\nflight = \"falling\""),
+              HasSubstr("a.toml:5: [[kind]] has a fist that falls"));
   EXPECT_THAT(refusal("weight = 0"), HasSubstr("only kinds of weight 0"));
   EXPECT_THAT(refusal("[[kind]]\nname = \"a\""), StartsWith("a.toml:4: [[kind]] has the name of"));
   EXPECT_THAT(refusal("[[kind]]\nname = \"b\"\ntime_to_impact_s = [0.28, 0.58]"),
@@ -116,7 +137,7 @@ TEST(ThreatFile, WhatIsWrongIsSaidWithItsLine) {
   EXPECT_THAT(tests::error_of([] { parse_threats("", "a.toml"); }),
               HasSubstr("at least one [[kind]]"));
   EXPECT_EQ(tests::error_of([] { find_threats("cats"); }),
-            "there are no threats named cats; shipped are: default, balls; a name that ends in "
+            "there are no threats named cats; shipped are: default, balls, kinds; a name that ends in "
             ".toml is that of a file");
 }
 

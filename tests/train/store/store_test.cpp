@@ -123,9 +123,15 @@ TEST(Store, KeepsTheKindOfEachThreat) {
                    .time_to_impact_s = {0.25, 0.75},
                    .bounce = {0.25, 0.75},
                    .falls = false},
-                  {.name = "ball", .bounce = {0.5, 0.125}}};
+                  {.name = "ball", .bounce = {0.5, 0.125}},
+                  {.name = "jab",
+                   .falls = false,
+                   .shape = features::ThreatShape::fist,
+                   .reach_m = {0.5, 0.75}}};
   std::vector<Observation> observations = made_up_observations(header, 0, 4);
   observations[1].scenario.threat.kind = observations[2].scenario.threat.kind = 1;
+  observations[3].scenario.threat.kind = 2;
+  observations[3].scenario.threat.stroke = {0.25F, 0.0625F};
   StoreWriter writer(folder / "a", header, {0, 4});
   writer.append(observations);
   writer.finish();
@@ -133,10 +139,14 @@ TEST(Store, KeepsTheKindOfEachThreat) {
   EXPECT_EQ(store.header.kinds, header.kinds);
   for (std::size_t i = 0; i < 4; ++i) {
     const features::Threat& threat = store.observations[i].scenario.threat;
-    const std::size_t kind = i == 1 || i == 2 ? 1 : 0;
+    const std::size_t kind = std::array{0U, 1U, 1U, 2U}[i];
     EXPECT_EQ(threat.kind, static_cast<int>(kind));
     EXPECT_EQ(threat.bounce, header.kinds[kind].bounce);
     EXPECT_EQ(threat.falls, header.kinds[kind].falls);
+    ASSERT_EQ(threat.stroke.has_value(), kind == 2);
+    if (!threat.stroke) continue;
+    EXPECT_EQ(threat.stroke->starts_in_s, 0.25F);
+    EXPECT_EQ(threat.stroke->lasts_s, 0.0625F);
   }
 }
 
