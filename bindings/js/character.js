@@ -2,6 +2,7 @@
 
 const kMostForeseen = 16; // FLINCH_MOST_FORESEEN
 const kMostCandidates = 8; // FLINCH_MOST_CANDIDATES
+const kMostOutside = 7; // FLINCH_MOST_OUTSIDE
 const kAnswers = ["ok", "misses", "unnoticed"];
 
 /** A character: it perceives, answers, can be hit, and returns to idle. */
@@ -32,7 +33,7 @@ export class Character {
   /** Answers threats: "ok", or "misses" or "unnoticed" where there is nothing to answer. */
   perceive(...threats) {
     const { memory } = this;
-    const at = memory.begin().makeStructs("flinch_threat", threats);
+    const at = memory.begin().makeThreats(threats);
     const { workspace } = this.library;
     return kAnswers[
       memory.checked(
@@ -45,7 +46,7 @@ export class Character {
   lookAhead(threats, { candidates = 8 } = {}) {
     const { memory } = this;
     const handle = this.library.lookAheadMemory();
-    const at = memory.begin().makeStructs("flinch_threat", threats);
+    const at = memory.begin().makeThreats(threats);
     const how = memory.makeStructs("flinch_look_ahead_options", [
       { candidates: Math.min(candidates, kMostForeseen), budget_us: 0, now_us: 0, clock: 0 },
     ]);
@@ -74,7 +75,7 @@ export class Character {
   /** Hands the body to physics, because `ball` is about to hit. */
   reactTo(ball) {
     const { memory } = this;
-    const at = memory.begin().makeStructs("flinch_threat", [ball]);
+    const at = memory.begin().makeThreats([ball]);
     memory.checked(memory.call.flinch_character_react_to(this.handle, at));
   }
 
@@ -112,6 +113,21 @@ export class Character {
       memory.call.flinch_character_candidates(this.handle, out, kMostCandidates, count),
     );
     return memory.readStructs("flinch_candidate", out, memory.readInt(count));
+  }
+
+  /** The numbers of a threat, as it was when the last one was perceived, that are outside of what
+   * the library was trained for. */
+  outsideTraining(threat) {
+    const { memory } = this;
+    const at = memory.begin().makeThreats([threat]);
+    const out = memory.reserveStructs("flinch_outside", kMostOutside);
+    const count = memory.reserve(4);
+    memory.checked(
+      memory.call.flinch_character_outside_training(this.handle, at, out, kMostOutside, count),
+    );
+    return memory
+      .readStructs("flinch_outside", out, memory.readInt(count))
+      .map((number) => ({ ...number, name: memory.text(number.name) }));
   }
 
   /** Stops the response and returns to idle smoothly. */

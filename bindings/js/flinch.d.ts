@@ -11,12 +11,40 @@ export class FlinchError extends Error {
 export type Answer = "ok" | "misses" | "unnoticed";
 type Vector = ArrayLike<number>;
 
-/** Something that approaches in free fall, as it is now. */
+/** A kind of threat that a library was trained for; ranges are smallest and largest. */
+export interface ThreatKind {
+  /** 0 a ball, 1 a blade, 2 a fist. */
+  shape: number;
+  name: string;
+  radius: Float32Array;
+  mass_kg: Float32Array;
+  speed_mps: Float32Array;
+  elevation: Float32Array;
+  time_to_impact_s: Float32Array;
+  reach_m: Float32Array;
+  restitution: number;
+  friction: number;
+  is_straight: number;
+}
+
+/** A number of a threat that is outside of what the library was trained for. */
+export interface Outside {
+  name: string;
+  value: number;
+  trained: Float32Array;
+}
+
+/** Something that approaches, as it is now. */
 export interface Threat {
   position: Vector;
   velocity: Vector;
   radius: number;
   mass_kg: number;
+  /** Index in Library.kinds; default 0. */
+  kind?: number;
+  /** Of a fist: when its stroke starts and how long it lasts; default 0. */
+  starts_in_s?: number;
+  lasts_s?: number;
 }
 
 export interface PerceptionLimits {
@@ -134,6 +162,7 @@ export class Character {
   jointFrames(): JointFrames;
   state(): CharacterState;
   candidates(): Candidate[];
+  outsideTraining(threat: Threat): Outside[];
   settle(): void;
   free(): void;
 }
@@ -176,9 +205,11 @@ export class Library {
     idle_clip: number;
     rate_hz: number;
     mass_kg: number;
+    kind_count: number;
   };
   readonly skeleton: { offset: Float32Array; tip: Float32Array };
   readonly clips: Clip[];
+  readonly kinds: ThreatKind[];
   readonly outlines: Outline[];
   createCharacter(): Character;
   createOracle(): Oracle;

@@ -61,8 +61,9 @@ std::string layout() {
   std::vector<std::string> structs;
   {
     using S = flinch_library_info;
-    structs.push_back(struct_text("flinch_library_info", sizeof(S),
-                                  {F(size), F(clip_count), F(idle_clip), F(rate_hz), F(mass_kg)}));
+    structs.push_back(
+        struct_text("flinch_library_info", sizeof(S),
+                    {F(size), F(clip_count), F(idle_clip), F(rate_hz), F(mass_kg), F(kind_count)}));
   }
   {
     using S = flinch_skeleton;
@@ -102,7 +103,20 @@ std::string layout() {
   {
     using S = flinch_threat;
     structs.push_back(struct_text("flinch_threat", sizeof(S),
-                                  {F(size), F(position), F(velocity), F(radius), F(mass_kg)}));
+                                  {F(size), F(position), F(velocity), F(radius), F(mass_kg),
+                                   F(kind), F(starts_in_s), F(lasts_s)}));
+  }
+  {
+    using S = flinch_kind;
+    structs.push_back(struct_text("flinch_kind", sizeof(S),
+                                  {F(size), F(shape), F(name), F(radius), F(mass_kg), F(speed_mps),
+                                   F(elevation), F(time_to_impact_s), F(reach_m), F(restitution),
+                                   F(friction), F(is_straight), F(reserved)}));
+  }
+  {
+    using S = flinch_outside;
+    structs.push_back(
+        struct_text("flinch_outside", sizeof(S), {F(name), F(value), F(trained), F(reserved)}));
   }
   {
     using S = flinch_mask;

@@ -23,6 +23,7 @@ export class Library {
     this.info = this.described("flinch_library_info", "flinch_library_describe");
     this.skeleton = this.described("flinch_skeleton", "flinch_library_skeleton");
     this.clips = Array.from({ length: this.info.clip_count }, (_, clip) => this.clipAt(clip));
+    this.kinds = Array.from({ length: this.info.kind_count }, (_, kind) => this.kindAt(kind));
     this.outlines = flinch.bodies.map((_, body) =>
       memory.result("flinch_outline", (out) =>
         call.flinch_library_outline(this.handle, body, out),
@@ -42,6 +43,14 @@ export class Library {
       memory.call.flinch_library_clip(this.handle, index, out),
     );
     return { ...clip, name: memory.text(clip.name), kind: memory.text(clip.kind) };
+  }
+
+  kindAt(index) {
+    const { memory } = this;
+    const kind = memory.result("flinch_kind", (out) =>
+      memory.call.flinch_library_kind(this.handle, index, out),
+    );
+    return { ...kind, name: memory.text(kind.name) };
   }
 
   /** Memory for looking ahead, made once. */

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The memory of a WebAssembly instance, and the structs of flinch.h in it as plain objects.
 
-const kScratchBytes = 65536; // the largest call has 256 threats of 36 bytes
+const kScratchBytes = 65536; // the largest call has 256 threats of 48 bytes
 
 /** An error that Flinch reports: its text, and its number in `status` (see flinch.h). */
 export class FlinchError extends Error {
@@ -56,6 +56,12 @@ export class Memory {
     for (let i = 0; i < count && fields.size; ++i)
       this.view.setUint32(address + i * size, size, true);
     return address;
+  }
+
+  /** Threats for a call; what they leave out of kind and stroke is that of the first kind, thrown. */
+  makeThreats(threats) {
+    const thrown = { kind: 0, starts_in_s: 0, lasts_s: 0 };
+    return this.makeStructs("flinch_threat", threats.map((threat) => ({ ...thrown, ...threat })));
   }
 
   /** Structs for a call, made of plain objects, which must have all fields. */

@@ -45,7 +45,9 @@ flinch_status notice(const flinch_oracle* oracle, const flinch_character* charac
                      const flinch_threat* threat, std::optional<Noticed>& noticed) {
   if (const flinch_status status = check(oracle, character, threat)) return status;
   if (character->content->library != oracle->content->library) return FLINCH_OTHER_LIBRARY;
-  noticed = Noticed{character->content->character(), {}, runtime::threat_of(*threat)};
+  noticed = Noticed{character->content->character(),
+                    {},
+                    runtime::threat_of(*threat, oracle->content->library->selector())};
   return runtime::status_of(noticed->character.notice(noticed->threat, noticed->perception));
 }
 

@@ -22,7 +22,7 @@ export class Oracle {
   /** The clip with the nearest annotation, as games commonly script it; null if nothing is hit. */
   nearestAnnotation(character, threat) {
     const { memory } = this;
-    const at = memory.begin().makeStructs("flinch_threat", [threat]);
+    const at = memory.begin().makeThreats([threat]);
     const clip = memory.reserve(4);
     const status = memory.checked(
       memory.call.flinch_oracle_nearest_annotation(this.handle, character.handle, at, clip),
@@ -33,7 +33,7 @@ export class Oracle {
   /** What `threat` does to a character that answers it with `clip`; null if it hits nothing. */
   tryClip(character, threat, clip) {
     const { memory } = this;
-    const at = memory.begin().makeStructs("flinch_threat", [threat]);
+    const at = memory.begin().makeThreats([threat]);
     const out = memory.reserveStructs("flinch_trial");
     const status = memory.checked(
       memory.call.flinch_oracle_try(this.handle, character.handle, at, clip, out),
@@ -44,7 +44,7 @@ export class Oracle {
   /** The same for all clips that may answer: the trials, and the index of the best in `best`. */
   tryAll(character, threat) {
     return this.tried((memory, trials, capacity, count, best) => {
-      const at = memory.makeStructs("flinch_threat", [threat]);
+      const at = memory.makeThreats([threat]);
       return memory.call.flinch_oracle_try_all(
         this.handle, character.handle, at, trials, capacity, count, best,
       );

@@ -27,6 +27,8 @@ const char* flinch_status_message(flinch_status status) {
       return message_of(runtime::Status::misses);
     case FLINCH_UNNOTICED:
       return message_of(runtime::Status::unnoticed);
+    case FLINCH_OUTSIDE_TRAINING:
+      return "the threat is unlike all that the selector was trained for";
     case FLINCH_NULL_POINTER:
       return "a pointer is NULL";
     case FLINCH_BAD_HANDLE:

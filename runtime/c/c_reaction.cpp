@@ -28,7 +28,9 @@ flinch_status flinch_character_react_to(flinch_character* character, const flinc
   if (const flinch_status status = check(character, ball)) return status;
   reaction::ReactingCharacter* reacting = character->content->reacting();
   if (reacting == nullptr) return FLINCH_NOT_REACTING;
-  const flinch::features::Threat threat = runtime::threat_of(*ball);
+  const flinch::features::Threat threat =
+      runtime::threat_of(*ball, character->content->library->selector());
+  if (!flinch::features::is_usable(threat)) return FLINCH_BAD_THREAT;
   return runtime::status_of(reacting->react_to(flinch::features::ball_of(threat)));
 }
 

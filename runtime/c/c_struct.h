@@ -17,6 +17,9 @@ inline constexpr std::size_t kMinSize = sizeof(T);
 template <>
 inline constexpr std::size_t kMinSize<flinch_threat> = offsetof(flinch_threat, radius);
 template <>
+inline constexpr std::size_t kMinSize<flinch_library_info> = offsetof(flinch_library_info,
+                                                                      kind_count);
+template <>
 inline constexpr std::size_t kMinSize<flinch_look_ahead_options> =
     offsetof(flinch_look_ahead_options, budget_us);
 

@@ -29,6 +29,7 @@ static_assert(FLINCH_JOINT_COUNT == motion::kRoleCount);
 static_assert(FLINCH_MOST_CANDIDATES == Character::kMaxCandidates);
 static_assert(FLINCH_LEGS == static_cast<int>(motion::Target::legs));
 static_assert(FLINCH_RETURNING == static_cast<int>(Phase::returning));
+static_assert(FLINCH_FIST == static_cast<int>(features::ThreatShape::fist));
 
 }  // namespace
 
@@ -103,15 +104,24 @@ flinch_status status_of(LoadStatus status) noexcept {
   return FLINCH_DAMAGED;
 }
 
-features::Threat threat_of(const flinch_threat& threat) {
+features::Threat threat_of(const flinch_threat& threat, const models::Selector& selector) {
   flinch_threat defaults{};
   defaults.radius = features::Threat{}.radius;
   defaults.mass_kg = features::Threat{}.mass_kg;
   const flinch_threat from = read_struct(threat, defaults);
-  return {.position = Eigen::Vector3f(from.position),
-          .velocity = Eigen::Vector3f(from.velocity),
-          .radius = from.radius,
-          .mass_kg = from.mass_kg};
+  features::Threat result{.position = Eigen::Vector3f(from.position),
+                          .velocity = Eigen::Vector3f(from.velocity),
+                          .radius = from.radius,
+                          .mass_kg = from.mass_kg,
+                          .kind = -1};
+  const auto index = static_cast<std::size_t>(from.kind);
+  if (from.kind < 0 || index >= selector.kinds.size()) return result;
+  const features::KnownKind& kind = selector.kinds[index];
+  result.kind = from.kind;
+  result.bounce = kind.bounce;
+  result.falls = kind.falls;
+  if (kind.shape == features::ThreatShape::fist) result.stroke = {from.starts_in_s, from.lasts_s};
+  return result;
 }
 
 PerceptionLimits limits_of(const flinch_perception_limits& limits) {
@@ -237,6 +247,26 @@ flinch_reaction to_c(const reaction::ReactingCharacter& character) {
   const motion::PerBody<double> impulse = reaction.impulse();
   std::ranges::transform(impulse, result.impulse_ns,
                          [](double part_ns) { return static_cast<float>(part_ns); });
+  return result;
+}
+
+flinch_kind to_c(const features::KnownKind& kind) {
+  const auto write_range = [](float(&to)[2], const features::ValueRange& range) {
+    to[0] = static_cast<float>(range.min);
+    to[1] = static_cast<float>(range.max);
+  };
+  flinch_kind result{};
+  result.shape = static_cast<std::int32_t>(kind.shape);
+  result.name = kind.name.c_str();
+  write_range(result.radius, kind.radius_m);
+  write_range(result.mass_kg, kind.mass_kg);
+  write_range(result.speed_mps, kind.speed_mps);
+  write_range(result.elevation, kind.elevation);
+  write_range(result.time_to_impact_s, kind.time_to_impact_s);
+  write_range(result.reach_m, kind.reach_m);
+  result.restitution = static_cast<float>(kind.bounce.restitution);
+  result.friction = static_cast<float>(kind.bounce.friction);
+  result.is_straight = kind.falls ? 0 : 1;
   return result;
 }
 

@@ -4,6 +4,7 @@
 #include "database/library/file_header.h"
 #include "features/threat.h"
 #include "lookahead/look_ahead.h"
+#include "models/selector.h"
 #include "motion/skeleton.h"
 #include "reaction/reacting_character.h"
 #include "runtime/c/flinch.h"
@@ -18,7 +19,9 @@ flinch_status status_of(Status status) noexcept;
 flinch_status status_of(database::LoadStatus status) noexcept;
 flinch_status status_of(reaction::ReactionStatus status) noexcept;
 
-features::Threat threat_of(const flinch_threat& threat);
+/// With what a selector knows of its kind. A kind that it does not know becomes -1, which no call
+/// takes.
+features::Threat threat_of(const flinch_threat& threat, const models::Selector& selector);
 PerceptionLimits limits_of(const flinch_perception_limits& limits);
 Mask mask_of(const flinch_mask& mask);
 motion::Pose pose_of(const flinch_pose& pose);
@@ -31,6 +34,8 @@ flinch_outline to_c(motion::Body body, const motion::BodyProperties& properties)
 flinch_reaction to_c(const reaction::ReactingCharacter& character);
 /// The result refers to the clip's strings.
 flinch_clip to_c(const motion::Clip& clip);
+/// The result refers to the kind's name.
+flinch_kind to_c(const features::KnownKind& kind);
 
 /// Defaults for a struct that leaves out the budget: no limit.
 lookahead::LookAhead look_ahead_of(const flinch_look_ahead_options& options);

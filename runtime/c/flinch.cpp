@@ -47,7 +47,8 @@ flinch_status load(const Source& source, flinch_library** out) try {
 
 /// Calls `use` with the caller's array of threats, which may be of a smaller, older struct.
 template <class Use>
-flinch_status with_threats(const flinch_threat* threats, std::int32_t count, const Use& use) {
+flinch_status with_threats(const flinch_threat* threats, std::int32_t count,
+                           const flinch_character& character, const Use& use) {
   if (count < 0 || count > FLINCH_MOST_THREATS) return FLINCH_BAD_INDEX;
   if (threats == nullptr && count > 0) return FLINCH_NULL_POINTER;
   std::array<flinch::features::Threat, FLINCH_MOST_THREATS> all;
@@ -57,7 +58,8 @@ flinch_status with_threats(const flinch_threat* threats, std::int32_t count, con
         reinterpret_cast<const flinch_threat*>(bytes + static_cast<std::size_t>(i) * threats->size);
     if (const flinch_status status = check(threat)) return status;
     if (threat->size != threats->size) return FLINCH_BAD_SIZE;
-    all[static_cast<std::size_t>(i)] = runtime::threat_of(*threat);
+    all[static_cast<std::size_t>(i)] =
+        runtime::threat_of(*threat, character.content->library->selector());
   }
   return use(std::span<const flinch::features::Threat>(all).first(static_cast<std::size_t>(count)));
 }
@@ -94,12 +96,14 @@ flinch_status flinch_library_free(flinch_library* library) {
 flinch_status flinch_library_describe(const flinch_library* library, flinch_library_info* out) {
   if (const flinch_status status = check(library, out)) return status;
   const flinch::database::ClipLibrary& clips = library->content->clip_library();
-  write_struct(*out,
-               flinch_library_info{.size = 0,
-                                   .clip_count = static_cast<std::int32_t>(clips.clips.size()),
-                                   .idle_clip = clips.idle,
-                                   .rate_hz = clips.rate_hz,
-                                   .mass_kg = clips.character.mass_kg});
+  write_struct(*out, flinch_library_info{
+                         .size = 0,
+                         .clip_count = static_cast<std::int32_t>(clips.clips.size()),
+                         .idle_clip = clips.idle,
+                         .rate_hz = clips.rate_hz,
+                         .mass_kg = clips.character.mass_kg,
+                         .kind_count =
+                             static_cast<std::int32_t>(library->content->selector().kinds.size())});
   return FLINCH_OK;
 }
 
@@ -223,8 +227,9 @@ flinch_status flinch_character_perceive(flinch_character* character, const flinc
                                         flinch_workspace* workspace) {
   if (const flinch_status status = check(character, threat, workspace)) return status;
   if (character->content->library != workspace->content->library) return FLINCH_OTHER_LIBRARY;
-  return status_of(character->content->character().perceive(runtime::threat_of(*threat),
-                                                            workspace->content->workspace));
+  return status_of(character->content->character().perceive(
+      runtime::threat_of(*threat, character->content->library->selector()),
+      workspace->content->workspace));
 }
 
 flinch_status flinch_character_perceive_all(flinch_character* character,
@@ -232,9 +237,11 @@ flinch_status flinch_character_perceive_all(flinch_character* character,
                                             flinch_workspace* workspace) {
   if (const flinch_status status = check(character, workspace)) return status;
   if (character->content->library != workspace->content->library) return FLINCH_OTHER_LIBRARY;
-  return with_threats(threats, count, [&](std::span<const flinch::features::Threat> all) {
-    return status_of(character->content->character().perceive(all, workspace->content->workspace));
-  });
+  return with_threats(
+      threats, count, *character, [&](std::span<const flinch::features::Threat> all) {
+        return status_of(
+            character->content->character().perceive(all, workspace->content->workspace));
+      });
 }
 
 flinch_status flinch_character_perceive_known(flinch_character* character,
@@ -244,8 +251,8 @@ flinch_status flinch_character_perceive_known(flinch_character* character,
   if (character->content->library != workspace->content->library) return FLINCH_OTHER_LIBRARY;
   if (!is_index(target, motion::kTargetCount)) return FLINCH_BAD_INDEX;
   return status_of(character->content->character().perceive(
-      runtime::threat_of(*threat), static_cast<motion::Target>(target), time_to_impact_s,
-      workspace->content->workspace));
+      runtime::threat_of(*threat, character->content->library->selector()),
+      static_cast<motion::Target>(target), time_to_impact_s, workspace->content->workspace));
 }
 
 flinch_status flinch_character_brace(flinch_character* character, const flinch_threat* threat,
@@ -341,11 +348,13 @@ flinch_status flinch_character_look_ahead(flinch_character* character, const fli
       options->size < sizeof *options)
     return FLINCH_BAD_SIZE;
   if (character->content->library != look_ahead->content->library) return FLINCH_OTHER_LIBRARY;
-  return with_threats(threats, count, [&](std::span<const flinch::features::Threat> all) {
-    const lookahead::LookAheadStatus status =
-        lookahead::perceive(character->content->character(), all, runtime::look_ahead_of(*options),
-                            look_ahead->content->workspace);
-    if (out != nullptr && status.status == runtime::Status::ok) write_struct(*out, to_c(status));
-    return status_of(status.status);
-  });
+  return with_threats(
+      threats, count, *character, [&](std::span<const flinch::features::Threat> all) {
+        const lookahead::LookAheadStatus status =
+            lookahead::perceive(character->content->character(), all,
+                                runtime::look_ahead_of(*options), look_ahead->content->workspace);
+        if (out != nullptr && status.status == runtime::Status::ok)
+          write_struct(*out, to_c(status));
+        return status_of(status.status);
+      });
 }

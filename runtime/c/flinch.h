@@ -76,6 +76,8 @@ enum {
   /* Not errors: there is nothing to answer. */
   FLINCH_MISSES = 1,    /* the threat will hit nothing */
   FLINCH_UNNOTICED = 2, /* the character did not notice the threat */
+  /* Answered, but unlike all threats that the selector was trained for. */
+  FLINCH_OUTSIDE_TRAINING = 3,
   /* What was wrong with a call. */
   FLINCH_NULL_POINTER = -1,
   FLINCH_BAD_HANDLE = -2,     /* freed, or of another kind */
@@ -126,9 +128,10 @@ FLINCH_API flinch_status flinch_library_free(flinch_library* library);
 typedef struct flinch_library_info {
   uint32_t size;
   int32_t clip_count;
-  int32_t idle_clip; /* index of the clip that idle characters play */
-  float rate_hz;     /* poses per second of the clips */
-  float mass_kg;     /* of the character */
+  int32_t idle_clip;  /* index of the clip that idle characters play */
+  float rate_hz;      /* poses per second of the clips */
+  float mass_kg;      /* of the character */
+  int32_t kind_count; /* of threats that it was trained for; at least 1 */
 } flinch_library_info;
 /* Writes the above to `out`. */
 FLINCH_API flinch_status flinch_library_describe(const flinch_library* library,
@@ -193,6 +196,34 @@ typedef struct flinch_clip {
 /* Writes clip number `index`, from 0 to clip_count - 1, to `out`. */
 FLINCH_API flinch_status flinch_library_clip(const flinch_library* library, int32_t index,
                                              flinch_clip* out);
+
+/* What a kind of threat is. */
+enum {
+  FLINCH_BALL = 0,
+  FLINCH_BLADE = 1, /* thin; does not bounce */
+  FLINCH_FIST = 2   /* the end of a limb, which is driven along a stroke */
+};
+
+/* A kind of threat that a library was trained for, and the ranges of its numbers: [0] the smallest,
+ * [1] the largest. Its name belongs to the library. */
+typedef struct flinch_kind {
+  uint32_t size;
+  int32_t shape; /* FLINCH_BALL, ... */
+  const char* name;
+  float radius[2];           /* m */
+  float mass_kg[2];          /* of a fist, its effective mass */
+  float speed_mps[2];        /* at the impact */
+  float elevation[2];        /* above the horizontal that it comes from, at the impact, radians */
+  float time_to_impact_s[2]; /* from perception */
+  float reach_m[2];          /* that a fist moves before the impact; 0 for others */
+  float restitution;
+  float friction;
+  int32_t is_straight; /* 1: it flies straight; 0: it falls */
+  int32_t reserved;    /* 0 */
+} flinch_kind;
+/* Writes kind number `index`, from 0 to kind_count - 1, to `out`. */
+FLINCH_API flinch_status flinch_library_kind(const flinch_library* library, int32_t index,
+                                             flinch_kind* out);
 
 /* ---- Poses ----------------------------------------------------------------------------------- */
 
@@ -275,14 +306,20 @@ FLINCH_API flinch_status flinch_character_limit_perception(flinch_character* cha
 /* Writes the limits of a person who chooses among `choices` answers (below 1 counts as 1). */
 FLINCH_API flinch_status flinch_human_limits(int32_t choices, flinch_perception_limits* out);
 
-/* Something that approaches in free fall, as it is now. A `size` that leaves out `radius` and
- * `mass_kg` makes them a volleyball's. Every call checks all of it. */
+/* Something that approaches, as it is now. A `size` that leaves out `radius` and `mass_kg` makes
+ * them a volleyball's. How it bounces, and whether it falls, is that of its kind. Every call checks
+ * all of it. */
 typedef struct flinch_threat {
   uint32_t size;
   float position[3]; /* of its centre, world, m */
   float velocity[3]; /* world, m/s */
   float radius;      /* m, at least 0; default 0.105 */
   float mass_kg;     /* at least 0; default 0.27 */
+  int32_t kind;      /* of those that the library was trained for; default 0 */
+  /* Of a fist, which waits where it is, then moves straight at its velocity, and stops; it touches
+   * nothing before and after. At least 0; default 0. */
+  float starts_in_s;
+  float lasts_s; /* from its start or, once it moves, from now */
 } flinch_threat;
 
 /* Answers a threat of which only position and velocity are known: predicts whether, when and where
@@ -306,6 +343,22 @@ FLINCH_API flinch_status flinch_character_perceive_known(flinch_character* chara
  * does, and braces against it. `startles`: 1 to flinch first, else 0. */
 FLINCH_API flinch_status flinch_character_brace(flinch_character* character,
                                                 const flinch_threat* threat, int32_t startles);
+/* A number of a threat that is outside of the range that the library was trained for. This struct
+ * will not grow. */
+typedef struct flinch_outside {
+  const char* name; /* "radius_m", "mass_kg", "speed_mps", ...; angles in degrees */
+  float value;
+  float trained[2]; /* the smallest and the largest */
+  int32_t reserved; /* 0 */
+} flinch_outside;
+#define FLINCH_MOST_OUTSIDE 7 /* numbers that can be outside at once */
+/* Tells whether `threat`, as it was when the character last perceived one, is outside of what the
+ * library was trained for: FLINCH_OUTSIDE_TRAINING, or FLINCH_OK. Writes the numbers that are, at
+ * most `capacity` of them, and their number to `count`. */
+FLINCH_API flinch_status flinch_character_outside_training(const flinch_character* character,
+                                                           const flinch_threat* threat,
+                                                           flinch_outside* out, int32_t capacity,
+                                                           int32_t* count);
 /* Answers with clip number `clip`, whatever the selector would choose; the time as above. */
 FLINCH_API flinch_status flinch_character_respond(flinch_character* character, int32_t clip,
                                                   float time_to_impact_s);

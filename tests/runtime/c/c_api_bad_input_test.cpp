@@ -267,7 +267,7 @@ TEST(CApiStatus, EachHasAMessageOfItsOwn) {
     EXPECT_GT(std::strlen(message), 1U);
     messages.insert(message);
   }
-  EXPECT_EQ(messages.size(), 27U + 1) << "and one for all that are none";
+  EXPECT_EQ(messages.size(), 28U + 1) << "and one for all that are none";
 }
 
 }  // namespace

@@ -55,7 +55,8 @@ TEST_F(CApiReaction, ShowsTheBitsOfTheCxxReaction) {
   reaction::ReactingCharacter expected(same, reaction::make_reaction_data(same));
   const flinch_threat ball = near_ball();
   ASSERT_EQ(flinch_character_react_to(character, &ball), FLINCH_OK);
-  ASSERT_EQ(expected.react_to(features::ball_of(threat_of(ball))), reaction::ReactionStatus::ok);
+  ASSERT_EQ(expected.react_to(features::ball_of(threat_of(ball, {}))),
+            reaction::ReactionStatus::ok);
   bool was_struck = false;
   for (int frame = 0; frame < 120; ++frame) {
     const std::size_t allocations = tests::allocation_count();

@@ -26,7 +26,7 @@ TEST_F(CApi, AcceptsStructsOfOlderProgramsAndRejectsThoseOfNewerOnes) {
   const flinch_character_state old = state();
   EXPECT_EQ(std::memcmp(&whole, &old, sizeof old), 0);
 
-  for (const std::uint32_t size : {0U, 4U, 24U, 29U, 40U, 4096U, 0xFFFFFFFFU}) {
+  for (const std::uint32_t size : {0U, 4U, 24U, 29U, 52U, 4096U, 0xFFFFFFFFU}) {
     threat.size = size;
     refuses(FLINCH_BAD_SIZE, [&] { return perceive(threat); });
   }
@@ -38,10 +38,15 @@ TEST_F(CApi, AcceptsStructsOfOlderProgramsAndRejectsThoseOfNewerOnes) {
       EXPECT_EQ(std::memcmp(&before, &value, sizeof value), 0);
     }
   };
+  auto info = sized<flinch_library_info>();
+  info.size = offsetof(flinch_library_info, kind_count);
+  info.kind_count = -7;
+  EXPECT_EQ(flinch_library_describe(library, &info), FLINCH_OK);
+  EXPECT_EQ(info.kind_count, -7) << "which an older program does not have";
+  info.size -= 4;
+  EXPECT_EQ(flinch_library_describe(library, &info), FLINCH_BAD_SIZE);
   flinch_pose good_pose = pose();
   flinch_mask good_mask = half_of_everything();
-  refuses_sizes(flinch_library_info{},
-                [&](auto* p) { return flinch_library_describe(library, p); });
   refuses_sizes(flinch_skeleton{}, [&](auto* p) { return flinch_library_skeleton(library, p); });
   refuses_sizes(flinch_clip{}, [&](auto* p) { return flinch_library_clip(library, 0, p); });
   refuses_sizes(flinch_joint_frames{},
@@ -72,14 +77,16 @@ TEST_F(CApi, WritesNoMoreThanTheCallersStructSize) {
 
 // Bindings in other languages copy this layout by hand.
 TEST(CApiLayout, MatchesThePublishedVersion) {
-  EXPECT_EQ(sizeof(flinch_threat), 36U);
+  EXPECT_EQ(sizeof(flinch_threat), 48U);
   EXPECT_EQ(sizeof(flinch_pose), 16U + 16 * FLINCH_JOINT_COUNT);
   EXPECT_EQ(sizeof(flinch_joint_frames), 4U + 28 * FLINCH_JOINT_COUNT);
   EXPECT_EQ(sizeof(flinch_skeleton), 4U + 24 * FLINCH_JOINT_COUNT);
   EXPECT_EQ(sizeof(flinch_mask), 8U + 4 * FLINCH_JOINT_COUNT);
   EXPECT_EQ(sizeof(flinch_perception_limits), 28U);
   EXPECT_EQ(sizeof(flinch_character_state), 32U);
-  EXPECT_EQ(sizeof(flinch_library_info), 20U);
+  EXPECT_EQ(sizeof(flinch_library_info), 24U);
+  EXPECT_EQ(sizeof(flinch_kind), 80U);
+  EXPECT_EQ(sizeof(flinch_outside), 24U);
   EXPECT_EQ(sizeof(flinch_clip), 24U + 32);
   EXPECT_EQ(sizeof(flinch_candidate), 12U);
 }
