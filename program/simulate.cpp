@@ -19,6 +19,7 @@
 #include "program/processors.h"
 #include "program/progress.h"
 #include "program/table.h"
+#include "program/unanswered.h"
 #include "train/scenario/threat_file.h"
 #include "train/simulate/mpi_messenger.h"
 #include "train/simulate/worker_pool.h"
@@ -86,6 +87,7 @@ Json summary_document(const SimulateOptions& options, const train::StoreSummary&
           {"hits", counts.hits},
           {"steps", counts.steps},
           {"solver_messages", counts.solver_messages},
+          {"unanswered", unanswered(store.header.clips)},
           {"cpu_s",
            {{"posing", done.cpu.posing_s},
             {"rehearsing", done.cpu.rehearsing_s},
@@ -128,6 +130,8 @@ void print_result(const SimulateOptions& options, const train::SimulationProgres
   if (store.range.first > 0) std::cout << " from number " << store.range.first;
   std::cout << ", seed " << store.header.seed << '\n';
   if (done.counts.simulations > 0) print_summary(done);
+  for (const std::string& line : unanswered(store.header.clips))
+    std::cout << "note: " << line << '\n';
 }
 
 void write_store(const SimulateOptions& options, const train::SimulationSetup& setup,

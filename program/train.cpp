@@ -7,6 +7,7 @@
 #include "database/library/library.h"
 #include "program/command.h"
 #include "program/printable.h"
+#include "program/unanswered.h"
 #include "train/fit/feature_derivation.h"
 #include "train/fit/labels.h"
 #include "train/fit/selector_writer.h"
@@ -78,7 +79,8 @@ Json summary_of(const TrainOptions& options, const train::Store& store,
                {"vulnerability", vulnerability},
                {"parameters", parameters_of(training)},
                {"cross_validated_regret_ns", training.cross_validated_regret_ns},
-               {"warnings", warnings_on(store)}};
+               {"warnings", warnings_on(store)},
+               {"unanswered", unanswered(store.header.clips)}};
   if (const auto* svm = std::get_if<models::SvmModel>(&training.selector.model)) {
     summary["classes"] = svm->class_count();
     summary["support_vectors"] = svm->vector_count();
@@ -126,6 +128,8 @@ void run_train(const TrainOptions& options) {
             << "\nmean regret in cross-validation: " << training.cross_validated_regret_ns
             << " N s\n";
   for (const std::string& warning : warnings_on(store)) std::cout << "note: " << warning << '\n';
+  for (const std::string& line : unanswered(store.header.clips))
+    std::cout << "note: " << line << '\n';
 }
 
 }  // namespace
