@@ -5,6 +5,8 @@
 #include <bit>
 #include <cmath>
 
+#include "features/portable_math.h"
+
 namespace flinch::features {
 namespace {
 
@@ -14,12 +16,12 @@ static_assert(sizeof(Geometry) == sizeof(float) * kGeometryCount);
 constexpr auto kPaperCount = static_cast<std::size_t>(kFeatureCount);
 
 constexpr std::size_t kThreatPlace = kPaperCount + static_cast<std::size_t>(kGeometryCount);
-constexpr std::size_t kKindPlace = kThreatPlace + 2;
+constexpr std::size_t kKindPlace = kThreatPlace + 3;
 
-constexpr std::array<std::string_view, 2 + kMaxThreatKinds> kThreatNames{
-    "radius_m", "mass_kg", "kind_0",  "kind_1",  "kind_2",  "kind_3",
-    "kind_4",   "kind_5",  "kind_6",  "kind_7",  "kind_8",  "kind_9",
-    "kind_10",  "kind_11", "kind_12", "kind_13", "kind_14", "kind_15"};
+constexpr std::array<std::string_view, 3 + kMaxThreatKinds> kThreatNames{
+    "radius_m", "mass_kg", "log_impulse", "kind_0",  "kind_1", "kind_2", "kind_3",
+    "kind_4",   "kind_5",  "kind_6",      "kind_7",  "kind_8", "kind_9", "kind_10",
+    "kind_11",  "kind_12", "kind_13",     "kind_14", "kind_15"};
 
 constexpr std::array<std::string_view, kMaxFeatures> kAllNames = [] {
   std::array<std::string_view, kMaxFeatures> names;
@@ -78,6 +80,12 @@ bool Layout::has_geometry() const {
   });
 }
 
+std::size_t Layout::kind_in(const FeatureVector& x) const {
+  for (std::size_t i = 0; i < static_cast<std::size_t>(size_); ++i)
+    if (component_[i] >= kKindPlace && x[i] == 1) return component_[i] - kKindPlace;
+  return 0;
+}
+
 std::span<const FeatureSet> feature_sets() {
   static const std::array<FeatureSet, 3> kSets{
       {{"geometry", "how the threat meets the body",
@@ -127,14 +135,33 @@ Layout with_kinds(const Layout& layout, std::span<const KnownKind> kinds) {
     });
   };
   if (varies(&KnownKind::radius_m)) names.emplace_back(kThreatNames[0]);
-  if (varies(&KnownKind::mass_kg)) names.emplace_back(kThreatNames[1]);
+  if (varies(&KnownKind::mass_kg)) {
+    names.emplace_back(kThreatNames[1]);
+    names.emplace_back(kThreatNames[2]);
+  }
   for (std::size_t i = 0; kinds.size() > 1 && i < kinds.size(); ++i)
-    names.emplace_back(kThreatNames[2 + i]);
+    names.emplace_back(kThreatNames[3 + i]);
   return Layout::of(names).value_or(layout);
 }
 
+namespace {
+
+/// Radius, mass, or the natural logarithm of the largest impulse, N s, that the threat can give.
+/// The kinds' largest differ by a factor, so in the logarithm by a number that goes with the kind.
+float threat_component(const Scenario& scenario, std::size_t component) {
+  const Threat& threat = scenario.threat;
+  if (component == 0) return threat.radius;
+  if (component == 1) return threat.mass_kg;
+  const auto speed_mps = double{velocity_at(threat, scenario.time_to_impact_s).norm()};
+  const double impulse_ns = (1 + threat.bounce.restitution) * double{threat.mass_kg} * speed_mps;
+  return impulse_ns > 0 ? static_cast<float>(portable_log(impulse_ns)) : 0.0F;
+}
+
+}  // namespace
+
 FeatureVector arranged(const Layout& layout, const Features& features, const Geometry& geometry,
-                       const Threat& threat) {
+                       const Scenario& scenario) {
+  const Threat& threat = scenario.threat;
   const auto paper = std::bit_cast<std::array<float, kFeatureCount>>(features);
   const auto ours = std::bit_cast<std::array<float, kGeometryCount>>(geometry);
   FeatureVector vector{};
@@ -146,7 +173,7 @@ FeatureVector arranged(const Layout& layout, const Features& features, const Geo
     } else if (place < kThreatPlace) {
       value = ours[place - kPaperCount];
     } else if (place < kKindPlace) {
-      value = place == kThreatPlace ? threat.radius : threat.mass_kg;
+      value = threat_component(scenario, place - kThreatPlace);
     } else if (place - kKindPlace == static_cast<std::size_t>(threat.kind)) {
       value = 1;
     }
@@ -163,7 +190,7 @@ FeatureVector feature_vector(const Layout& layout, const Scenario& scenario,
     geometry =
         geometry_of(scenario, predict_character(figure, scenario.state, scenario.time_to_impact_s));
   }
-  return arranged(layout, features, geometry, scenario.threat);
+  return arranged(layout, features, geometry, scenario);
 }
 
 FeatureVector feature_vector(const Layout& layout, const Scenario& scenario,
@@ -171,8 +198,7 @@ FeatureVector feature_vector(const Layout& layout, const Scenario& scenario,
   motion::Motion still;
   still.poses.emplace_back();
   const PredictedCharacter ahead{Eigen::Vector3f::Zero(), centres};
-  return arranged(layout, features_of(scenario, still), geometry_of(scenario, ahead),
-                  scenario.threat);
+  return arranged(layout, features_of(scenario, still), geometry_of(scenario, ahead), scenario);
 }
 
 }  // namespace flinch::features

@@ -28,12 +28,14 @@ class Layout {
   std::vector<std::string> names() const;
   /// Returns whether it has a component that geometry_of() computes.
   bool has_geometry() const;
+  /// The kind of threat that features in this layout tell; 0 if they tell none.
+  std::size_t kind_in(const FeatureVector& x) const;
 
   bool operator==(const Layout&) const = default;
 
  private:
   friend FeatureVector arranged(const Layout& layout, const Features& features,
-                                const Geometry& geometry, const Threat& threat);
+                                const Geometry& geometry, const Scenario& scenario);
 
   int size_ = 0;
   /// Indices into the names of all components; 0 beyond the size.
@@ -64,8 +66,9 @@ std::span<const FeatureGroup> feature_groups();
 /// Returns the layout without the components of a group; unchanged if it has none of them.
 Layout without(const Layout& layout, const FeatureGroup& group);
 
-/// Returns the layout with the components that tell these kinds of threats apart, and their sizes
-/// and masses, as far as they differ; unchanged where all threats are alike.
+/// Returns the layout with the components that tell these kinds of threats apart, their sizes, and
+/// their masses with the impulses that these can give, as far as they differ; unchanged where all
+/// threats are alike.
 Layout with_kinds(const Layout& layout, std::span<const KnownKind> kinds);
 
 /// Returns the components of a scenario in the layout's order, 0 beyond its size. The bits are the

@@ -40,9 +40,9 @@ inline constexpr std::array<std::string_view, kFeatureCount> kFeatureNames{
 /// Returns the features of a scenario, for a character in this stance, which is that of its state.
 Features features_of(const Scenario& scenario, const motion::Loop& stance);
 
-/// Largest number of features that a selector may use: these, those of Geometry, radius and mass,
-/// and one for each kind of threat.
-inline constexpr int kMaxFeatures = kFeatureCount + 17 + 2 + static_cast<int>(kMaxThreatKinds);
+/// Largest number of features that a selector may use: these, those of Geometry, radius, mass and
+/// impulse, and one for each kind of threat.
+inline constexpr int kMaxFeatures = kFeatureCount + 17 + 3 + static_cast<int>(kMaxThreatKinds);
 
 /// Components in the order of a layout (features/feature_layout.h); 0 beyond its size.
 using FeatureVector = std::array<float, kMaxFeatures>;

@@ -14,9 +14,8 @@ KindNumbers numbers_of(const KnownKind& kind) {
 
 KnownKind kind_of(const std::string& name, const KindNumbers& numbers, bool falls) {
   const KindNumbers& n = numbers;
-  return {name,         {n[0], n[1]}, {n[2], n[3]},   {n[4], n[5]},
-          {n[6], n[7]}, {n[8], n[9]}, {n[10], n[11]}, falls,
-          ThreatShape::ball, {}};
+  return {name,         {n[0], n[1]},   {n[2], n[3]}, {n[4], n[5]},      {n[6], n[7]},
+          {n[8], n[9]}, {n[10], n[11]}, falls,        ThreatShape::ball, {}};
 }
 
 double largest_impulse_ns(const KnownKind& kind) {
@@ -33,8 +32,9 @@ bool is_sound(const KnownKind& kind) {
   const bool is_fist = kind.shape == ThreatShape::fist;
   const bool has_reach = is_range(kind.reach_m) && (is_fist ? kind.reach_m.min > 0 && !kind.falls
                                                             : kind.reach_m == ValueRange{});
-  return kind.shape <= ThreatShape::fist && has_reach && is_usable(threat) && is_range(kind.radius_m) && is_range(kind.mass_kg) &&
-         is_range(kind.speed_mps) && is_range(kind.elevation) && is_range(kind.time_to_impact_s);
+  return kind.shape <= ThreatShape::fist && has_reach && is_usable(threat) &&
+         is_range(kind.radius_m) && is_range(kind.mass_kg) && is_range(kind.speed_mps) &&
+         is_range(kind.elevation) && is_range(kind.time_to_impact_s);
 }
 
 }  // namespace flinch::features

@@ -37,13 +37,14 @@ inline constexpr float kMaxNetworkWeight = 1e4F;
 
 /// Predicts the cost of every clip with a few small networks (two hidden layers of rectified units)
 /// whose outputs are averaged. They predict the standardised square root of the cost: costs differ
-/// by orders of magnitude, and the choice is made among the small ones.
+/// by orders of magnitude, and the choice is made among the small ones. Costs are in the unit of
+/// the threat's kind, D* over that of the first kind: so errors weigh alike for every kind.
 struct NetworkModel {
   int feature_count = 0;
   int hidden_count = 0;
   int member_count = 0;
   std::vector<int> clip;  ///< clip index of each output, ascending
-  float mean_root = 0;    ///< mean square root of the costs; costs in N·s
+  float mean_root = 0;    ///< mean square root of the costs; of the first kind, in N·s
   float scale_root = 1;   ///< standard deviation of the square roots
   float variance_ns = 0;  ///< by how much a mean cost exceeds the square of its mean square root
   std::vector<float> weights;  ///< the members' blocks, one after another
@@ -61,7 +62,8 @@ inline float network_input(double scaled) {
 }
 
 /// Returns the allowed clips that the model knows, sorted by ascending expected cost, ties by the
-/// lower index; at most the first `max_count`. `scaled` has feature_count values.
+/// lower index; at most the first `max_count`. Costs are in the unit of the threat's kind. `scaled`
+/// has feature_count values.
 std::pmr::vector<Candidate> expected_costs(const NetworkModel& model,
                                            std::span<const double> scaled,
                                            const ClipMask& allowed_clips,

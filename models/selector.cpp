@@ -14,6 +14,14 @@ std::pmr::vector<Candidate> single_candidate(const Candidate& candidate, MemoryR
   return {std::size_t{1}, candidate, memory};
 }
 
+/// Returns the unit of a network's costs against the threat with these features, N·s.
+float unit_of_costs(const Selector& selector, const features::FeatureVector& x) {
+  if (!selector.costs) return 1;
+  const std::vector<double>& damage_ns = selector.costs->reference_damage_ns;
+  const std::size_t kind = selector.layout.kind_in(x);
+  return kind < damage_ns.size() ? static_cast<float>(damage_ns[kind] / damage_ns.front()) : 1.0F;
+}
+
 }  // namespace
 
 std::pmr::vector<Candidate> candidates(const SvmModel& model, std::span<const double> scaled,
@@ -80,7 +88,12 @@ std::pmr::vector<Candidate> candidates(const Selector& selector, const features:
   return std::visit(
       [&](const auto& model) {
         using Model = std::remove_cvref_t<decltype(model)>;
-        if constexpr (!std::is_same_v<Model, KnnModel>) {
+        if constexpr (std::is_same_v<Model, NetworkModel>) {
+          auto ranked = candidates(model, scaled, allowed, selector.idle, memory, max_count);
+          const float unit = unit_of_costs(selector, x);
+          for (Candidate& candidate : ranked) candidate.expected_cost_ns *= unit;
+          return ranked;
+        } else if constexpr (!std::is_same_v<Model, KnnModel>) {
           return candidates(model, scaled, allowed, selector.idle, memory, max_count);
         } else {
           auto ranked = candidates(model, scaled, allowed, selector.idle, memory);

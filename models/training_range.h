@@ -27,8 +27,8 @@ struct OutsideTrainings {
 
 /// Returns which numbers of a scenario no scenario that the selector was fitted to could have: the
 /// radius, mass, speed and elevation at the impact, time to impact and reach of its kind, or a kind
-/// that the selector does not know. The selector answers all the same, but nothing is known of how well.
-/// A number is outside if it exceeds a range by a thousandth of the range's larger end.
+/// that the selector does not know. The selector answers all the same, but nothing is known of how
+/// well. A number is outside if it exceeds a range by a thousandth of the range's larger end.
 OutsideTrainings outside_training(const Selector& selector, const features::Scenario& scenario);
 
 }  // namespace flinch::models

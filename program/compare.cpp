@@ -134,6 +134,7 @@ void run_compare(const CompareOptions& options) {
   report.features = split.header.layout.names();
   for (const models::ClipSummary& clip : split.header.clips) report.clips.push_back(clip.name);
   report.evaluation = train::evaluate(split, cost_model, fitted, seed, now_s);
+  report.kinds = train::kind_rows(split, report.evaluation, seed);
   report.methods = train::summaries_of(fitted);
   report.groups = train::group_rows(split, report.evaluation, seed);
   report.directions = train::direction_rows(split, report.evaluation);

@@ -139,6 +139,27 @@ std::string groups_text(const train::Report& report) {
   return table.text();
 }
 
+/// One line per kind of threat, with the protection of each row.
+std::string kinds_text(const std::vector<train::KindRow>& rows) {
+  std::vector<Table::Column> columns{
+      {"protection"}, {"scenarios", right}, {"idle, N s", right}, {"oracle, N s", right}};
+  for (const train::KindRow& row : rows)
+    if (row.kind == rows.front().kind) columns.push_back({row.name, right});
+  const std::size_t shown = columns.size() - 4;
+  Table table(columns);
+  for (std::size_t first = 0; first < rows.size(); first += shown) {
+    const train::KindRow& kind = rows[first];
+    std::vector<std::string> cells{kind.kind, std::to_string(kind.scenarios),
+                                   fixed(kind.idle_cost_ns, 2), fixed(kind.oracle_cost_ns, 2)};
+    for (std::size_t i = 0; i < shown; ++i) {
+      const train::Estimate& protection = rows[first + i].protection;
+      cells.push_back(fixed(protection.value, 3) + " (" + text(protection.interval, 2) + ")");
+    }
+    table.add(cells);
+  }
+  return table.text();
+}
+
 /// Results by method against a parameter: one line per method, one column per value of the
 /// parameter.
 template <class Row, class Parameter>
@@ -217,6 +238,7 @@ std::string comparison_text(const train::Report& report) {
   text += use_text(report.evaluation) + '\n';
   if (!report.brawn.empty()) text += brawn_text(report.brawn) + '\n';
   text += groups_text(report) + '\n';
+  if (!report.kinds.empty()) text += kinds_text(report.kinds) + '\n';
   if (!report.noise.empty())
     text += sweep_text("protection with noise on the features", report.noise,
                        [](const train::NoiseRow& row) { return fixed(row.noise, 2); });

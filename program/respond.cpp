@@ -275,20 +275,24 @@ Json document_of(const runtime::Library& library, const ResponseRecording& recor
   return document;
 }
 
-std::string hit_text(const RecordedHit& hit) {
-  if (!std::isfinite(hit.contact_s)) return "the ball hits nothing";
-  return "the ball hits at " + fixed(double{hit.contact_s}, 2) + " s with " +
+std::string hit_text(const RecordedHit& hit, features::ThreatShape shape) {
+  const std::string threat = "the " + std::string(name_of(shape));
+  if (!std::isfinite(hit.contact_s)) return threat + " hits nothing";
+  return threat + " hits at " + fixed(double{hit.contact_s}, 2) + " s with " +
          fixed(double{hit.impulse_ns}, 1) + " N s";
 }
 
-void print_text(const runtime::Library& library, const ResponseRecording& recording,
-                const RespondOptions& options) {
+void print_text(const runtime::Library& library, const RecordedScene& scene,
+                const ResponseRecording& recording, const RespondOptions& options) {
+  const int kind = scene.threats.front().threat.kind;
+  const features::ThreatShape shape =
+      library.selector().kinds[static_cast<std::size_t>(kind)].shape;
   std::cout << printable(options.out) << ": "
             << (recording.is_noticed ? printable(clip_name(library, recording.clip))
                                      : "the threat is not noticed")
             << ", " << fixed(double{recording.motion.duration_s()}, 2) << " s; "
-            << hit_text(recording.hits.front());
-  if (recording.hits.size() > 1) std::cout << "; then " << hit_text(recording.hits.back());
+            << hit_text(recording.hits.front(), shape);
+  if (recording.hits.size() > 1) std::cout << "; then " << hit_text(recording.hits.back(), shape);
   if (recording.reaction_clip)
     std::cout << ", then " << printable(clip_name(library, *recording.reaction_clip));
   std::cout << (recording.knocked_over ? ", which knocks the character over\n" : "\n");
@@ -320,7 +324,7 @@ void run_respond(const RespondOptions& options) {
   if (options.json) {
     print(document_of(library, recording, options));
   } else {
-    print_text(library, recording, options);
+    print_text(library, scene, recording, options);
   }
 }
 

@@ -78,8 +78,8 @@ features::ThreatDescription described(const ThreatOptions& options,
     moves_s = std::min(moves_s, kind.reach_m.max / speed_mps);
   }
   const double min_elevation = rounded_degrees(train::min_feasible_elevation(
-      speed_mps, moves_s, radius_m,
-      double{selector.target_centres[threat.target].z()}, kind.falls));
+      speed_mps, moves_s, radius_m, double{selector.target_centres[threat.target].z()},
+      kind.falls));
   const double elevation = options.elevation.value_or(std::max(0.0, min_elevation));
   if (min_elevation >= 90)
     throw Error("", "a ball this slow would come from below the ground " +

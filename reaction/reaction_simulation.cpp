@@ -157,7 +157,8 @@ features::Ball ReactionSimulation::ball(const features::Ball& initial_ball) cons
   ball.position = state.position;
   ball.velocity = after_.ball.velocity;
   ball.window = flight->window;
-  if (ball.window.from_s > 0) ball.position += ball.window.from_s * ball.velocity;  // it waits there
+  if (ball.window.from_s > 0)
+    ball.position += ball.window.from_s * ball.velocity;  // it waits there
   return ball;
 }
 

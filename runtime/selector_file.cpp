@@ -149,10 +149,9 @@ std::optional<models::ResponseCosts> read_costs(const schema::ResponseCosts& sto
   if (stored.vulnerability()->size() != motion::kBodyCount) return std::nullopt;
   std::copy(stored.vulnerability()->begin(), stored.vulnerability()->end(),
             costs.vulnerability.begin());
-  costs.reference_damage_ns =
-      stored.reference_damages_ns() == nullptr
-          ? std::vector<double>(kind_count, stored.reference_damage_ns())
-          : to_vector(*stored.reference_damages_ns());
+  costs.reference_damage_ns = stored.reference_damages_ns() == nullptr
+                                  ? std::vector<double>(kind_count, stored.reference_damage_ns())
+                                  : to_vector(*stored.reference_damages_ns());
   costs.reference_work_j = stored.reference_work_j();
   costs.work_j = to_vector(*stored.work_j());
   costs.phase_count = stored.phase_count();

@@ -68,7 +68,8 @@ ClipTrial Oracle::try_response(const runtime::Response& response,
   trial.clip = response.clip;
   trial.work_j = tracked.work_j;
   trial.damage_ns = damage_ns(*selector.costs, result.impulse);
-  trial.cost_ns = cost_ns(*selector.costs, selector.brawn, threat.kind, trial.damage_ns, trial.work_j);
+  trial.cost_ns =
+      cost_ns(*selector.costs, selector.brawn, threat.kind, trial.damage_ns, trial.work_j);
   trial.first_contact_s = result.first_contact_s + double{delay_s};
   trial.impulse = result.impulse;
   return trial;

@@ -31,14 +31,16 @@ void check_parameters(const NetworkParameters& parameters) {
   }
 }
 
-/// Calls act(output, observation, cost) for every tried clip, one observation after another.
+/// Calls act(output, observation, cost) for every tried clip, one observation after another; costs
+/// in the observation's unit.
 template <typename Act>
 void for_each_trial(const TrainingSet& set, std::span<const int> clips, const Act& act) {
   for (int i = 0; i < set.size(); ++i) {
     for (std::size_t output = 0; output < clips.size(); ++output) {
       const float cost = set.costs(i)[static_cast<std::size_t>(clips[output])];
       if (std::isfinite(cost)) {
-        act(static_cast<Eigen::Index>(output), static_cast<Eigen::Index>(i), double{cost});
+        act(static_cast<Eigen::Index>(output), static_cast<Eigen::Index>(i),
+            double{cost / set.unit_of(i)});
       }
     }
   }
@@ -211,7 +213,8 @@ double cost_variance_ns(const NetworkModel& model, const TrainingSet& set) {
     for (const Candidate& candidate : expected_costs(model, set.point(i), set.allowed_clips(i))) {
       const float cost = set.costs(i)[static_cast<std::size_t>(candidate.clip)];
       if (std::isfinite(cost)) {
-        sum += double{cost} - (double{candidate.expected_cost_ns} - double{model.variance_ns});
+        sum += double{cost / set.unit_of(i)} -
+               (double{candidate.expected_cost_ns} - double{model.variance_ns});
         count += 1;
       }
     }

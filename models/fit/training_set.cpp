@@ -47,6 +47,9 @@ void check(const TrainingSet& set) {
   if (!set.cost.empty() && set.cost.size() != count * set.clip_count()) {
     throw Error("", "the training set's costs are not one per clip and observation");
   }
+  if (!set.unit.empty() && set.unit.size() != count) {
+    throw Error("", "the training set's units of cost are not one per observation");
+  }
   for (int i = 0; i < set.size(); ++i) {
     check_observation(set, i);
   }
@@ -92,6 +95,7 @@ TrainingSet subset(const TrainingSet& set, std::span<const int> observations) {
     chosen.points.insert(chosen.points.end(), point.begin(), point.end());
     chosen.label.push_back(set.label[static_cast<std::size_t>(observation)]);
     chosen.mask.push_back(set.mask[static_cast<std::size_t>(observation)]);
+    if (!set.unit.empty()) chosen.unit.push_back(set.unit_of(observation));
     if (!set.cost.empty()) {
       const std::span<const float> costs = set.costs(observation);
       chosen.cost.insert(chosen.cost.end(), costs.begin(), costs.end());

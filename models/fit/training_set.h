@@ -17,6 +17,9 @@ struct TrainingSet {
   /// Cost of each clip, N·s: row-major, one row per observation and one column per clip, infinity
   /// where the clip was not tried. Empty where no costs are known.
   std::vector<float> cost;
+  /// What costs of an observation count by where they are compared with those of others, one per
+  /// observation: twice as large costs with a unit of 2 count the same. Empty: 1.
+  std::vector<float> unit;
   /// Which clips are allowed, by clip index: one mask per target.
   std::vector<ClipMask> masks;
   int idle = 0;  ///< the library's idle clip
@@ -32,6 +35,9 @@ struct TrainingSet {
   std::span<const float> costs(int observation) const {
     return std::span(cost).subspan(static_cast<std::size_t>(observation) * clip_count(),
                                    clip_count());
+  }
+  float unit_of(int observation) const {
+    return unit.empty() ? 1.0F : unit[static_cast<std::size_t>(observation)];
   }
   const ClipMask& allowed_clips(int observation) const {
     return masks[static_cast<std::size_t>(mask[static_cast<std::size_t>(observation)])];

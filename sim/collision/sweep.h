@@ -24,7 +24,8 @@ struct MovingShape : motion::CollisionShape {
 /// bounding sphere in a fraction of the time that the clearance takes. Never misses one that is.
 bool may_be_near(const features::Ball& ball, const MovingShape& shape, double distance_m);
 
-/// Returns the first time in [0, horizon_s], within the ball's window, at which the gap between ball and shape is at most
+/// Returns the first time in [0, horizon_s], within the ball's window, at which the gap between
+/// ball and shape is at most
 ///
 ///     touch_m + slack_mps2 t^2 / 2,
 ///

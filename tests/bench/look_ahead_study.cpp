@@ -164,6 +164,7 @@ void run(const bench::StudyArguments& arguments) {
     const features::Scenario& scenario = observation.scenario;
     const float time_s = scenario.time_to_impact_s;
     const features::Ball ball = features::ball_of(scenario.threat);
+    const int kind = scenario.threat.kind;
     for (const train::Trial& measured : observation.trials) {
       const double begin_s = bench::process_cpu_s();
       const runtime::Response response =
@@ -197,9 +198,9 @@ void run(const bench::StudyArguments& arguments) {
       pair.foreseen_work_j = double{
           work_j(costs, measured.clip, (scenario.state.idle_time_s + time_s) / period_s, time_s)};
       for (std::size_t b = 0; b < kBrawns.size(); ++b) {
-        pair.cost_ns[b] = cost_ns(costs, kBrawns[b], 0, pair.damage_ns, pair.work_j);
+        pair.cost_ns[b] = cost_ns(costs, kBrawns[b], kind, pair.damage_ns, pair.work_j);
         pair.foreseen_cost_ns[b] =
-            cost_ns(costs, kBrawns[b], 0, pair.foreseen_damage_ns, pair.foreseen_work_j);
+            cost_ns(costs, kBrawns[b], kind, pair.foreseen_damage_ns, pair.foreseen_work_j);
       }
       study.pairs.push_back(pair);
     }

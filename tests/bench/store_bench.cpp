@@ -148,7 +148,8 @@ void relabel_store(benchmark::State& state) {
     Observation observation;
     clips = 0;
     while (reader.next(observation)) {
-      const std::size_t best = best_trial(observation.trials, costs_of(observation.trials, 0, model));
+      const std::size_t best =
+          best_trial(observation.trials, costs_of(observation.trials, 0, model));
       clips += observation.trials[best].clip;
     }
   }

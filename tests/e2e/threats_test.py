@@ -65,7 +65,8 @@ class Threats(StoreTest):
         selector = self.folder / "selector"
         self.succeed("train", store, "--out", selector, "--model", "knn")
         info = self.document("info", selector)
-        self.assertEqual(info["features"][-4:], ["radius_m", "mass_kg", "kind_0", "kind_1"])
+        self.assertEqual(info["features"][-5:],
+                         ["radius_m", "mass_kg", "log_impulse", "kind_0", "kind_1"])
         self.assertEqual([kind["name"] for kind in info["threats"]], ["snowball", "icicle"])
         self.assertEqual(info["threats"][0]["speed_mps"], [8, 20])
         self.assertEqual(info["threats"][1]["flight"], "straight")
@@ -83,6 +84,50 @@ class Threats(StoreTest):
         line = self.fail_with(1, "select", selector, "--threat", "hail")
         self.assertIn("not trained for --threat hail; it knows: snowball, icicle", line)
         self.succeed("respond", selector, "--threat", "icicle", "--out", self.folder / "hit.bvh")
+
+    def test_a_punch_and_a_knife_go_from_the_file_to_the_response(self):
+        store = self.folder / "store"
+        threats = self.file(self.succeed("threats", "--name", "kinds").stdout)
+        summary = self.lines(*self.command(store, "--threats", threats, scenarios=120))[-1]
+        self.assertGreater(summary["hits"], 0)
+        kinds = {kind["name"]: kind for kind in self.document("info", store)["distribution"]["kinds"]}
+        self.assertEqual(len(kinds), 8)
+        self.assertEqual((kinds["punch"]["shape"], kinds["punch"]["reach_m"]), ("fist", [0.4, 0.7]))
+        self.assertEqual(kinds["thrown_knife"]["restitution"], 0)
+        with sqlite3.connect(f"file:{store}?mode=ro", uri=True) as database:
+            rows = database.execute(
+                "SELECT shape, time_to_impact_s, stroke_starts_in_s, stroke_lasts_s, "
+                "threat_velocity_x * threat_velocity_x + threat_velocity_y * threat_velocity_y + "
+                "threat_velocity_z * threat_velocity_z, min_reach_m, max_reach_m "
+                "FROM observation JOIN kind USING (kind)").fetchall()
+        fists = [row for row in rows if row[0] == "fist"]
+        self.assertGreater(len(fists), 10)
+        for shape, time, starts, lasts, speed_squared, shortest, longest in rows:
+            if shape != "fist":
+                self.assertEqual((starts, lasts), (0, 0))
+                continue
+            self.assertAlmostEqual(starts + lasts, time, places=5)
+            self.assertTrue(shortest - 1e-5 <= lasts * speed_squared ** 0.5 <= longest + 1e-5)
+        selector = self.folder / "selector"
+        self.succeed("train", store, "--out", selector, "--model", "knn")
+        report = self.document("compare", store, "--models", "knn")
+        self.assertLessEqual({row["kind"] for row in report["kinds"]}, set(kinds))
+        self.assertIn("knn+8", {row["name"] for row in report["kinds"]})
+        self.assertEqual(len(report["cost_model"]["reference_damage_ns"]), 8)
+        for kind, shape in (("punch", "fist"), ("thrown_knife", "blade")):
+            options = [selector, "--threat", kind, "--target", "head", "--time-to-impact", 0.5]
+            self.assertEqual(self.document("select", *options)["outside_training"], [])
+            self.assertTrue(self.document("select", *options, "--look-ahead", 4)["candidates"])
+            said = self.succeed("respond", *options, "--out", self.folder / f"{kind}.glb").stdout
+            self.assertIn(f"the {shape} hits", said)
+
+    def test_what_no_clip_is_made_for_is_told(self):
+        self.make_whole()
+        selector = self.folder / "selector"
+        lines = self.document("train", self.whole, "--out", selector, "--model", "knn")["unanswered"]
+        self.assertTrue(all(line.startswith("no clip is made for threats to the ")
+                            for line in lines), lines)
+        self.assertTrue(lines, "the synthetic library has few clips")
 
     def test_stores_of_other_threats_are_neither_continued_nor_merged(self):
         self.make_whole()

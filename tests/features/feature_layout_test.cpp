@@ -82,19 +82,19 @@ TEST(Layout, TellsKindsSizesAndMassesApartWhereTheyDiffer) {
   KnownKind other;
   EXPECT_EQ(added({KnownKind{}, other}), (Names{"kind_0", "kind_1"}));
   other.mass_kg = {1, 1};
-  EXPECT_EQ(added({KnownKind{}, other}), (Names{"mass_kg", "kind_0", "kind_1"}));
+  EXPECT_EQ(added({KnownKind{}, other}), (Names{"mass_kg", "log_impulse", "kind_0", "kind_1"}));
   EXPECT_EQ(added({other}), Names{}) << "one mass";
   other.mass_kg = {1, 2};
   other.radius_m = {0.1, 0.2};
-  EXPECT_EQ(added({other}), (Names{"radius_m", "mass_kg"}));
+  EXPECT_EQ(added({other}), (Names{"radius_m", "mass_kg", "log_impulse"}));
   EXPECT_EQ(added(std::vector<KnownKind>(kMaxThreatKinds)).back(), "kind_15");
 }
 
 TEST(FeatureVectors, HoldTheThreatsSizeMassAndKind) {
   const tests::SwayingFigure figure;
   std::mt19937 random(9);
-  const Layout of_threat = *Layout::of(
-      std::vector<std::string>{"kind_2", "mass_kg", "kind_0", "speed_mps", "radius_m", "kind_1"});
+  const Layout of_threat = *Layout::of(std::vector<std::string>{
+      "kind_2", "mass_kg", "kind_0", "speed_mps", "radius_m", "kind_1", "log_impulse"});
   Scenario scenario = random_scenario(random);
   scenario.threat.radius = 0.25F;
   scenario.threat.mass_kg = 3;
@@ -103,6 +103,10 @@ TEST(FeatureVectors, HoldTheThreatsSizeMassAndKind) {
   EXPECT_EQ((std::vector<float>{x[0], x[1], x[2], x[4], x[5]}),
             (std::vector<float>{1, 3, 0, 0.25F, 0}));
   EXPECT_NEAR(x[3], scenario.threat.velocity.norm(), 1e-4F);
+  const float impact_mps = velocity_at(scenario.threat, scenario.time_to_impact_s).norm();
+  EXPECT_NEAR(x[6], std::log(1.7F * 3 * impact_mps), 1e-5F);
+  EXPECT_EQ(of_threat.kind_in(x), 2U);
+  EXPECT_EQ(layout("paper").kind_in(x), 0U);
 }
 
 TEST(FeatureVectors, FollowTheLayoutsOrder) {

@@ -74,13 +74,14 @@ TEST(Threat, AStrokeWaitsMovesStraightAndStops) {
   EXPECT_NEAR(x_at(0.3F), 0.4F, 1e-6F);
   EXPECT_EQ(x_at(5), x_at(0.3F));
   EXPECT_EQ(position_at(fist, 0.28F).z(), 1.5F);
-  for (const float time_s : {0.0F, 0.25F, 5.0F}) EXPECT_EQ(velocity_at(fist, time_s), fist.velocity);
+  for (const float time_s : {0.0F, 0.25F, 5.0F})
+    EXPECT_EQ(velocity_at(fist, time_s), fist.velocity);
   for (const float passed_s : {0.1F, 0.24F, 0.4F}) {
     for (const float time_s : {0.0F, 0.03F, 0.15F, 1.0F}) {
-      EXPECT_LT((position_at(advanced(fist, passed_s), time_s) -
-                 position_at(fist, passed_s + time_s))
-                    .norm(),
-                1e-6F);
+      EXPECT_LT(
+          (position_at(advanced(fist, passed_s), time_s) - position_at(fist, passed_s + time_s))
+              .norm(),
+          1e-6F);
     }
   }
   for (const float bad : {-1e-3F, tests::kNan, tests::kInfinity}) {

@@ -71,7 +71,12 @@ TEST(SelectorFault, OfKindsIsNotWritten) {
        },
        [](Selector& s) { s.kinds[1].radius_m.max = 1e300; },
        [](Selector& s) { s.kinds[1].bounce.restitution = 1.5; },
-       [](Selector& s) { s.kinds[1].bounce.friction = -1; }});
+       [](Selector& s) { s.kinds[1].bounce.friction = -1; },
+       [](Selector& s) { s.kinds[1].shape = static_cast<features::ThreatShape>(3); },
+       [](Selector& s) { s.kinds[1].reach_m = {}; }, [](Selector& s) { s.kinds[1].falls = true; },
+       [](Selector& s) {
+         s.kinds[0].reach_m = {0.5, 1};
+       }});
 }
 
 TEST(SelectorFault, OfCostsIsNotWritten) {
@@ -80,7 +85,7 @@ TEST(SelectorFault, OfCostsIsNotWritten) {
       {[](Selector& s) { s.costs->vulnerability[motion::Body::head] = kNanDouble; },
        [](Selector& s) { s.costs->vulnerability[motion::Body::head] = -1; },
        [](Selector& s) { s.costs->reference_damage_ns[1] = 0; },
-       [](Selector& s) { s.costs->reference_damage_ns.pop_back(); },
+       [](Selector& s) { s.costs->reference_damage_ns.push_back(1); },
        [](Selector& s) { s.costs->reference_work_j = 0; },
        [](Selector& s) { s.costs->reference_work_j = kNanDouble; },
        [](Selector& s) { s.costs->work_j.pop_back(); },

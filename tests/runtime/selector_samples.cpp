@@ -59,7 +59,9 @@ Selector selector_without_model() {
                             .mass_kg = {1.0 / 7, 1.0 / 3},
                             .elevation = {-1.0 / 3, 1},
                             .bounce = {1.0 / 3, 2.0 / 3},
-                            .falls = false});
+                            .falls = false,
+                            .shape = features::ThreatShape::fist,
+                            .reach_m = {1.0 / 3, 2.0 / 3}});
   for (std::size_t i = 0; i < 6 * selector.clips.size(); ++i)
     costs.work_j.push_back(static_cast<float>(i) / 3);
   return selector;

@@ -70,6 +70,34 @@ void add_rows(const ScenarioGroup& group, const std::vector<std::size_t>& member
 
 }  // namespace
 
+std::vector<KindRow> kind_rows(const TrainTestSplit& split, const Evaluation& evaluation,
+                               std::uint64_t seed) {
+  std::vector<const EvaluationRow*> shown;
+  for (const RowTiming& method : evaluation.timing) {
+    shown.push_back(row_named(evaluation, method.name));
+    for (const LookAheadRow& ahead : evaluation.look_ahead)
+      if (ahead.row.name.starts_with(method.name + '+')) shown.push_back(&ahead.row);
+  }
+  std::vector<KindRow> rows;
+  const std::vector<features::KnownKind>& kinds = split.header.kinds;
+  for (std::size_t kind = 0; kinds.size() > 1 && kind < kinds.size(); ++kind) {
+    std::vector<std::size_t> members;
+    for (std::size_t i = 0; i < split.tested.size(); ++i)
+      if (split.tested[i].scenario.threat.kind == static_cast<int>(kind)) members.push_back(i);
+    if (members.empty()) continue;
+    const Resamples resamples = draw_resamples(members.size(), kResampleCount, seed);
+    const auto mean_of = [&](const EvaluationRow& row) {
+      return resampled_mean(chosen_from(row.cost_ns, members), resamples);
+    };
+    const ResampledMean idle = mean_of(evaluation.rows.front());
+    const ResampledMean oracle = mean_of(evaluation.rows.back());
+    for (const EvaluationRow* row : shown)
+      rows.push_back({kinds[kind].name, members.size(), idle.mean, oracle.mean, row->name,
+                      estimate(protection_of, idle, mean_of(*row), oracle)});
+  }
+  return rows;
+}
+
 std::vector<GroupRow> group_rows(const TrainTestSplit& split, const Evaluation& evaluation,
                                  std::uint64_t seed) {
   std::vector<GroupRow> rows;

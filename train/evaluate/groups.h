@@ -24,4 +24,19 @@ struct GroupRow {
 std::vector<GroupRow> group_rows(const TrainTestSplit& split, const Evaluation& evaluation,
                                  std::uint64_t seed);
 
+/// Protection of one row against one kind of threat.
+struct KindRow {
+  std::string kind;
+  std::size_t scenarios = 0;
+  double idle_cost_ns = 0;    ///< mean over its scenarios
+  double oracle_cost_ns = 0;  ///< mean over its scenarios
+  std::string name;           ///< of the row
+  Estimate protection;
+};
+
+/// Returns the results of every method, alone and looking ahead, against every kind of threat that
+/// has scenarios; none where there is one kind. `seed` seeds the resamples.
+std::vector<KindRow> kind_rows(const TrainTestSplit& split, const Evaluation& evaluation,
+                               std::uint64_t seed);
+
 }  // namespace flinch::train

@@ -20,6 +20,10 @@ Labels label(std::span<const Observation> observations, const CostModel& model) 
     labels.cost.push_back(costs_of(observation.trials, observation.scenario.threat.kind, model));
     const std::size_t best = best_trial(observation.trials, labels.cost.back());
     labels.clip.push_back(observation.trials[best].clip);
+    if (model.reference_damage_ns.size() == 1) continue;
+    const auto kind = static_cast<std::size_t>(observation.scenario.threat.kind);
+    labels.unit.push_back(
+        static_cast<float>(model.reference_damage_ns[kind] / model.reference_damage_ns.front()));
   }
   return labels;
 }
@@ -52,6 +56,7 @@ models::TrainingSet make_training_set(const StoreHeader& header,
     set.mask.push_back(static_cast<int>(observation.scenario.target));
   }
   set.label = labels.clip;
+  set.unit = labels.unit;
   const std::size_t clips = header.clips.size();
   set.cost.assign(observations.size() * clips, std::numeric_limits<float>::infinity());
   for (std::size_t i = 0; i < observations.size(); ++i) {

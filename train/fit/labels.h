@@ -19,6 +19,8 @@ CostModel make_cost_model(const StoreHeader& header, const VulnerabilityProfile&
 struct Labels {
   std::vector<std::vector<double>> cost;  ///< N·s, one row per observation, one value per trial
   std::vector<int> clip;                  ///< the label: index of the clip with the lowest cost
+  /// What costs count by: D* of the threat's kind over that of the first. Empty for one kind.
+  std::vector<float> unit;
 };
 Labels label(std::span<const Observation> observations, const CostModel& model);
 

@@ -102,10 +102,9 @@ Offset<schema::ResponseCosts> store(FlatBufferBuilder& builder,
   const std::vector<double>& damages_ns = costs.reference_damage_ns;
   Offset<flatbuffers::Vector<double>> damages;
   if (damages_ns.size() > 1) damages = builder.CreateVector(damages_ns);
-  return schema::CreateResponseCosts(builder, vulnerability, damages_ns.front(),
-                                     costs.reference_work_j, work, costs.phase_count,
-                                     costs.time_count, costs.min_time_s, costs.time_step_s, name,
-                                     damages);
+  return schema::CreateResponseCosts(
+      builder, vulnerability, damages_ns.front(), costs.reference_work_j, work, costs.phase_count,
+      costs.time_count, costs.min_time_s, costs.time_step_s, name, damages);
 }
 
 Offset<schema::Kind> store(FlatBufferBuilder& builder, const features::KnownKind& kind) {

@@ -15,9 +15,9 @@ namespace flinch::train {
 /// Parameters that turn impulses and work into a cost.
 struct CostModel {
   Vulnerability vulnerability = vulnerability_profiles()[0].vulnerability;
-  double brawn = 0.5;              ///< in [0, 1]: weight of work against damage
+  double brawn = 0.5;                          ///< in [0, 1]: weight of work against damage
   std::vector<double> reference_damage_ns{1};  ///< D* of each kind of threat
-  double reference_work_j = 1;     ///< W*, positive
+  double reference_work_j = 1;                 ///< W*, positive
   std::string vulnerability_name = vulnerability_profiles()[0].name;
 };
 
@@ -28,8 +28,8 @@ double reference_damage_ns(const Vulnerability& vulnerability, const features::K
 /// damage = sum over the bodies b of v_b I_b, N·s (Zordan et al. 2007, equation 1).
 double damage_ns(const motion::PerBody<float>& impulse, const Vulnerability& vulnerability);
 
-/// cost = (1 - h) damage + h W D*/W*, N·s. The factor D*/W* makes work and damage comparable. `kind`
-/// is that of the threat, an index of the model's.
+/// cost = (1 - h) damage + h W D*/W*, N·s. The factor D*/W* makes work and damage comparable.
+/// `kind` is that of the threat, an index of the model's.
 double cost_of(const Trial& trial, int kind, const CostModel& model);
 
 /// Returns one cost per trial.

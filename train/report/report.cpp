@@ -74,6 +74,16 @@ Json document_of(const BrawnRow& row) {
   return document;
 }
 
+Json document_of(const KindRow& row) {
+  Json document{{"kind", row.kind},
+                {"scenarios", row.scenarios},
+                {"idle_cost_ns", row.idle_cost_ns},
+                {"oracle_cost_ns", row.oracle_cost_ns},
+                {"name", row.name}};
+  put(document, "protection", row.protection);
+  return document;
+}
+
 Json document_of(const GroupRow& row) {
   Json document{
       {"group", row.group}, {"value", row.value}, {"scenarios", row.scenarios}, {"name", row.name}};
@@ -241,6 +251,7 @@ Json report_document(const Report& report) {
           {"rows", list(report.evaluation.rows, to_document)},
           {"look_ahead", list(report.evaluation.look_ahead, to_document)},
           {"paired", paired_document(report.evaluation)},
+          {"kinds", list(report.kinds, to_document)},
           {"methods", list(report.methods, to_document)},
           {"sizes", sizes},
           {"groups", list(report.groups, to_document)},

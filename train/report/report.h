@@ -46,6 +46,7 @@ struct Report {
   std::vector<std::string> features;
   std::vector<std::string> clips;  ///< in the library's order
   Evaluation evaluation;
+  std::vector<KindRow> kinds;  ///< empty where there is one kind of threat
   std::vector<MethodSummary> methods;
   std::vector<GroupRow> groups;
   std::vector<DirectionRow> directions;

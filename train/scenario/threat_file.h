@@ -15,8 +15,8 @@ struct ThreatFile {
   std::string_view text;
 };
 
-/// Returns the shipped files, "default", "balls" and "kinds"; the first is that of the distribution that
-/// ScenarioDistribution has by default.
+/// Returns the shipped files, "default", "balls" and "kinds"; the first is that of the distribution
+/// that ScenarioDistribution has by default.
 std::span<const ThreatFile> threat_files();
 
 /// Returns the distribution in the text of a TOML file (docs/threats.md): a list `kind` of tables,

@@ -54,18 +54,18 @@ Json document_of(const ThreatKind& kind) {
   for (const motion::Target target : motion::kTargets)
     targets[std::string(motion::name_of(target))] = kind.target_weight[target];
   Json document{{"name", kind.name},
-          {"weight", kind.weight},
-          {"radius_m", document_of(kind.radius_m)},
-          {"mass_kg", document_of(kind.mass_kg)},
-          {"speed_mps", document_of(kind.speed_mps)},
-          {"azimuth_degrees", azimuth},
-          {"elevation_degrees", degrees_of(kind.elevation)},
-          {"time_to_impact_s", document_of(kind.time_to_impact_s)},
-          {"targets", targets},
-          {"aim_radius_m", kind.aim_radius_m},
-          {"restitution", kind.bounce.restitution},
-          {"friction", kind.bounce.friction},
-          {"flight", kind.falls ? "falling" : "straight"}};
+                {"weight", kind.weight},
+                {"radius_m", document_of(kind.radius_m)},
+                {"mass_kg", document_of(kind.mass_kg)},
+                {"speed_mps", document_of(kind.speed_mps)},
+                {"azimuth_degrees", azimuth},
+                {"elevation_degrees", degrees_of(kind.elevation)},
+                {"time_to_impact_s", document_of(kind.time_to_impact_s)},
+                {"targets", targets},
+                {"aim_radius_m", kind.aim_radius_m},
+                {"restitution", kind.bounce.restitution},
+                {"friction", kind.bounce.friction},
+                {"flight", kind.falls ? "falling" : "straight"}};
   if (kind.shape != features::ThreatShape::ball) document["shape"] = name_of(kind.shape);
   if (kind.shape == features::ThreatShape::fist) document["reach_m"] = document_of(kind.reach_m);
   return document;

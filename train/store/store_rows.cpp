@@ -18,10 +18,10 @@ namespace {
 /// The numbers of a scenario, one per column after `number` and `target`. Version 4 lacks the last
 /// two, and version 3 the kind too.
 constexpr std::array<const char*, 16> kScenarioColumns{
-    "time_to_impact_s",  "threat_x",          "threat_y",           "threat_z",
-    "threat_velocity_x", "threat_velocity_y", "threat_velocity_z",  "radius_m",
-    "mass_kg",           "idle_time_s",       "character_x",        "character_y",
-    "character_facing",  "kind",              "stroke_starts_in_s", "stroke_lasts_s"};
+    "time_to_impact_s",  "threat_x",          "threat_y",         "threat_z", "threat_velocity_x",
+    "threat_velocity_y", "threat_velocity_z", "radius_m",         "mass_kg",  "idle_time_s",
+    "character_x",       "character_y",       "character_facing", "kind",     "stroke_starts_in_s",
+    "stroke_lasts_s"};
 constexpr std::size_t kKindColumn = 13;
 using ScenarioNumbers = std::array<double, kScenarioColumns.size()>;
 

@@ -73,9 +73,9 @@ std::vector<StoreTable> store_tables(int version) {
 void write_kinds(Database& database, const StoreHeader& header) {
   std::string marks = "?, ?, ?, ?, ?, ?";
   for (std::size_t i = 0; i < kKindColumns.size(); ++i) marks += ", ?";
-  Statement insert = database.prepare("INSERT INTO kind(kind, name" + number_columns() +
-                                      ", falls, shape, min_reach_m, max_reach_m) VALUES(" +
-                                      marks + ")");
+  Statement insert =
+      database.prepare("INSERT INTO kind(kind, name" + number_columns() +
+                       ", falls, shape, min_reach_m, max_reach_m) VALUES(" + marks + ")");
   for (std::size_t i = 0; i < header.kinds.size(); ++i) {
     insert.bind(static_cast<std::int64_t>(i)).bind(header.kinds[i].name);
     for (const double number : numbers_of(header.kinds[i])) insert.bind(number);
@@ -256,11 +256,11 @@ int require_store(Database& database) {
     throw Error(database.path(), "not a store; `flinch simulate` makes one");
   const std::int64_t version = pragma(database, "user_version");
   if (version < kMinStoreFormatVersion || version > kStoreFormatVersion)
-    throw Error(database.path(), "is a store of format " + std::to_string(version) +
-                                     ", and this program reads format " +
-                                     std::to_string(kMinStoreFormatVersion) + " to " +
-                                     std::to_string(kStoreFormatVersion) +
-                                     "; delete it and run `flinch simulate` again");
+    throw Error(database.path(),
+                "is a store of format " + std::to_string(version) +
+                    ", and this program reads format " + std::to_string(kStoreFormatVersion) +
+                    " and those before it from " + std::to_string(kMinStoreFormatVersion) + " on" +
+                    "; delete it and run `flinch simulate` again");
   require_tables(database, static_cast<int>(version));
   return static_cast<int>(version);
 }

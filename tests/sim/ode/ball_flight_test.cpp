@@ -102,7 +102,7 @@ TEST(BallFlight, FollowsTheParabolaWhateverTheSteps) {
   std::uniform_real_distribution<double> step(1e-6, 0.02);
   const features::Ball thrown = ball_at({1, 2, 30}, {-4, 3, 8});
   OdeWorld world;
-  const BallFlight ball(world.id(), thrown);
+  BallFlight ball(world.id(), thrown);
   double time_s = 0;
   for (int i = 0; i < 200; ++i) {
     const double step_s = step(generator);
@@ -137,7 +137,8 @@ TEST(BallFlight, ImpulseOfAVolleyballOnAFreeHeadMatchesTheClosedForm) {
   }
 }
 
-// What does not bounce stays at the sphere: J = v m1 m2 / (m1 + m2). It stops where its stroke ends.
+// What does not bounce stays at the sphere: J = v m1 m2 / (m1 + m2). It stops where its stroke
+// ends.
 TEST(BallFlight, ImpulseOfAFistMatchesTheClosedFormAndEndsWithItsStroke) {
   features::Ball fist = ball_at({3, 0, 0}, {-8, 0, 0});
   fist.radius = 0.05;

@@ -83,8 +83,8 @@ TEST_F(RehearsalTest, ImpulsesMatchTheFullSimulation) {
   EXPECT_LE(other, 2);
 }
 
-/// The same balls as fists and blades: heavy and slow without gravity, or small; neither bounces.
-/// Every third stroke ends before the contact, and every third starts after it.
+/// The same balls as fists and blades: heavy and straight, or small; neither bounces. A third of
+/// the strokes ends before the contact, and another third starts after it.
 std::vector<scenes::Hit> struck(std::vector<scenes::Hit> hits) {
   for (std::size_t i = 0; i < hits.size(); ++i) {
     features::Ball& ball = hits[i].ball;
@@ -93,6 +93,9 @@ std::vector<scenes::Hit> struck(std::vector<scenes::Hit> hits) {
       ball.radius = 0.012;
       continue;
     }
+    const features::Ball then = ball.at(0.5);  // near the figure
+    ball.velocity = then.velocity;
+    ball.position = then.position - 0.5 * then.velocity;
     ball.gravity_mps2 = 0;
     ball.mass_kg = 3;
     ball.radius = 0.05;
@@ -107,7 +110,7 @@ TEST_F(RehearsalTest, ImpulsesOfFistsAndBladesMatchTheFullSimulation) {
   int hits = 0;
   int strokes = 0;
   int other = 0;
-  const std::vector<scenes::Hit> thrown = struck(balls(120, 12));
+  const std::vector<scenes::Hit> thrown = struck(balls(60, 12));
   for (const scenes::Hit& hit : thrown) {
     const auto slow = reference_.simulate(motions_[hit.motion].motion, &hit.ball, 1);
     const auto fast = simulator_.simulate(rehearsed[hit.motion], hit.ball);
@@ -120,9 +123,9 @@ TEST_F(RehearsalTest, ImpulsesOfFistsAndBladesMatchTheFullSimulation) {
     EXPECT_NEAR(slow.first_contact_s, fast.first_contact_s, 1e-6);
     if (change(slow, fast) > 0.005) ++other;
   }
-  EXPECT_GT(hits, 30);
-  EXPECT_GT(strokes, 10);
-  EXPECT_LE(other, 3);
+  EXPECT_GT(hits, 20);
+  EXPECT_GT(strokes, 5);
+  EXPECT_LE(other, 2);
 }
 
 // The ball falls before the shins, bounces off the ground and hits them on its way up.

@@ -25,7 +25,8 @@ const EvaluationRow& row(const Evaluation& evaluation, const std::string& name) 
 
 TEST(CostModel, TakesItsReferencesFromTheStore) {
   const Store store = made_up_store(1);
-  EXPECT_DOUBLE_EQ(default_cost(store.header).reference_damage_ns.front(), 13.77);  // vulnerability 1
+  EXPECT_DOUBLE_EQ(default_cost(store.header).reference_damage_ns.front(),
+                   13.77);  // vulnerability 1
   EXPECT_DOUBLE_EQ(default_cost(store.header).reference_work_j, 250);
 }
 

@@ -136,9 +136,10 @@ TEST(ThreatFile, WhatIsWrongIsSaidWithItsLine) {
               HasSubstr("at least one [[kind]]"));
   EXPECT_THAT(tests::error_of([] { parse_threats("", "a.toml"); }),
               HasSubstr("at least one [[kind]]"));
-  EXPECT_EQ(tests::error_of([] { find_threats("cats"); }),
-            "there are no threats named cats; shipped are: default, balls, kinds; a name that ends in "
-            ".toml is that of a file");
+  EXPECT_EQ(
+      tests::error_of([] { find_threats("cats"); }),
+      "there are no threats named cats; shipped are: default, balls, kinds; a name that ends in "
+      ".toml is that of a file");
 }
 
 }  // namespace
