@@ -51,6 +51,23 @@ std::optional<Degree> degree_named(std::string_view name) {
   return enum_named(kDegreeNames, name);
 }
 
+bool is_push_place(Role role) {
+  return std::ranges::find(kPushPlaces, role) != kPushPlaces.end();
+}
+
+std::string_view push_place_name(Role place) {
+  if (place == Role::left_upper_arm) return "left_shoulder";
+  if (place == Role::right_upper_arm) return "right_shoulder";
+  return is_push_place(place) ? name_of(place) : "";
+}
+
+std::optional<Role> push_place_named(std::string_view name) {
+  for (const Role place : kPushPlaces) {
+    if (push_place_name(place) == name) return place;
+  }
+  return std::nullopt;
+}
+
 std::string_view name_of(Purpose purpose) {
   return kPurposeNames[purpose];
 }

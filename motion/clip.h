@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -48,6 +49,30 @@ struct Annotation {
   float end_s = 0;    ///< when the movement has ended
 };
 
+/// What pushed the character of a recovery from a push, and how hard. Times are seconds from the
+/// clip's first pose, with 0 <= contact < peak <= duration.
+struct Push {
+  float contact_s = 0;       ///< when the push begins
+  float peak_s = 0;          ///< when the pushed joint moves fastest along the push
+  Role place = Role::chest;  ///< the pushed joint; is_push_place()
+  /// Where the push comes from, radians counter-clockwise from the facing at contact, (-pi, pi].
+  float direction = 0;
+  /// Of the pushed joint at the peak, m/s: how strong the push is. In the frame of the character's
+  /// facing at contact: X forward, Y left, Z up.
+  Eigen::Vector3f velocity = Eigen::Vector3f::Zero();
+};
+
+/// The joints at which a character can be pushed.
+inline constexpr std::array<Role, 5> kPushPlaces{Role::chest, Role::neck, Role::head,
+                                                 Role::left_upper_arm, Role::right_upper_arm};
+/// Whether a character can be pushed at this joint: one of kPushPlaces.
+bool is_push_place(Role role);
+/// The name in files, options and messages: "chest", "neck", "head", "left_shoulder" or
+/// "right_shoulder"; empty for other joints.
+std::string_view push_place_name(Role place);
+/// The place with this name, if there is one.
+std::optional<Role> push_place_named(std::string_view name);
+
 /// The role of a clip in its library.
 enum class Purpose : std::uint8_t {
   anticipation,  ///< answers threats, if it is annotated
@@ -89,6 +114,7 @@ struct Clip {
   std::optional<Annotation> annotation;  ///< none: it answers no threat
   std::string mirrored_from;             ///< name of the clip that this one mirrors; empty if none
   Motion motion;
+  std::optional<Push> push;  ///< none: it answers no push
 };
 
 }  // namespace flinch::motion

@@ -17,13 +17,26 @@ Pose mirrored(const Pose& pose) {
   return result;
 }
 
-Clip mirrored(const Clip& clip) {
+namespace {
+
+float mirrored_direction(float direction) {
   constexpr float kAlmostBehind = std::numbers::pi_v<float> - 1e-3F;
+  return direction < kAlmostBehind ? -direction : direction;
+}
+
+}  // namespace
+
+Clip mirrored(const Clip& clip) {
   Clip result = clip;
   result.name = clip.name + "_mirrored";
   result.mirrored_from = clip.name;
-  if (result.annotation && result.annotation->direction < kAlmostBehind) {
-    result.annotation->direction = -result.annotation->direction;
+  if (result.annotation) {
+    result.annotation->direction = mirrored_direction(result.annotation->direction);
+  }
+  if (result.push) {
+    result.push->place = mirrored(result.push->place);
+    result.push->direction = mirrored_direction(result.push->direction);
+    result.push->velocity.y() = -result.push->velocity.y();
   }
   for (Pose& pose : result.motion.poses) pose = mirrored(pose);
   return result;

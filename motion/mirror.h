@@ -9,8 +9,8 @@ namespace flinch::motion {
 /// roles. Exact: mirroring twice gives the same bits.
 Pose mirrored(const Pose& pose);
 
-/// Returns the mirrored clip: "_mirrored" is appended to its name, its direction changes sign (180
-/// degrees stays), and `mirrored_from` is set.
+/// Returns the mirrored clip: "_mirrored" is appended to its name, directions change sign (180
+/// degrees stays), a push is at the other side, and `mirrored_from` is set.
 Clip mirrored(const Clip& clip);
 
 }  // namespace flinch::motion

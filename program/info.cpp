@@ -35,6 +35,15 @@ struct InfoOptions {
   bool json = false;
 };
 
+Json push_document(const motion::Push& push) {
+  const Eigen::Vector3f& v = push.velocity;
+  return {{"place", motion::push_place_name(push.place)},
+          {"direction_degrees", shortest(motion::degrees(push.direction))},
+          {"velocity_mps", {shortest(v.x()), shortest(v.y()), shortest(v.z())}},
+          {"contact_s", shortest(push.contact_s)},
+          {"peak_s", shortest(push.peak_s)}};
+}
+
 Json clip_document(const motion::Clip& clip) {
   Json document{{"name", clip.name},
                 {"purpose", motion::name_of(clip.purpose)},
@@ -43,6 +52,7 @@ Json clip_document(const motion::Clip& clip) {
                 {"source", clip.source}};
   if (!clip.mirrored_from.empty()) document["mirrored_from"] = clip.mirrored_from;
   document["annotation"] = to_json(models::ClipSummary{clip.name, clip.annotation});
+  if (clip.push) document["push"] = push_document(*clip.push);
   return document;
 }
 
@@ -62,7 +72,19 @@ Json library_document(const database::ClipLibrary& library) {
           {"clips", clips}};
 }
 
-std::vector<std::string> annotation_cells(const std::optional<motion::Annotation>& annotation) {
+/// Of a push: place, direction, speed, contact and peak.
+std::vector<std::string> push_cells(const motion::Push& push) {
+  return {std::string(motion::push_place_name(push.place)),
+          fixed(motion::degrees(double{push.direction}), 0),
+          fixed(double{push.velocity.norm()}, 2) + " m/s",
+          fixed(double{push.contact_s}, 2),
+          fixed(double{push.peak_s}, 2),
+          "-"};
+}
+
+std::vector<std::string> annotation_cells(const motion::Clip& clip) {
+  if (clip.push) return push_cells(*clip.push);
+  const std::optional<motion::Annotation>& annotation = clip.annotation;
   if (!annotation) return {"-", "-", "-", "-", "-", "-"};
   return {std::string(motion::name_of(annotation->target)),
           fixed(motion::degrees(double{annotation->direction}), 0),
@@ -85,7 +107,7 @@ void print_library(const database::ClipLibrary& library) {
   for (const motion::Clip& clip : library.clips) {
     std::vector<std::string> cells{clip.name, std::string(motion::name_of(clip.purpose)),
                                    fixed(double{clip.motion.duration_s()}, 2)};
-    const std::vector<std::string> annotation = annotation_cells(clip.annotation);
+    const std::vector<std::string> annotation = annotation_cells(clip);
     cells.insert(cells.end(), annotation.begin(), annotation.end());
     table.add(cells);
   }

@@ -50,6 +50,12 @@ Offset<schema::Annotation> store(FlatBufferBuilder& builder, const motion::Annot
                                   annotation.end_s);
 }
 
+Offset<schema::Push> store(FlatBufferBuilder& builder, const motion::Push& push) {
+  return schema::CreatePush(builder, push.contact_s, push.peak_s,
+                            static_cast<std::uint8_t>(push.place), push.direction,
+                            push.velocity.x(), push.velocity.y(), push.velocity.z());
+}
+
 // Each part is stored in a statement of its own: the order in which arguments are evaluated is
 // unspecified, and the bytes must not depend on it.
 Offset<schema::Clip> store(FlatBufferBuilder& builder, const motion::Clip& clip) {
@@ -60,8 +66,10 @@ Offset<schema::Clip> store(FlatBufferBuilder& builder, const motion::Clip& clip)
   Offset<schema::Annotation> annotation;
   if (clip.annotation) annotation = store(builder, *clip.annotation);
   const auto poses = builder.CreateVector(floats_of(clip.motion.poses));
+  Offset<schema::Push> push;
+  if (clip.push) push = store(builder, *clip.push);
   return schema::CreateClip(builder, name, static_cast<std::uint8_t>(clip.purpose), kind, source,
-                            mirrored_from, annotation, poses);
+                            mirrored_from, annotation, poses, push);
 }
 
 Offset<schema::Character> store(FlatBufferBuilder& builder, const motion::Physique& character) {

@@ -18,6 +18,7 @@
 #include "database/library/library_check.h"
 #include "motion/error.h"
 #include "motion/mirror.h"
+#include "motion/push_measurement.h"
 
 namespace flinch::database {
 namespace {
@@ -135,6 +136,16 @@ motion::Annotation annotation_in(const ManifestEntry& entry, double start_s, flo
   return annotation;
 }
 
+// Converts the time in the source to a time in the clip, and measures what the entry leaves open.
+std::optional<motion::Push> push_in(const PushEntry& entry, double start_s,
+                                    const motion::Skeleton& skeleton,
+                                    const motion::Motion& motion) {
+  motion::PushNotes notes{.contact_s = {}, .direction = entry.direction, .place = entry.place};
+  if (entry.contact_s)
+    notes.contact_s = static_cast<float>(std::max(*entry.contact_s - start_s, 0.0));
+  return motion::measure_push(skeleton, motion, notes);
+}
+
 void add_clip(const ManifestEntry& entry, const LoadedSource& loaded, const motion::Figure& figure,
               ImportResult& result) {
   ClipLibrary& library = result.library;
@@ -151,11 +162,19 @@ void add_clip(const ManifestEntry& entry, const LoadedSource& loaded, const moti
         annotation_in(entry, loaded.motion.start_s + segment.start_s, clip.motion.duration_s());
   }
   if (entry.purpose == motion::Purpose::stance) clip.motion = closed_loop(clip.motion, entry.where);
+  if (entry.push) {
+    clip.push =
+        push_in(*entry.push, loaded.motion.start_s + segment.start_s, skeleton, clip.motion);
+  }
   const JudgedClip judged{loaded.source, loaded.motion, segment, figure, clip};
   require_near(entry.where, judged);
   result.report.clips.push_back(
       {clip.name, clip.purpose, clip.source, clip.motion.duration_s(), clip.annotation.has_value(),
        measure_foot_drift(loaded.motion, skeleton, segment, clip.motion), judge_motion(judged)});
+  if (entry.push && !clip.push) {
+    result.report.clips.back().warnings.push_back(
+        "nothing moves as if pushed, so it answers no push; say when with contact = SECONDS");
+  }
   library.clips.push_back(clip);
   if (is_mirrored(entry)) library.clips.push_back(motion::mirrored(clip));
 }

@@ -131,16 +131,25 @@ ManifestEntry read_clip(const TomlReader& reader) {
   return entry;
 }
 
-// A push's direction, strength and time of contact are checked although the import does not use
-// them yet, so that manifests are already valid once reactions do.
+motion::Role read_push_place(const TomlReader& reader) {
+  return named<motion::Role>(reader, "place", motion::push_place_named,
+                             {"chest", "neck", "head", "left_shoulder", "right_shoulder"});
+}
+
+// Strength is a word for people: how strong the push is, the motion says.
 ManifestEntry read_push(const TomlReader& reader) {
   reader.expect_keys(
-      {"name", "file", "start", "end", "heading", "contact", "direction", "strength"});
+      {"name", "file", "start", "end", "heading", "contact", "direction", "strength", "place"});
   ManifestEntry entry = read_entry(reader, motion::Purpose::push);
   entry.kind = "push";
-  if (reader.has("contact"))
-    check_within(reader, "contact", reader.needed_number("contact"), entry);
-  if (reader.has("direction")) degrees_within_half_turn(reader, "direction");
+  PushEntry& push = entry.push.emplace();
+  push.contact_s = reader.number("contact");
+  if (push.contact_s) check_within(reader, "contact", *push.contact_s, entry);
+  if (reader.has("direction")) {
+    push.direction =
+        static_cast<float>(motion::radians(degrees_within_half_turn(reader, "direction")));
+  }
+  if (reader.has("place")) push.place = read_push_place(reader);
   if (const std::optional<std::string> strength = reader.text("strength")) {
     if (*strength != "mild" && *strength != "strong") {
       reader.fail("strength",

@@ -14,6 +14,13 @@ namespace flinch::database {
 /// The lowest frame rate that a library of motion capture may have, Hz; the highest is kMaxRate_hz.
 inline constexpr double kMinImportRate_hz = 10;
 
+/// What a [[push]] says of its push. What it leaves out is measured.
+struct PushEntry {
+  std::optional<double> contact_s;  ///< from the start of the file
+  std::optional<float> direction;   ///< see motion::Push
+  motion::Role place = motion::Role::chest;
+};
+
 /// One [[idle]], [[clip]], [[push]] or [[stance]]. Times are seconds from the start of its file.
 struct ManifestEntry {
   std::string name;
@@ -25,7 +32,8 @@ struct ManifestEntry {
   double heading = 0;             ///< see Segment, radians
   /// Onset and peak are relative to the file's start; `end_s` is not set. None: unannotated.
   std::optional<motion::Annotation> annotation;
-  std::string where;  ///< "FILE:LINE" of the manifest, for messages
+  std::optional<PushEntry> push;  ///< of a [[push]]
+  std::string where;              ///< "FILE:LINE" of the manifest, for messages
 };
 
 /// Whether the entry's clip is added a second time, mirrored, as NAME_mirrored: annotated clips and

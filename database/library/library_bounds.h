@@ -36,10 +36,16 @@ inline constexpr float kMinRise_s = 1e-3F;
 /// Of times in clips whose motion is not in the file: kMaxPoses at kMinRate_hz.
 inline constexpr float kMaxTime_s = 1e6F;
 
+/// Of the joint that a push moves: no one survives more.
+inline constexpr float kMaxPushSpeed_mps = 20;
+
 /// Returns what is wrong with the name of a library or clip, or null.
 const char* fault_of_name(std::string_view name);
 
 /// Returns what is wrong with the annotation of a clip that lasts `duration_s`, or null.
 const char* fault_of(const motion::Annotation& annotation, float duration_s);
+
+/// Returns what is wrong with the push of a clip that lasts `duration_s`, or null.
+const char* fault_of(const motion::Push& push, float duration_s);
 
 }  // namespace flinch::database

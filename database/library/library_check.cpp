@@ -69,7 +69,11 @@ const char* fault_of(const Clip& clip, float rate_hz) {
     if (gap.height_m > motion::kMaxLoopGap_m || gap.angle > motion::kMaxLoopGap)
       return "is a stance whose last pose does not continue as its first";
   }
-  return clip.annotation ? database::fault_of(*clip.annotation, clip.motion.duration_s()) : nullptr;
+  const float duration_s = clip.motion.duration_s();
+  if (clip.annotation) {
+    if (const char* what = database::fault_of(*clip.annotation, duration_s)) return what;
+  }
+  return clip.push ? database::fault_of(*clip.push, duration_s) : nullptr;
 }
 
 /// Whether the figure's bodies, whose sizes follow from these lengths, have sizes above 0.
@@ -123,6 +127,20 @@ const char* fault_of(const Annotation& annotation, float duration_s) {
       annotation.peak_s <= annotation.end_s && annotation.end_s <= duration_s + kTimeTolerance_s;
   return in_order ? nullptr
                   : "breaks 0 <= onset < peak <= end <= duration, with 1 ms from onset to peak";
+}
+
+const char* fault_of(const motion::Push& push, float duration_s) {
+  if (static_cast<int>(push.place) >= motion::kRoleCount || !motion::is_push_place(push.place)) {
+    return "has a push at a joint that is not of the upper body";
+  }
+  if (!(std::abs(push.direction) <= std::numbers::pi_v<float> + kDirectionTolerance)) {
+    return "has a push from a direction that is not within half a turn";
+  }
+  if (!is_within(push.velocity, kMaxPushSpeed_mps)) return "has a push of more than 20 m/s";
+  const bool in_order = push.contact_s >= 0 && push.peak_s - push.contact_s >= kMinRise_s &&
+                        push.peak_s <= duration_s + kTimeTolerance_s;
+  return in_order ? nullptr
+                  : "breaks 0 <= contact < peak <= duration, with 1 ms from contact to peak";
 }
 
 const char* fault_of(const motion::Physique& character) {

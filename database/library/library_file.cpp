@@ -66,6 +66,14 @@ motion::Annotation annotation_of(const schema::Annotation& stored) {
           .end_s = stored.end_s()};
 }
 
+motion::Push push_of(const schema::Push& stored) {
+  return {.contact_s = stored.contact_s(),
+          .peak_s = stored.peak_s(),
+          .place = static_cast<motion::Role>(stored.place()),
+          .direction = stored.direction(),
+          .velocity = {stored.velocity_x(), stored.velocity_y(), stored.velocity_z()}};
+}
+
 bool read_clip(const schema::Clip& stored, float rate_hz, motion::Clip& clip) {
   clip.name = stored.name()->str();
   clip.purpose = static_cast<motion::Purpose>(stored.purpose());
@@ -73,6 +81,7 @@ bool read_clip(const schema::Clip& stored, float rate_hz, motion::Clip& clip) {
   clip.source = stored.source()->str();
   clip.mirrored_from = stored.mirrored_from()->str();
   if (stored.annotation() != nullptr) clip.annotation = annotation_of(*stored.annotation());
+  if (stored.push() != nullptr) clip.push = push_of(*stored.push());
   clip.motion.rate_hz = rate_hz;
   return read_poses(*stored.poses(), clip.motion.poses);
 }

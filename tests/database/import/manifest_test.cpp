@@ -45,6 +45,7 @@ TEST(Manifest, MatchesTheFile) {
       folder,
       clip_with(std::string(kAnnotated) + "kind = \"duck\"\nheading = -30\n") +
           "[[push]]\nname = \"push\"\nfile = \"b/c.bvh\"\ncontact = 2\nstrength = \"mild\"\n"
+          "direction = 170\nplace = \"right_shoulder\"\n"
           "[library]\nname = \"real\"\nrate = 50\nskeleton = \"b/c.bvh\"\n"
           "[character]\nmass_kg = 60\nsex = \"female\"\nheight_m = 1.7\n"
           "[source.\"b\"]\nunits = \"inch\"\nup = \"-z\"\nrest = \"b/t.bvh\"\nskip_first = true\n"
@@ -70,6 +71,10 @@ TEST(Manifest, MatchesTheFile) {
   EXPECT_NEAR(clip.annotation->direction, std::numbers::pi / 2, 1e-6);
   EXPECT_EQ(manifest.entries[2].purpose, motion::Purpose::push);
   EXPECT_FALSE(manifest.entries[2].annotation);
+  ASSERT_TRUE(manifest.entries[2].push);
+  EXPECT_EQ(manifest.entries[2].push->contact_s, 2);
+  EXPECT_NEAR(manifest.entries[2].push->direction.value(), 2.967, 1e-3);
+  EXPECT_EQ(manifest.entries[2].push->place, motion::Role::right_upper_arm);
 
   const SourceOptions options = options_for(manifest, "b/c.bvh");
   EXPECT_EQ(options.unit, LengthUnit::cmu);  // the longer path wins
@@ -297,6 +302,23 @@ TEST(ClosedLoop, SpreadsASmallGapAndSaysByHowMuchALargeOneIsTooLarge) {
   EXPECT_THAT(error_of([&] { closed_loop(motion, "m.toml:7"); }),
               AllOf(HasSubstr("m.toml:7: does not loop"), HasSubstr("height differs by 3.0 cm"),
                     HasSubstr("right_shin by 31 degrees; at most 5 cm and 20 degrees")));
+}
+
+TEST(Import, MeasuresPushesAndNotesWhereNothingIsPushed) {
+  const TemporaryFolder folder;
+  write_standing(folder / "a.bvh");
+  const std::string push = "[[push]]\nname = \"shove\"\nfile = \"a.bvh\"\n";
+  folder.write("m.toml", std::string(kIdle) + push);
+  const ImportResult still = import_library({}, folder / "m.toml");
+  EXPECT_FALSE(still.library.clips[1].push);
+  EXPECT_THAT(still.report.clips[1].warnings,
+              testing::Contains(HasSubstr("nothing moves as if pushed")));
+  EXPECT_THAT(error_of([&] {
+                folder.write("m.toml", std::string(kIdle) + push + "place = \"left_foot\"\n");
+                import_library({}, folder / "m.toml");
+              }),
+              AllOf(HasSubstr("m.toml:7: "), HasSubstr("unknown place \"left_foot\""),
+                    HasSubstr("left_shoulder")));
 }
 
 TEST(Import, RefusesFilesThatAreNotThereAndTimesOutsideThem) {

@@ -50,6 +50,14 @@ void expect_same(const motion::Clip& one, const motion::Clip& other) {
   EXPECT_EQ(one.mirrored_from, other.mirrored_from);
   EXPECT_EQ(one.motion.rate_hz, other.motion.rate_hz);
   expect_same(one.motion.poses, other.motion.poses);
+  ASSERT_EQ(one.push.has_value(), other.push.has_value());
+  if (one.push) {
+    EXPECT_EQ(one.push->contact_s, other.push->contact_s);
+    EXPECT_EQ(one.push->peak_s, other.push->peak_s);
+    EXPECT_EQ(one.push->place, other.push->place);
+    EXPECT_EQ(one.push->direction, other.push->direction);
+    EXPECT_EQ(one.push->velocity, other.push->velocity);
+  }
   ASSERT_EQ(one.annotation.has_value(), other.annotation.has_value());
   if (!one.annotation) return;
   EXPECT_EQ(one.annotation->target, other.annotation->target);
@@ -246,6 +254,12 @@ TEST(LibraryFile, RefusesToWriteAnInvalidLibrary) {
       {"clip 2 () has no name", [](ClipLibrary& l) { l.clips[2].name.clear(); }},
       {"clip 3 (idle) shares its name", [](ClipLibrary& l) { l.clips[3].name = "idle"; }},
       {"rate", [](ClipLibrary& l) { l.rate_hz = 0; }},
+      {"push at a joint", [](ClipLibrary& l) { l.clips[3].push->place = motion::Role::left_foot; }},
+      {"push at a joint", [](ClipLibrary& l) { l.clips[3].push->place = motion::Role{99}; }},
+      {"push from a direction", [](ClipLibrary& l) { l.clips[3].push->direction = kNan; }},
+      {"20 m/s", [](ClipLibrary& l) { l.clips[3].push->velocity.x() = kNan; }},
+      {"contact < peak", [](ClipLibrary& l) { l.clips[3].push->contact_s = 0.0249F; }},
+      {"contact < peak", [](ClipLibrary& l) { l.clips[3].push->peak_s = 9; }},
       {"another rate", [](ClipLibrary& l) { l.clips[0].motion.rate_hz = 30; }},
       {"mass", [](ClipLibrary& l) { l.character.mass_kg = -1; }},
       {"skeleton", [](ClipLibrary& l) { l.character.skeleton.tip[motion::Role::head].x() = kNan; }},

@@ -20,7 +20,7 @@ inline motion::Clip random_clip(std::mt19937& random, const std::string& name, i
 }
 
 /// A valid library at 60 Hz: an idle clip of one pose, an annotated clip, its mirror image in name
-/// only, and a clip without annotation, of `poses` poses each.
+/// only, and a clip with a push (of more than two poses), of `poses` poses each.
 inline database::ClipLibrary random_library(unsigned seed, int poses) {
   std::mt19937 random(seed);
   database::ClipLibrary library;
@@ -45,6 +45,13 @@ inline database::ClipLibrary random_library(unsigned seed, int poses) {
   library.clips[2].annotation->direction = std::numbers::pi_v<float>;
   library.clips[2].mirrored_from = "block";
   library.clips[3].purpose = motion::Purpose::push;
+  if (poses > 2) {
+    library.clips[3].push = {.contact_s = 0.005F,
+                             .peak_s = 0.025F,
+                             .place = motion::Role::left_upper_arm,
+                             .direction = -0.75F,
+                             .velocity = {-1, 0.5F, 0.125F}};
+  }
   return library;
 }
 
