@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace flinch::models {
+
+/// Numbers that a body configuration is reduced to by principal components.
+inline constexpr std::size_t kConfigurationComponents = 5;
+
+/// A pushed motion before it is made, as G sees it (Arikan et al. 2005, equation 3): components of
+/// C_t and C^i, and theta; beside these what push is asked, and by how much the response is turned.
+/// Vectors are in the frame of the character's facing.
+struct RealismFeatures {
+  std::array<float, kConfigurationComponents> character{};  ///< C_t
+  std::array<float, kConfigurationComponents> response{};   ///< C^i
+  float log_taper = 0;                                      ///< ln w, w in 1/m^2
+  std::array<float, 3> deformation{};                       ///< m, m/s
+  std::array<float, 3> asked{};                             ///< velocity of the pushed joint, m/s
+  float turn = 0;                                           ///< radians
+};
+/// Their number.
+inline constexpr std::size_t kRealismFeatureCount = 2 * kConfigurationComponents + 8;
+/// The features in the order of the declaration.
+std::array<float, kRealismFeatureCount> as_array(const RealismFeatures& features);
+
+/// The number of examples that an estimate is made from, as in the paper.
+inline constexpr std::size_t kRealismNeighbours = 10;
+/// The most examples that a model may have.
+inline constexpr std::size_t kMaxRealismExamples = 20'000;
+
+/// Estimates Q, how much a pushed motion looks like a recording, from judged examples (G of the
+/// paper). Distances are taken after each feature is multiplied by its weight.
+struct RealismModel {
+  std::string judge;         ///< who judged the examples: "people", or "proxy: " and what it is
+  std::vector<float> mean;   ///< of the examples' body configurations
+  std::vector<float> basis;  ///< kConfigurationComponents rows of as many numbers as `mean`
+  std::array<float, kRealismFeatureCount> weight{};  ///< 0: a feature that G does not see
+  std::vector<float> points;   ///< weighted features of all examples, one feature after the other
+  std::vector<float> quality;  ///< Q of each example, 0 to 1
+  float max_distance = 0;      ///< farther than this from every example, Q is 0
+
+  /// The number of examples.
+  std::size_t size() const { return quality.size(); }
+};
+
+/// Whether sizes agree, all numbers are finite, and there are as many examples as an estimate needs
+/// and no more than kMaxRealismExamples.
+bool is_sound(const RealismModel& model);
+
+/// The components of a configuration, which has as many numbers as the model's mean.
+std::array<float, kConfigurationComponents> components_of(const RealismModel& model,
+                                                          std::span<const float> configuration);
+
+/// The mean of the nearest examples' Q, weighted by the inverse of their distances; 0 where the
+/// nearest is farther than max_distance. Compares with every example. The model is sound.
+float estimate_realism(const RealismModel& model, const RealismFeatures& features);
+
+}  // namespace flinch::models

@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: MIT
+#include "runtime/push/push_motion.h"
+
+#include <algorithm>
+#include <array>
+
+#include "motion/interpolation.h"
+#include "motion/limb_ik.h"
+#include "motion/offset_spring.h"
+#include "motion/rotation.h"
+#include "runtime/push/push_deformation.h"
+#include "runtime/push/push_responses.h"
+
+namespace flinch::runtime {
+namespace {
+
+using motion::FootPose;
+using motion::Pose;
+using motion::Role;
+using motion::Side;
+
+constexpr float kStandingHeight_m = 0.02F;      // of a sole on a game's ground
+constexpr float kMaxStandingSpeed_mps = 0.25F;  // of a foot that only rolls
+constexpr float kShortestFade_s = 0.25F;
+constexpr float kReachShare = 0.9995F;  // of a leg: nearly straight
+
+constexpr std::array kLegs{Role::pelvis,      Role::left_thigh, Role::left_shin, Role::left_foot,
+                           Role::right_thigh, Role::right_shin, Role::right_foot};
+
+Pose clip_pose(const PushMotion& motion, float time_s) {
+  return motion::placed(
+      motion::sample(motion.library->clip(motion.clip).motion, motion.contact_s + time_s),
+      motion.yaw, motion.translation);
+}
+
+Eigen::Vector3f rotation_from(const Eigen::Quaternionf& from, const Eigen::Quaternionf& to) {
+  return motion::rotation_vector<float>(to * from.conjugate());
+}
+
+// Vectors of almost half a turn may change sides between two poses: that is no velocity.
+Eigen::Vector3f turn_velocity(const Eigen::Vector3f& now, const Eigen::Vector3f& before,
+                              float dt_s) {
+  const Eigen::Vector3f change = now - before;
+  return change.norm() < std::numbers::pi_v<float> ? Eigen::Vector3f(change / dt_s)
+                                                   : Eigen::Vector3f::Zero();
+}
+
+/// A pose, the one before it and the time between them.
+struct Moving {
+  Pose before;
+  Pose now;
+  float dt_s;
+};
+
+/// When the response lifts this foot and sets it down, s after the push; infinite where it never
+/// does. A foot that is in the air at the push lifts at 0.
+Interval first_swing(const PreparedLibrary& library, const PushResponse& response, Side side) {
+  const Footwork& footwork = library.footwork[static_cast<std::size_t>(response.clip)];
+  for (const Swing& swing : footwork.swings[side]) {
+    if (swing.end_s <= response.contact_s) continue;
+    return {std::max(swing.begin_s - response.contact_s, 0.0F), swing.end_s - response.contact_s};
+  }
+  return {};
+}
+
+PushFoot make_foot(const PreparedLibrary& library, const PushResponse& response,
+                   const Moving& shown, const Moving& clip, Side side) {
+  const motion::Skeleton& skeleton = library.skeleton();
+  const motion::JointFrames frames = motion::forward_kinematics(skeleton, shown.now);
+  const FootPose now = motion::foot_pose(frames, side);
+  const FootPose before = foot_of(skeleton, shown.before, side);
+  const FootPose clip_now = foot_of(skeleton, clip.now, side);
+  const FootPose clip_before = foot_of(skeleton, clip.before, side);
+  PushFoot foot;
+  foot.offset = now.ankle - clip_now.ankle;
+  foot.turn = rotation_from(clip_now.orientation, now.orientation);
+  const motion::Limb leg = motion::leg_of(side);
+  foot.reach_m = std::max(kReachShare * motion::limb_length(skeleton, leg),
+                          (now.ankle - frames.position[motion::roles_of(leg).upper]).norm());
+  const bool is_down = min_height(library.soles[side], frames, side) < kStandingHeight_m &&
+                       (now.ankle - before.ankle).norm() < kMaxStandingSpeed_mps * shown.dt_s;
+  const Interval swing = first_swing(library, response, side);
+  foot.stands = is_down && swing.begin_s > 0;
+  if (foot.stands) {
+    foot.fade = swing;
+    return foot;
+  }
+  foot.offset_velocity = (foot.offset - (before.ankle - clip_before.ankle)) / shown.dt_s;
+  foot.turn_velocity = turn_velocity(
+      foot.turn, rotation_from(clip_before.orientation, before.orientation), shown.dt_s);
+  foot.fade = {0, swing.begin_s > 0 ? kShortestFade_s : std::max(swing.end_s, kShortestFade_s)};
+  return foot;
+}
+
+FootPose foot_at(const PushFoot& foot, const FootPose& clip, float time_s) {
+  const float rest = 1 - motion::minimum_jerk((time_s - foot.fade.begin_s) /
+                                              (foot.fade.end_s - foot.fade.begin_s));
+  if (time_s >= foot.fade.end_s) return clip;
+  const float weight = time_s <= foot.fade.begin_s ? 1 : rest;
+  const motion::OffsetSpring spring =
+      foot.stands ? motion::OffsetSpring{} : motion::offset_spring(time_s);
+  const auto left = [&](const Eigen::Vector3f& x, const Eigen::Vector3f& v) -> Eigen::Vector3f {
+    return weight * (spring.position * x + spring.velocity * v);
+  };
+  return {
+      clip.ankle + left(foot.offset, foot.offset_velocity),
+      motion::rotation_from_vector<float>(left(foot.turn, foot.turn_velocity)) * clip.orientation};
+}
+
+/// The response with what is left of the character's difference.
+Pose transition_pose(const PushMotion& motion, const Pose& clip, float time_s) {
+  const motion::OffsetSpring spring = motion::offset_spring(time_s);
+  Pose pose = clip;
+  pose.root_position += spring.position * motion.root + spring.velocity * motion.root_velocity;
+  for (const Role role : motion::kRoles) {
+    const Eigen::Vector3f turn =
+        spring.position * motion.rotation[role] + spring.velocity * motion.rotation_velocity[role];
+    pose.rotation[role] =
+        (motion::rotation_from_vector<float>(turn) * clip.rotation[role]).normalized();
+  }
+  return pose;
+}
+
+/// Lowers the pelvis until both legs reach, and puts the feet where they should be.
+void place_feet(const PushMotion& motion, const motion::PerSide<FootPose>& feet, Pose& pose) {
+  const motion::Skeleton& skeleton = motion.library->skeleton();
+  motion::JointFrames frames = motion::forward_kinematics(skeleton, pose, kLegs);
+  float drop_m = 0;
+  for (const Side side : motion::kSides) {
+    const Eigen::Vector3f& hip = frames.position[motion::roles_of(motion::leg_of(side)).upper];
+    const float height = motion::max_upper_height(hip, feet[side].ankle, motion.feet[side].reach_m);
+    drop_m = std::max(drop_m, hip.z() - height);
+  }
+  pose.root_position.z() -= drop_m;
+  for (const Role role : kLegs) frames.position[role].z() -= drop_m;
+  for (const Side side : motion::kSides) {
+    motion::move_limb_end(frames, motion::leg_of(side), feet[side].ankle, feet[side].orientation,
+                          pose);
+  }
+}
+
+}  // namespace
+
+PushMotion make_push_motion(const PushResponses& responses, std::size_t response, float turn,
+                            const PushDeformation& deformation, const Pose& before, const Pose& now,
+                            float dt_s) noexcept {
+  const PreparedLibrary& library = *responses.library;
+  const PushResponse& recorded = responses.responses[response];
+  PushMotion motion;
+  motion.library = &library;
+  motion.clip = recorded.clip;
+  motion.contact_s = recorded.contact_s;
+  motion.duration_s = recorded.duration_s;
+  motion.yaw = motion::facing(now) + turn - recorded.facing;
+  const Eigen::Vector3f turned =
+      motion::rotation_about(Eigen::Vector3f::UnitZ(), motion.yaw) *
+      motion::sample(library.clip(recorded.clip).motion, recorded.contact_s).root_position;
+  motion.translation = {now.root_position.x() - turned.x(), now.root_position.y() - turned.y(), 0};
+
+  const Moving shown{before, now, dt_s};
+  const Moving clip{clip_pose(motion, -dt_s), clip_pose(motion, 0), dt_s};
+  motion.root = now.root_position - clip.now.root_position;
+  motion.root_velocity = (motion.root - (before.root_position - clip.before.root_position)) / dt_s;
+  for (const Role role : motion::kRoles) {
+    motion.rotation[role] = rotation_from(clip.now.rotation[role], now.rotation[role]);
+    motion.rotation_velocity[role] =
+        turn_velocity(motion.rotation[role],
+                      rotation_from(clip.before.rotation[role], before.rotation[role]), dt_s);
+  }
+  motion.rise_s = deformation.rise_s;
+  motion.place = deformation.place;
+  motion.deformation = deformation.velocity;
+  motion.share =
+      deformation_shares(deformation, motion::forward_kinematics(library.skeleton(), now));
+  for (const Side side : motion::kSides)
+    motion.feet[side] = make_foot(library, recorded, shown, clip, side);
+  return motion;
+}
+
+Pose pose_at(const PushMotion& motion, float time_s) noexcept {
+  const motion::Skeleton& skeleton = motion.library->skeleton();
+  const float time = std::min(time_s, motion.duration_s);
+  const Pose clip = clip_pose(motion, time);
+  Pose pose = transition_pose(motion, clip, time);
+  const Eigen::Vector3f offset = deformation_offset(motion.rise_s, time) * motion.deformation;
+  motion::PerRole<Eigen::Vector3f> shifts;
+  for (const Role role : motion::kRoles) shifts[role] = motion.share[role] * offset;
+  shift_joints(skeleton, motion::forward_kinematics(skeleton, pose), shifts, pose);
+  motion::PerSide<FootPose> feet;
+  for (const Side side : motion::kSides)
+    feet[side] = foot_at(motion.feet[side], foot_of(skeleton, clip, side), time);
+  place_feet(motion, feet, pose);
+  return pose;
+}
+
+Eigen::Vector3f velocity_at_peak(const PushMotion& motion) noexcept {
+  const float peak_s = motion.rise_s;
+  const auto place_at = [&](float time_s) {
+    return motion::forward_kinematics(motion.library->skeleton(), pose_at(motion, time_s))
+        .position[motion.place];
+  };
+  const float from_s = std::max(peak_s - kClipVelocityInterval_s / 2, 0.0F);
+  const float to_s = std::min(peak_s + kClipVelocityInterval_s / 2, motion.duration_s);
+  return (place_at(to_s) - place_at(from_s)) / (to_s - from_s);
+}
+
+void match_velocity(const Eigen::Vector3f& wanted, PushMotion& motion) noexcept {
+  constexpr int kRounds = 4;
+  for (int round = 0; round < kRounds; ++round) {
+    const Eigen::Vector3f missing = wanted - velocity_at_peak(motion);
+    if (missing.norm() < 0.01F * wanted.norm()) return;
+    motion.deformation += missing;
+  }
+}
+
+}  // namespace flinch::runtime

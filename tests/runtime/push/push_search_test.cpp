@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: MIT
+#include "runtime/push/push_search.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "models/realism_query.h"
+#include "motion/rotation.h"
+#include "tests/motion/random_motion.h"
+#include "tests/runtime/push/push_scene.h"
+
+namespace flinch::runtime {
+namespace {
+
+using models::RealismFeatures;
+
+RealismFeatures random_features(std::mt19937& random, float reach) {
+  RealismFeatures features;
+  const auto fill = [&](auto& numbers) {
+    for (float& number : numbers) number = tests::uniform(random, -reach, reach);
+  };
+  fill(features.character);
+  fill(features.response);
+  fill(features.deformation);
+  fill(features.asked);
+  features.log_taper = tests::uniform(random, 0, reach);
+  features.turn = tests::uniform(random, -reach, reach);
+  return features;
+}
+
+TEST(RealismQuery, EqualsTheComparisonWithEveryExample) {
+  std::mt19937 random(1);
+  int zeros = 0;
+  for (const std::size_t count : {std::size_t{10}, std::size_t{31}, std::size_t{400}}) {
+    const models::RealismModel model = tests::random_realism(static_cast<unsigned>(count), count);
+    ASSERT_TRUE(models::is_sound(model));
+    std::vector<float> memory(models::RealismQuery::memory_size(model));
+    for (int round = 0; round < 40; ++round) {
+      const RealismFeatures base = random_features(random, 2);
+      const models::RealismQuery query(model, base, memory);
+      for (int candidate = 0; candidate < 5; ++candidate) {
+        RealismFeatures features = random_features(random, candidate == 0 ? 9.0F : 2.0F);
+        features.character = base.character;
+        features.asked = base.asked;
+        const std::array log_tapers{0.0F, 1.5F, 4.0F};
+        std::array<float, 3> estimates{};
+        query.estimate(features, log_tapers, estimates);
+        for (std::size_t t = 0; t < log_tapers.size(); ++t) {
+          features.log_taper = log_tapers[t];
+          const float expected = models::estimate_realism(model, features);
+          EXPECT_NEAR(estimates[t], expected, 1e-4F);
+          zeros += expected == 0 ? 1 : 0;
+        }
+      }
+    }
+  }
+  EXPECT_GT(zeros, 10) << "far from every example the estimate is 0";
+}
+
+TEST(EstimateRealism, IsTheExamplesOwnWhereItStandsAndZeroFarAway) {
+  models::RealismModel model = tests::random_realism(3, 50);
+  std::mt19937 random(2);
+  const RealismFeatures features = random_features(random, 1);
+  const auto all = models::as_array(features);
+  for (std::size_t k = 0; k < all.size(); ++k)
+    model.points[k * model.size() + 17] = model.weight[k] * all[k];
+  EXPECT_NEAR(models::estimate_realism(model, features), model.quality[17], 1e-3F);
+  RealismFeatures far = features;
+  far.turn += 100;
+  EXPECT_EQ(models::estimate_realism(model, far), 0);
+}
+
+TEST(RealismModel, BrokenOnesAreNotSound) {
+  const auto sound = tests::random_realism(1, 20);
+  const auto broken = [&](auto change) {
+    models::RealismModel model = sound;
+    change(model);
+    return models::is_sound(model);
+  };
+  EXPECT_FALSE(broken([](auto& m) { m.points.pop_back(); }));
+  EXPECT_FALSE(broken([](auto& m) { m.basis.pop_back(); }));
+  EXPECT_FALSE(broken([](auto& m) { m.quality[3] = 1.1F; }));
+  EXPECT_FALSE(broken([](auto& m) { m.weight[3] = std::nanf(""); }));
+  EXPECT_FALSE(broken([](auto& m) { m.max_distance = -1; }));
+  EXPECT_FALSE(broken([](auto& m) {
+    m.quality.resize(5);
+    m.points.resize(5 * models::kRealismFeatureCount);
+  }));
+}
+
+TEST(SearchPush, RanksEveryResponseByItsBestWidth) {
+  const tests::PushScene scene;
+  const models::RealismModel realism = tests::random_realism(5, 300);
+  const PushModel model = prepare_push_model(scene.responses, &realism);
+  std::vector<std::byte> memory(model.memory_bytes);
+  const BodyConfiguration configuration = scene.responses.responses[2].configuration;
+  const auto character =
+      models::components_of(realism, std::span(configuration.data(), realism.mean.size()));
+  const Eigen::Vector3f asked(0.4F, -0.5F, 0);
+  std::array<PushCandidate, 8> best{};
+  const std::size_t count = search_push(scene.responses, model, configuration, motion::Role::head,
+                                        asked, {}, memory, best);
+  ASSERT_EQ(count, scene.responses.responses.size());
+  for (std::size_t i = 0; i < count; ++i) {
+    EXPECT_LE(best[i].realism, best[i == 0 ? 0 : i - 1].realism);
+    float most = 0;
+    PushCandidate each = best[i];
+    for (const float taper : kTapers) {
+      each.taper = taper;
+      most = std::max(
+          most,
+          models::estimate_realism(
+              realism,
+              realism_features(character, model.components[static_cast<std::size_t>(each.response)],
+                               each, asked)));
+    }
+    EXPECT_NEAR(best[i].realism, most, 1e-4F);
+  }
+}
+
+TEST(DeformedCandidate, TurnsByAtMostThirtyDegreesAndDeformsTheRest) {
+  const tests::PushScene scene;
+  const Eigen::Vector3f own = scene.responses.responses[0].velocity[0];
+  const auto turned = [&](float degrees) {
+    return Eigen::Vector3f(
+        motion::rotation_about(Eigen::Vector3f::UnitZ(), motion::radians(degrees)) * own);
+  };
+  const auto candidate = [&](float degrees, SearchOptions options) {
+    return deformed_candidate(scene.responses, 0, motion::Role::chest, turned(degrees), options);
+  };
+  EXPECT_NEAR(candidate(20, {}).turn, motion::radians(20.0F), 1e-4F);
+  EXPECT_LT(candidate(20, {}).deformation.norm(), 1e-4F);
+  EXPECT_EQ(candidate(-50, {}).turn, -kMaxResponseTurn);
+  EXPECT_LT((candidate(-50, {}).deformation - (turned(-50) - turned(-30))).norm(), 1e-4F);
+  EXPECT_EQ(candidate(20, {.deforms = true, .turns = false}).turn, 0);
+  EXPECT_EQ(candidate(20, {.deforms = false, .turns = false}).deformation.norm(), 0);
+}
+
+}  // namespace
+}  // namespace flinch::runtime
