@@ -20,10 +20,10 @@ set(FLINCH_PUBLIC_HEADERS
   runtime/perception.h
   runtime/response/inertialization.h
   runtime/response/response.h
+  runtime/push/push_motion.h
   runtime/character.h
   runtime/c/flinch.h  # installed as flinch.h
   lookahead/look_ahead.h
-  reaction/recovery.h
   reaction/reaction.h
   reaction/reaction_clips.h
   reaction/reacting_character.h)

@@ -16,6 +16,7 @@
 #include "models/knn.h"
 #include "models/network.h"
 #include "models/pairwise_linear.h"
+#include "models/realism.h"
 #include "models/response_costs.h"
 #include "models/svm.h"
 #include "motion/clip.h"
@@ -48,6 +49,8 @@ struct Selector {
       Eigen::Vector3f::Zero()};
   /// What the clips cost; none in a selector that was written before files held it.
   std::optional<ResponseCosts> costs;
+  /// How real pushed motions look; none where no one has judged any.
+  std::optional<RealismModel> realism;
 };
 
 /// Returns the allowed clips that the model ranks, best first.

@@ -6,6 +6,7 @@
 
 #include "motion/interpolation.h"
 #include "reaction/reaction_simulation.h"
+#include "reaction/recovery.h"
 
 namespace flinch::reaction {
 namespace {

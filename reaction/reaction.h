@@ -6,7 +6,6 @@
 
 #include "features/ball.h"
 #include "motion/body.h"
-#include "reaction/recovery.h"
 
 namespace flinch::sim {
 struct FigureModel;  // opaque
@@ -30,6 +29,26 @@ inline constexpr double kMaxBallMass_kg = 1000;    ///< the heaviest, kg
 inline constexpr double kMinBallRadius_m = 1e-3;   ///< the smallest, m
 inline constexpr double kMaxBallRadius_m = 10;     ///< the largest, m
 inline constexpr double kMaxBallSpeed_mps = 1000;  ///< the fastest, m/s
+
+/// The schedule of the return from a hit to animation: the double blend of "Anticipating impacts",
+/// sections 4.1.3 and 4.2. Physics moves the character alone for a time A after the contact. With
+/// E(s) = 3 s^2 - 2 s^3 of s clamped to [0, 1], the pose at time t after the first contact is
+///
+///     (1 - a) simulated + a destination,      a = E((t - A) / 0.26 s)               (part one)
+///     destination = (1 - b) sustained + b returning,  b = E((t - B) / L)            (part two)
+///
+/// The paper gives the lengths of both parts, 0.26 and 0.375 s, and says that the destination has
+/// gone 25 % of its way when part one ends. One ease over both parts does all that: E(q) = 1/4 at
+/// q = 1/2 - sin(10 degrees), so that
+///
+///     L = 0.375 s / (1 - q) = 0.557 s,      B = A + 0.26 s - q L = A + 0.078 s.
+///
+/// The sustained pose is held until B: for 1/3 s in the paper, of which the part beyond A + 0.078 s
+/// lies before the contact. Both weights start and end with zero velocity, so the result is as
+/// smooth as the simulation and the motions are.
+struct RecoverySchedule {
+  double simulation_only_s = 0.075;  ///< A; the paper leaves 0.05 to 0.1 s to the animator
+};
 
 /// How a character takes a hit.
 struct ReactionOptions {

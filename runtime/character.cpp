@@ -85,6 +85,14 @@ const char* message_of(Status status) noexcept {
       return "the time step is not above 0 and at most 1e6 s";
     case Status::bad_pose:
       return "the pose has a number that is not finite or a rotation that is not of unit length";
+    case Status::no_good_answer:
+      return "no response to the push would look real";
+    case Status::without_pushes:
+      return "the library has no clip with a push";
+    case Status::without_realism:
+      return "the selector has no realism model; flinch train-realism adds one";
+    case Status::bad_push:
+      return "the push is at no joint of the upper body, or not 0.05 to 20 m/s fast";
     case Status::bad_placement:
       return "the position is not within 1e5 m of the origin, or the direction is not finite";
   }
@@ -107,6 +115,8 @@ const char* name_of(Phase phase) noexcept {
       return "protecting";
     case Phase::returning:
       return "returning";
+    case Phase::pushed:
+      return "pushed";
   }
   return "unknown";
 }
@@ -131,6 +141,7 @@ Status Character::place(const Eigen::Vector2f& position, float facing, float idl
   state_ = {idle_time_s, position, facing, stance};
   time_s_ = 0;
   response_ = {};
+  push_ = {};
   inertialization_ = {};
   delayed_clip_.reset();
   waiting_count_ = 0;
@@ -151,13 +162,14 @@ Status Character::set_pose(const Pose& before, const Pose& now, float dt_s) noex
   inertialization_ = make_inertialization(library_->prepared(), state_, before, now, dt_s);
   time_s_ = 0;
   response_ = {};
+  push_ = {};
   waiting_count_ = 0;
   return Status::ok;
 }
 
 Status Character::settle() noexcept {
   if (!library_->is_loaded()) return Status::not_loaded;
-  if (!is_responding() && !is_settling()) return Status::ok;
+  if (!is_responding() && !is_settling() && !is_pushed()) return Status::ok;
   delayed_clip_.reset();
   time_to_impact_s_ = std::numeric_limits<double>::infinity();
   return begin(library_->prepared().library->idle, 1);
@@ -328,7 +340,7 @@ Response Character::plan(const Perception& perception, int clip) const noexcept 
   const float time_s = perception.scenario.time_to_impact_s - perception.delay_s;
   if (!library_->is_loaded() || !is_time_to_impact(time_s)) return {};
   features::CharacterState state = current_state();
-  if (!is_responding()) state = features::later(current_loop(), state, perception.delay_s);
+  if (!is_responding() && !is_pushed()) state = features::later(current_loop(), state, perception.delay_s);
   return make_response(library_->prepared(), state, clip, time_s, current_inertialization(state));
 }
 
@@ -369,6 +381,7 @@ Status Character::respond(int clip, float time_to_impact_s) noexcept {
 
 // The state of a character in its stance advances with it; that of any other is where its feet are.
 features::CharacterState Character::current_state() const noexcept {
+  if (is_pushed()) return rest_state_at(library_->prepared(), pose(), state_.stance);
   if (is_responding() && !is_in_stance()) {
     if (time_s_ < double{kMinPoseInterval_s}) return response_.state;
     return rest_state_at(library_->prepared(), pose(), response_.state.stance);
@@ -385,10 +398,11 @@ const motion::Loop& Character::current_loop() const noexcept {
 Inertialization Character::current_inertialization(
     const features::CharacterState& state) const noexcept {
   if (is_in_stance()) return {};
-  if (time_s_ < double{kMinPoseInterval_s})
+  if (time_s_ < double{kMinPoseInterval_s} && !is_pushed())
     return is_responding() ? response_.inertialization : inertialization_;
   const float now_s = static_cast<float>(time_s_);
-  const float before_s = std::max(now_s - kVelocityInterval_s, 0.0F);
+  const float before_s =
+      is_pushed() ? now_s - kVelocityInterval_s : std::max(now_s - kVelocityInterval_s, 0.0F);
   return make_inertialization(library_->prepared(), state, pose_after(before_s), pose_after(now_s),
                               now_s - before_s);
 }
@@ -410,6 +424,7 @@ Status Character::begin(const features::CharacterState& state,
 
 void Character::begin(const Response& response) noexcept {
   response_ = response;
+  push_ = {};
   state_ = response.state;
   inertialization_ = {};
   time_s_ = 0;
@@ -468,7 +483,8 @@ Status Character::update(float dt_s) noexcept {
   for (Waiting& waiting : waiting_) waiting.time_to_impact_s -= dt;
   if (time_to_impact_s_ <= 0) answer_next();
   if (is_responding() && time_s_ >= double{duration_s(response_)}) finish();
-  if (!is_responding()) remove_periods();
+  if (is_pushed() && time_s_ >= double{push_.duration_s}) finish_push(dt_s);
+  if (!is_responding() && !is_pushed()) remove_periods();
   return Status::ok;
 }
 
@@ -493,6 +509,7 @@ Pose Character::pose() const noexcept {
 }
 
 Pose Character::pose_after(float time_s) const noexcept {
+  if (is_pushed()) return pose_at(push_, time_s);
   if (is_responding()) return pose_at(response_, time_s);
   return inertialized_pose(library_->prepared(), state_, inertialization_, time_s);
 }
@@ -510,11 +527,13 @@ bool Character::is_settling() const noexcept {
 }
 
 bool Character::is_in_stance() const noexcept {
+  if (is_pushed()) return false;
   if (is_responding()) return time_s_ < double{response_.leave_s};
   return inertialization_.is_zero;
 }
 
 Phase Character::phase() const noexcept {
+  if (is_pushed()) return Phase::pushed;
   if (delayed_clip_) return Phase::reacting;
   if (!is_responding()) return Phase::idle;
   const float t = response_time_s();
@@ -526,8 +545,13 @@ Phase Character::phase() const noexcept {
 }
 
 int Character::clip() const noexcept {
+  if (is_pushed()) return push_.clip;
   if (is_responding()) return response_.clip;
   return library_->is_loaded() ? library_->prepared().library->idle : 0;
+}
+
+std::span<const PushCandidate> Character::push_candidates() const noexcept {
+  return {push_candidates_.data(), push_candidate_count_};
 }
 
 std::span<const models::Candidate> Character::candidates() const noexcept {

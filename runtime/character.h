@@ -11,6 +11,7 @@
 #include "models/candidate.h"
 #include "runtime/library.h"
 #include "runtime/perception.h"
+#include "runtime/push/push_motion.h"
 #include "runtime/response/response.h"
 #include "runtime/workspace.h"
 
@@ -30,6 +31,10 @@ enum class Status : std::uint8_t {
   bad_threat,       ///< a threat that is not usable (features::is_usable), or a time out of range
   bad_time,         ///< a time step that is not above 0 and at most kMaxTimeStep_s
   bad_pose,         ///< a number that is not finite, or a rotation that is not unit (to 1 %)
+  no_good_answer,   ///< no response to the push would look real: let physics move the body
+  without_pushes,   ///< the library has no clip with a push
+  without_realism,  ///< the selector has no realism model; `flinch train-realism` adds one
+  bad_push,         ///< not one of motion::kPushPlaces, or not 0.05 to 20 m/s
   bad_placement,  ///< a position beyond 1e5 m, a direction or time beyond 1e6, or not finite; or no
                   ///< such stance
 };
@@ -45,6 +50,7 @@ enum class Phase : std::uint8_t {
   blending,    ///< blends from idle into the clip
   protecting,  ///< plays the clip
   returning,   ///< blends back to its stance
+  pushed,      ///< plays the response to a push
 };
 /// The phase as one word, such as "blending"; never null.
 const char* name_of(Phase phase) noexcept;
@@ -164,6 +170,13 @@ class Character {
   Status brace(const features::Threat& threat, bool startles = false) noexcept;
   /// The response that brace() would start for what was noticed.
   Response plan_brace(const Perception& perception, bool startles = false) const noexcept;
+  /// Answers a push: the joint `place` (one of motion::kPushPlaces) shall move with `velocity`
+  /// (world, m/s, 0.05 to 20). Chooses the recorded response that will look most real when it is
+  /// bent to this push, and starts it from the pose and velocities of now, whatever the character
+  /// does; that includes the response to another push. Returns no_good_answer, and changes nothing
+  /// but push_candidates(), where the best realism is below kGoodRealism. `workspace` as for
+  /// perceive(). Costs about 0.1 ms.
+  Status push(motion::Role place, const Eigen::Vector3f& velocity, Workspace& workspace) noexcept;
 
   /// Advances the character by `dt_s` (above 0, at most kMaxTimeStep_s), which may differ from
   /// frame to frame.
@@ -185,6 +198,11 @@ class Character {
   /// The clips that the selector considered for the last threat, best first; at most
   /// kMaxCandidates. Valid until the next call to perceive().
   std::span<const models::Candidate> candidates() const noexcept;
+  /// The responses that the last push could have had, best first; at most kMaxCandidates. Valid
+  /// until the next call to push().
+  std::span<const PushCandidate> push_candidates() const noexcept;
+  /// The motion that answers a push; its library is null without one.
+  const PushMotion& push_motion() const noexcept { return push_; }
   /// Time to the impact that is being answered, s; negative after it; infinite without a threat.
   float time_to_impact_s() const noexcept;
   /// The target of the last threat.
@@ -204,6 +222,8 @@ class Character {
   bool is_settling() const noexcept;
   bool is_in_stance() const noexcept;
   const motion::Loop& current_loop() const noexcept;
+  bool is_pushed() const noexcept { return push_.library != nullptr; }
+  void finish_push(float dt_s) noexcept;
   motion::Pose pose_after(float time_s) const noexcept;
   features::CharacterState current_state() const noexcept;
   Inertialization current_inertialization(const features::CharacterState& state) const noexcept;
@@ -233,6 +253,7 @@ class Character {
   Inertialization inertialization_;  ///< of the next response, after set_pose()
   /// Of the pelvis along the ground, a running mean of what set_pose() tells, m/s.
   Eigen::Vector3f drift_mps_ = Eigen::Vector3f::Zero();
+  PushMotion push_;                  ///< while the character answers a push
   PerceptionLimits limits_;
   std::uint64_t seed_ = 0;
   std::uint64_t threats_ = 0;  ///< perceived so far; refused ones do not count
@@ -240,6 +261,8 @@ class Character {
   motion::Target target_ = motion::Target::head;
   std::array<models::Candidate, kMaxCandidates> candidates_{};
   std::size_t candidate_count_ = 0;
+  std::array<PushCandidate, kMaxCandidates> push_candidates_{};
+  std::size_t push_candidate_count_ = 0;
   std::optional<int> delayed_clip_;                 ///< chosen; starts after the reaction delay
   double delay_s_ = 0;                              ///< what is left of the reaction delay
   std::array<Waiting, kMaxThreats - 1> waiting_{};  ///< the most urgent first

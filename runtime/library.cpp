@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "runtime/library.h"
 
+#include <algorithm>
 #include <new>
 #include <utility>
 #include <vector>
 
 #include "database/library/file_header.h"
 #include "models/selector.h"
+#include "runtime/push/push_search.h"
 #include "runtime/response/prepared_library.h"
 #include "runtime/selection.h"
 #include "runtime/selector_file.h"
@@ -18,7 +20,9 @@ using database::LoadStatus;
 struct Library::Contents {
   database::ClipLibrary clips;
   models::Selector selector;
-  PreparedLibrary prepared;  // refers to `clips`
+  PreparedLibrary prepared;      // refers to `clips`
+  PushResponses push_responses;  // refer to `prepared`
+  PushModel push_model;          // refers to `selector`
   std::size_t selection_bytes = 0;
 };
 
@@ -36,7 +40,12 @@ LoadStatus Library::load(std::span<const std::byte> bytes) noexcept try {
   contents->clips = std::move(*file.library);
   contents->selector = std::move(file.selector);
   contents->prepared = prepare(contents->clips);
-  contents->selection_bytes = runtime::selection_bytes(contents->selector);
+  contents->push_responses = prepare_push_responses(contents->prepared);
+  const std::optional<models::RealismModel>& realism = contents->selector.realism;
+  contents->push_model =
+      prepare_push_model(contents->push_responses, realism ? &*realism : nullptr);
+  contents->selection_bytes =
+      std::max(runtime::selection_bytes(contents->selector), contents->push_model.memory_bytes);
   contents_ = std::move(contents);
   return LoadStatus::ok;
 } catch (const std::bad_alloc&) {
@@ -69,6 +78,14 @@ const models::Selector& Library::selector() const noexcept {
 
 const PreparedLibrary& Library::prepared() const noexcept {
   return contents_->prepared;
+}
+
+const PushResponses& Library::push_responses() const noexcept {
+  return contents_->push_responses;
+}
+
+const PushModel& Library::push_model() const noexcept {
+  return contents_->push_model;
 }
 
 std::size_t Library::selection_bytes() const noexcept {

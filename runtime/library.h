@@ -17,6 +17,9 @@ namespace flinch::runtime {
 
 /// A library with what responses need to know of it. Opaque to games.
 struct PreparedLibrary;
+/// The recorded responses to pushes, and how a push is answered with them. Opaque to games.
+struct PushResponses;
+struct PushModel;
 
 /// What a game loads, once for all characters of one kind: a selector with its clips, from one file
 /// that `flinch train` writes. Immutable after loading, so any number of characters and threads may
@@ -49,6 +52,9 @@ class Library {
   const models::Selector& selector() const noexcept;
   /// What make_response() takes.
   const PreparedLibrary& prepared() const noexcept;
+  /// What Character::push() asks: the clips with a push, and the realism of what they could become.
+  const PushResponses& push_responses() const noexcept;
+  const PushModel& push_model() const noexcept;
   /// The memory that a Workspace needs for this library, bytes.
   std::size_t selection_bytes() const noexcept;
 

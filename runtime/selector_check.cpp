@@ -213,6 +213,8 @@ bool is_sound(const models::Selector& selector) {
          feature_count > 0 && is_part_sound(selector.scaling, feature_count) &&
          selector.brawn >= 0 && selector.brawn <= 1 && is_part_sound(selector.kinds) &&
          (!selector.costs || is_part_sound(*selector.costs, clip_count)) &&
+         (!selector.realism || (models::is_sound(*selector.realism) &&
+                                database::fault_of_name(selector.realism->judge) == nullptr)) &&
          std::all_of(selector.target_centres.begin(), selector.target_centres.end(), is_near) &&
          std::visit(
              [&](const auto& model) { return is_part_sound(model, clip_count, feature_count); },

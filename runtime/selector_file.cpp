@@ -130,6 +130,10 @@ bool has_bounded_size(const schema::Selector& stored, std::size_t content_size) 
     for (const schema::Kind* kind : *stored.kinds())
       unfolded.add(kind->name()).add(kind->numbers());
   }
+  if (const schema::Realism* realism = stored.realism()) {
+    unfolded.add(realism->judge()).add(realism->mean()).add(realism->basis());
+    unfolded.add(realism->weight()).add(realism->points()).add(realism->quality());
+  }
   if (const schema::Svm* svm = stored.model_as_Svm()) {
     add_vectors(*svm, unfolded);
   } else if (const schema::Knn* knn = stored.model_as_Knn()) {
@@ -161,6 +165,20 @@ std::optional<models::ResponseCosts> read_costs(const schema::ResponseCosts& sto
   if (stored.vulnerability_name() != nullptr)
     costs.vulnerability_name = stored.vulnerability_name()->str();
   return costs;
+}
+
+/// Returns nothing where the number of features is not that of this build.
+std::optional<models::RealismModel> read_realism(const schema::Realism& stored) {
+  models::RealismModel model;
+  if (stored.weight()->size() != model.weight.size()) return std::nullopt;
+  std::copy(stored.weight()->begin(), stored.weight()->end(), model.weight.begin());
+  model.judge = stored.judge()->str();
+  model.mean = to_vector(*stored.mean());
+  model.basis = to_vector(*stored.basis());
+  model.points = to_vector(*stored.points());
+  model.quality = to_vector(*stored.quality());
+  model.max_distance = stored.max_distance();
+  return model;
 }
 
 /// Returns nothing where a kind has another count of numbers.
@@ -218,6 +236,10 @@ bool read_stored(const schema::Selector& stored, models::Selector& selector) {
     auto kinds = read_kinds(*stored.kinds());
     if (!kinds) return false;
     selector.kinds = std::move(*kinds);
+  }
+  if (stored.realism() != nullptr) {
+    selector.realism = read_realism(*stored.realism());
+    if (!selector.realism) return false;
   }
   if (!is_sound(selector)) return false;
   if (auto* knn = std::get_if<models::KnnModel>(&selector.model)) models::build_leaves(*knn);

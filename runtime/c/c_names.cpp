@@ -50,6 +50,12 @@ const char* flinch_status_message(flinch_status status) {
       return message_of(runtime::Status::bad_pose);
     case FLINCH_BAD_PLACEMENT:
       return message_of(runtime::Status::bad_placement);
+    case FLINCH_NO_GOOD_ANSWER:
+      return message_of(runtime::Status::no_good_answer);
+    case FLINCH_BAD_PUSH:
+      return message_of(runtime::Status::bad_push);
+    case FLINCH_WITHOUT_PUSHES:
+      return "the selector has no pushes, or no realism model for them";
     case FLINCH_BAD_LIMITS:
       return "a limit of perception is negative, not finite, or a probability above 1";
     case FLINCH_BAD_MASK:
@@ -106,7 +112,7 @@ const char* flinch_target_name(int32_t target) {
 }
 
 const char* flinch_phase_name(int32_t phase) {
-  if (!is_below(phase, FLINCH_RETURNING + 1)) return nullptr;
+  if (!is_below(phase, FLINCH_PUSHED + 1)) return nullptr;
   return name_of(static_cast<runtime::Phase>(phase));
 }
 

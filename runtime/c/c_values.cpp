@@ -30,6 +30,7 @@ static_assert(FLINCH_MOST_CANDIDATES == Character::kMaxCandidates);
 static_assert(FLINCH_LEGS == static_cast<int>(motion::Target::legs));
 static_assert(FLINCH_RETURNING == static_cast<int>(Phase::returning));
 static_assert(FLINCH_FIST == static_cast<int>(features::ThreatShape::fist));
+static_assert(FLINCH_PUSHED == static_cast<int>(Phase::pushed));
 
 }  // namespace
 
@@ -53,6 +54,13 @@ flinch_status status_of(Status status) noexcept {
       return FLINCH_BAD_TIME;
     case Status::bad_pose:
       return FLINCH_BAD_POSE;
+    case Status::no_good_answer:
+      return FLINCH_NO_GOOD_ANSWER;
+    case Status::without_pushes:
+    case Status::without_realism:
+      return FLINCH_WITHOUT_PUSHES;
+    case Status::bad_push:
+      return FLINCH_BAD_PUSH;
     case Status::bad_placement:
       return FLINCH_BAD_PLACEMENT;
   }

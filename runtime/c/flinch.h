@@ -78,6 +78,7 @@ enum {
   FLINCH_UNNOTICED = 2, /* the character did not notice the threat */
   /* Answered, but unlike all threats that the selector was trained for. */
   FLINCH_OUTSIDE_TRAINING = 3,
+  FLINCH_NO_GOOD_ANSWER = 4, /* no response to a push would look real */
   /* What was wrong with a call. */
   FLINCH_NULL_POINTER = -1,
   FLINCH_BAD_HANDLE = -2,     /* freed, or of another kind */
@@ -94,6 +95,8 @@ enum {
   FLINCH_OUT_OF_MEMORY = -13,
   FLINCH_NOT_REACTING = -14,      /* the character was created without reactions */
   FLINCH_SIMULATION_FAILED = -15, /* of a hit; the character goes on without physics */
+  FLINCH_BAD_PUSH = -16,          /* not at the upper body, or not 0.05 to 20 m/s fast */
+  FLINCH_WITHOUT_PUSHES = -17,    /* the file has no pushes, or no realism model for them */
   /* What was wrong with a file. */
   FLINCH_CANNOT_OPEN = -20,
   FLINCH_NOT_A_SELECTOR = -21, /* another kind of file */
@@ -363,6 +366,31 @@ FLINCH_API flinch_status flinch_character_outside_training(const flinch_characte
 FLINCH_API flinch_status flinch_character_respond(flinch_character* character, int32_t clip,
                                                   float time_to_impact_s);
 
+/* ---- Pushes (docs/pushing.md) ---------------------------------------------------------------- */
+
+/* Pushes the character: the joint `joint` (chest, neck, head or an upper arm, by its number) shall
+ * move with `velocity` (world, m/s, 0.05 to 20). Starts the recorded response that will look most
+ * real when it is bent to this push, also during another. FLINCH_NO_GOOD_ANSWER where none would:
+ * nothing changes then but the candidates. */
+FLINCH_API flinch_status flinch_character_push(flinch_character* character, int32_t joint,
+                                               const float velocity[3],
+                                               flinch_workspace* workspace);
+
+/* A response that could answer a push. This struct will not grow. */
+typedef struct flinch_push_candidate {
+  int32_t clip;
+  float realism; /* how much it will look like a recording, 0 to 1 */
+  float turn;    /* of the response against the character's facing, radians */
+  float taper;   /* how fast the deformation declines over the body, 1/m^2 */
+  /* Velocity that the deformation adds to the pushed joint, in the frame of the facing, m/s. */
+  float deformation[3];
+} flinch_push_candidate;
+/* Writes the responses that the last push could have had, best first, at most `capacity` of them,
+ * and their number to `count`. There are never more than FLINCH_MOST_CANDIDATES. */
+FLINCH_API flinch_status flinch_character_push_candidates(const flinch_character* character,
+                                                          flinch_push_candidate* out,
+                                                          int32_t capacity, int32_t* count);
+
 /* Advances the character by `dt_s`, above 0 and at most 1e6, which may differ from frame to frame.
  */
 FLINCH_API flinch_status flinch_character_update(flinch_character* character, float dt_s);
@@ -390,7 +418,8 @@ enum {
   FLINCH_SHIFTING = 3,   /* shifts its weight before the clip begins */
   FLINCH_BLENDING = 4,   /* blends from idle into the clip */
   FLINCH_PROTECTING = 5, /* plays the clip */
-  FLINCH_RETURNING = 6   /* blends back to idle */
+  FLINCH_RETURNING = 6,  /* blends back to idle */
+  FLINCH_PUSHED = 7      /* plays the response to a push */
 };
 FLINCH_API const char* flinch_phase_name(int32_t phase); /* NULL: no such phase */
 

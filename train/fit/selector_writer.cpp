@@ -116,6 +116,17 @@ Offset<schema::Kind> store(FlatBufferBuilder& builder, const features::KnownKind
                             kind.reach_m.max);
 }
 
+Offset<schema::Realism> store(FlatBufferBuilder& builder, const models::RealismModel& realism) {
+  const auto judge = builder.CreateString(realism.judge);
+  const auto mean = builder.CreateVector(realism.mean);
+  const auto basis = builder.CreateVector(realism.basis);
+  const auto weight = builder.CreateVector(realism.weight.data(), realism.weight.size());
+  const auto points = builder.CreateVector(realism.points);
+  const auto quality = builder.CreateVector(realism.quality);
+  return schema::CreateRealism(builder, judge, mean, basis, weight, points, quality,
+                               realism.max_distance);
+}
+
 // Stores the library at a multiple of 16 bytes, so that it can be read in place.
 Offset<flatbuffers::Vector<std::uint8_t>> store(FlatBufferBuilder& builder,
                                                 std::span<const std::byte> library_file) {
@@ -150,10 +161,12 @@ void store(FlatBufferBuilder& builder, const models::Selector& selector,
     for (const features::KnownKind& known : selector.kinds) each.push_back(store(builder, known));
     kinds = builder.CreateVector(each);
   }
+  Offset<schema::Realism> realism;
+  if (selector.realism) realism = store(builder, *selector.realism);
   schema::FinishSelectorBuffer(
-      builder,
-      schema::CreateSelector(builder, selector.library_hash, clips, selector.idle, names, least,
-                             most, selector.brawn, centres, kind, model, library, costs, kinds));
+      builder, schema::CreateSelector(builder, selector.library_hash, clips, selector.idle, names,
+                                      least, most, selector.brawn, centres, kind, model, library,
+                                      costs, kinds, realism));
 }
 
 }  // namespace

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+// How a character answers a push (Arikan et al. 2005, section 4).
+#include <algorithm>
+
+#include "motion/rotation.h"
+#include "runtime/character.h"
+#include "runtime/push/push_deformation.h"
+#include "runtime/push/push_search.h"
+
+namespace flinch::runtime {
+namespace {
+
+constexpr float kMinPush_mps = 0.05F;
+constexpr float kMaxPush_mps = 20;
+constexpr float kPushVelocityInterval_s = 1.0F / 240;
+
+bool is_usable_push(motion::Role place, const Eigen::Vector3f& velocity) {
+  const float speed = velocity.norm();  // not a number where a component is not
+  return motion::is_push_place(place) && speed >= kMinPush_mps && speed <= kMaxPush_mps;
+}
+
+}  // namespace
+
+Status Character::push(motion::Role place, const Eigen::Vector3f& velocity,
+                       Workspace& workspace) noexcept {
+  if (!library_->is_loaded()) return Status::not_loaded;
+  if (!is_usable_push(place, velocity)) return Status::bad_push;
+  const PushResponses& responses = library_->push_responses();
+  const PushModel& model = library_->push_model();
+  if (responses.responses.empty()) return Status::without_pushes;
+  if (model.realism == nullptr) return Status::without_realism;
+  if (workspace.memory().size() < library_->selection_bytes()) return Status::other_workspace;
+
+  // Only a response to a threat has no poses before its beginning.
+  const float step_s = kPushVelocityInterval_s;
+  const auto now_s = static_cast<float>(time_s_);
+  const motion::Pose now = pose_after(now_s);
+  const motion::Pose before = is_responding() && now_s < step_s ? now : pose_after(now_s - step_s);
+  const float facing = motion::facing(now);
+  const Eigen::Vector3f asked =
+      motion::rotation_about(Eigen::Vector3f::UnitZ(), -facing) * velocity;
+  const BodyConfiguration configuration =
+      body_configuration(library_->prepared().skeleton(), before, now, step_s);
+  push_candidate_count_ = search_push(responses, model, configuration, place, asked, {},
+                                      workspace.memory(), push_candidates_);
+  const PushCandidate& best = push_candidates_[0];
+  if (push_candidate_count_ == 0 || !(best.realism >= kGoodRealism)) return Status::no_good_answer;
+
+  const auto response = static_cast<std::size_t>(best.response);
+  const PushDeformation deformation{
+      place, best.taper,
+      motion::rotation_about(Eigen::Vector3f::UnitZ(), facing) * best.deformation,
+      responses.responses[response].rise_s};
+  PushMotion motion =
+      make_push_motion(responses, response, best.turn, deformation, before, now, step_s);
+  match_velocity(velocity, motion);
+  push_ = motion;
+  response_ = {};
+  inertialization_ = {};
+  delayed_clip_.reset();
+  waiting_count_ = 0;
+  time_s_ = 0;
+  time_to_impact_s_ = std::numeric_limits<double>::infinity();
+  return Status::ok;
+}
+
+// The response has ended: the character goes from its last pose back to idle.
+void Character::finish_push(float dt_s) noexcept {
+  const PushMotion over = push_;
+  const float step_s = std::clamp(dt_s, 1e-3F, kPushVelocityInterval_s);
+  set_pose(pose_at(over, over.duration_s - step_s), pose_at(over, over.duration_s), step_s);
+  settle();
+}
+
+}  // namespace flinch::runtime
