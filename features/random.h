@@ -23,7 +23,9 @@ enum class RandomStream : std::uint32_t {
   fitting,
   noise,
   evolution,
-  threat_grid
+  threat_grid,
+  realism,
+  motion_walk
 };
 
 /// The random numbers of one (seed, stream, substream), in order. Scenarios use their number as the

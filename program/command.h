@@ -26,6 +26,9 @@ Command respond_command();
 Command threats_command();
 Command view_command();
 Command evolve_command();
+Command push_command();
+Command label_command();
+Command train_realism_command();
 
 /// The option --json, for all commands except simulate.
 Option json_option(bool& json);

@@ -35,7 +35,8 @@ flinch::program::Program flinch_program() {
           .commands = {author_command(), import_command(), annotate_command(), info_command(),
                        simulate_command(), merge_command(), train_command(), compare_command(),
                        export_command(), select_command(), respond_command(), threats_command(),
-                       evolve_command(), view_command()}};
+                       evolve_command(), push_command(), label_command(), train_realism_command(),
+                       view_command()}};
 }
 
 }  // namespace

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <iostream>
+#include <memory>
+#include <set>
+
+#include "database/files/library_writer.h"
+#include "motion/error.h"
+#include "program/command.h"
+#include "program/load.h"
+#include "program/printable.h"
+#include "program/table.h"
+#include "runtime/response/prepared_library.h"
+#include "train/fit/selector_writer.h"
+#include "train/realism/proxy_judge.h"
+#include "train/realism/realism_evaluation.h"
+
+namespace flinch::program {
+
+namespace {
+
+struct TrainRealismOptions {
+  std::string labels;
+  std::string selector;
+  std::string realism{"ours"};
+  bool json = false;
+};
+
+/// The judges of the labels, each once: "proxy: …" where a proxy is among them.
+std::string judge_of(const std::vector<train::Label>& labels) {
+  const auto is_proxy = [](const train::Label& label) { return label.judge.starts_with("proxy"); };
+  if (std::ranges::none_of(labels, is_proxy)) return "people";
+  return std::ranges::all_of(labels, is_proxy) ? std::string(train::kProxyJudge)
+                                               : "proxy: measured bounds, and people";
+}
+
+void run_train_realism(const TrainRealismOptions& options) {
+  runtime::SelectorFile file = load_selector_file(options.selector);
+  if (!file.library)
+    throw Error(options.selector, "the selector has no clips; run `flinch train` again");
+  const runtime::PreparedLibrary prepared = runtime::prepare(*file.library);
+  const runtime::PushResponses responses = runtime::prepare_push_responses(prepared);
+  train::LabelSet set = train::read_labels(options.labels, *file.library, responses);
+  if (set.labels.size() <= models::kRealismNeighbours ||
+      set.labels.size() > models::kMaxRealismExamples) {
+    throw Error(options.labels, "holds " + std::to_string(set.labels.size()) +
+                                    " labels; a realism model takes " +
+                                    std::to_string(models::kRealismNeighbours + 1) + " to " +
+                                    std::to_string(models::kMaxRealismExamples));
+  }
+  const std::string judge = judge_of(set.labels);
+  const auto kind =
+      options.realism == "paper" ? train::RealismKind::paper : train::RealismKind::ours;
+  const train::LabelledConfigurations all =
+      train::configurations_of(responses, std::move(set.labels));
+  std::set<std::string> sittings;
+  for (const train::Label& label : all.labels) sittings.insert(label.sitting);
+  train::RealismAgreement held_out;
+  if (sittings.size() > 1) held_out = train::held_out_agreement(all, kind);
+
+  file.selector.realism = train::fit_realism(all, kind, judge);
+  const std::string library = database::library_bytes(*file.library);
+  train::write_selector(file.selector, std::as_bytes(std::span(library)), options.selector);
+  if (options.json) {
+    print({{"kind", "realism"},
+           {"file", options.selector},
+           {"judge", judge},
+           {"labels", all.labels.size()},
+           {"sittings", sittings.size()},
+           {"agreement", held_out.agreement},
+           {"chance", held_out.chance},
+           {"auc", held_out.auc},
+           {"baseline_auc", held_out.baseline_auc}});
+    return;
+  }
+  std::cout << printable(options.selector) << ": realism of " << all.labels.size()
+            << " labels, judged by " << printable(judge) << '\n';
+  if (held_out.count == 0) {
+    std::cout << "note: one sitting alone cannot be held out; agreement is not known\n";
+    return;
+  }
+  std::cout << "held out by sitting: agreement " << fixed(held_out.agreement, 3) << " (chance "
+            << fixed(held_out.chance, 3) << "), AUC " << fixed(held_out.auc, 3)
+            << " (nearest configuration " << fixed(held_out.baseline_auc, 3) << ")\n";
+}
+
+}  // namespace
+
+Command train_realism_command() {
+  auto options = std::make_shared<TrainRealismOptions>();
+  return {
+      .name = "train-realism",
+      .summary = "Fit the realism of pushed motions to labels, into a selector",
+      .required = {{"LABELS", "label file made by flinch label", &options->labels},
+                   {"--into", "selector file that gets the model", &options->selector}},
+      .optional = {{"--realism", "model: ours, or the paper's, which does not see the asked push",
+                    &options->realism, OneOf{{"ours", "paper"}}},
+                   json_option(options->json)},
+      .notes = "Example:\n  flinch train-realism real.flinchlabels --into real.flinch",
+      .run = [options] { run_train_realism(*options); }};
+}
+
+}  // namespace flinch::program

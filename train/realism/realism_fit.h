@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "models/realism.h"
+#include "train/realism/label_file.h"
+
+namespace flinch::train {
+
+/// The first of the features that the paper's G does not see.
+inline constexpr std::size_t kRealismAskedFeature = 2 * models::kConfigurationComponents + 4;
+
+/// Which G is fitted.
+enum class RealismKind : std::uint8_t {
+  ours,   ///< also sees the asked push and the turn; features weigh as labels say
+  paper,  ///< C_t, C^i and theta, each to unit spread (Arikan et al. 2005, section 5)
+};
+
+/// Labels with the body configurations of their characters and responses, which no fit changes.
+struct LabelledConfigurations {
+  std::vector<Label> labels;
+  std::vector<runtime::BodyConfiguration> character;  ///< C_t, one per label
+  std::vector<runtime::BodyConfiguration> response;   ///< C^i, one per label
+};
+LabelledConfigurations configurations_of(const runtime::PushResponses& responses,
+                                         std::vector<Label> labels);
+
+/// The part of the labels with these indices.
+LabelledConfigurations part_of(const LabelledConfigurations& all,
+                               std::span<const std::size_t> indices);
+
+/// The features of one label as the model sees them.
+models::RealismFeatures features_of(const models::RealismModel& model,
+                                    const LabelledConfigurations& all, std::size_t index);
+
+/// Fits G. Configurations are reduced by their principal components; every feature is scaled to
+/// unit spread. Ours then multiplies each of six groups (character, response, width, deformation,
+/// asked push, turn) by that of {0, 1/4, 1/2, 1, 2} which gives the least squared error of labels
+/// estimated from all others, one group after the other, twice round. `judge` becomes the model's.
+/// An estimate is 0 beyond 1.5 times the distance that 99 % of labels have to their nearest.
+/// There must be more than models::kRealismNeighbours labels.
+models::RealismModel fit_realism(const LabelledConfigurations& all, RealismKind kind,
+                                 const std::string& judge);
+
+}  // namespace flinch::train
