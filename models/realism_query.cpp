@@ -100,14 +100,15 @@ void RealismQuery::estimate(const RealismFeatures& features, std::span<const flo
     for (std::size_t t = 0; t < log_tapers.size(); ++t) bound = std::max(bound, nearest[t].bound());
     if (!(block_bound_[block] < bound)) break;
     std::copy_n(shared_ + first, kBlock, sums.begin());
-    for (std::size_t k = 0; k < kOwn.size(); ++k)
-      add_squares(points_ + k * padded_ + first, model_->weight[kOwn[k]] * x[kOwn[k]], kBlock,
-                  sums.data());
-    if (!(*std::min_element(sums.begin(), sums.end()) < bound)) continue;
-    for (std::size_t t = 0; t < log_tapers.size(); ++t) {
-      const float own = model_->weight[kTaper] * log_tapers[t];
-      for (std::size_t i = 0; i < kBlock; ++i) {
-        const float difference = own - taper[first + i];
+    for (std::size_t k = 0; k < kOwn.size(); ++k) {
+      const float weight = model_->weight[kOwn[k]];
+      if (weight != 0)
+        add_squares(points_ + k * padded_ + first, weight * x[kOwn[k]], kBlock, sums.data());
+    }
+    for (std::size_t i = 0; i < kBlock; ++i) {
+      if (!(sums[i] < bound)) continue;
+      for (std::size_t t = 0; t < log_tapers.size(); ++t) {
+        const float difference = model_->weight[kTaper] * log_tapers[t] - taper[first + i];
         nearest[t].add(sums[i] + difference * difference, quality_[first + i]);
       }
     }

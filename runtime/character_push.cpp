@@ -15,16 +15,17 @@ constexpr float kMaxPush_mps = 20;
 constexpr float kPushVelocityInterval_s = 1.0F / 240;
 
 bool is_usable_push(motion::Role place, const Eigen::Vector3f& velocity) {
-  const float speed = velocity.norm();  // not a number where a component is not
-  return motion::is_push_place(place) && speed >= kMinPush_mps && speed <= kMaxPush_mps;
+  return motion::is_push_place(place) && velocity.head<2>().norm() >= kMinPush_mps &&
+         velocity.norm() <= kMaxPush_mps;  // false where a component is not a number
 }
 
 }  // namespace
 
-Status Character::push(motion::Role place, const Eigen::Vector3f& velocity,
+Status Character::push(motion::Role place, const Eigen::Vector3f& push_velocity,
                        Workspace& workspace) noexcept {
   if (!library_->is_loaded()) return Status::not_loaded;
-  if (!is_usable_push(place, velocity)) return Status::bad_push;
+  if (!is_usable_push(place, push_velocity)) return Status::bad_push;
+  const Eigen::Vector3f velocity(push_velocity.x(), push_velocity.y(), 0);
   const PushResponses& responses = library_->push_responses();
   const PushModel& model = library_->push_model();
   if (responses.responses.empty()) return Status::without_pushes;
@@ -43,17 +44,24 @@ Status Character::push(motion::Role place, const Eigen::Vector3f& velocity,
       body_configuration(library_->prepared().skeleton(), before, now, step_s);
   push_candidate_count_ = search_push(responses, model, configuration, place, asked, {},
                                       workspace.memory(), push_candidates_);
-  const PushCandidate& best = push_candidates_[0];
-  if (push_candidate_count_ == 0 || !(best.realism >= kGoodRealism)) return Status::no_good_answer;
+  for (const PushCandidate& candidate : push_candidates()) {
+    if (!(candidate.realism >= kGoodRealism)) break;
+    const auto response = static_cast<std::size_t>(candidate.response);
+    const PushDeformation deformation{
+        place, candidate.taper,
+        motion::rotation_about(Eigen::Vector3f::UnitZ(), facing) * candidate.deformation,
+        responses.responses[response].rise_s};
+    PushMotion motion =
+        make_push_motion(responses, response, candidate.turn, deformation, before, now, step_s);
+    match_velocity(velocity, motion);
+    if (!is_faithful(peak_velocity(motion, velocity), velocity)) continue;
+    begin_push(motion);
+    return Status::ok;
+  }
+  return Status::no_good_answer;
+}
 
-  const auto response = static_cast<std::size_t>(best.response);
-  const PushDeformation deformation{
-      place, best.taper,
-      motion::rotation_about(Eigen::Vector3f::UnitZ(), facing) * best.deformation,
-      responses.responses[response].rise_s};
-  PushMotion motion =
-      make_push_motion(responses, response, best.turn, deformation, before, now, step_s);
-  match_velocity(velocity, motion);
+void Character::begin_push(const PushMotion& motion) noexcept {
   push_ = motion;
   response_ = {};
   inertialization_ = {};
@@ -61,7 +69,6 @@ Status Character::push(motion::Role place, const Eigen::Vector3f& velocity,
   waiting_count_ = 0;
   time_s_ = 0;
   time_to_impact_s_ = std::numeric_limits<double>::infinity();
-  return Status::ok;
 }
 
 // The response has ended: the character goes from its last pose back to idle.

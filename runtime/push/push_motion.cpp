@@ -7,6 +7,7 @@
 #include "motion/interpolation.h"
 #include "motion/limb_ik.h"
 #include "motion/offset_spring.h"
+#include "motion/push_measurement.h"
 #include "motion/rotation.h"
 #include "runtime/push/push_deformation.h"
 #include "runtime/push/push_responses.h"
@@ -73,7 +74,6 @@ PushFoot make_foot(const PreparedLibrary& library, const PushResponse& response,
   const FootPose clip_before = foot_of(skeleton, clip.before, side);
   PushFoot foot;
   foot.offset = now.ankle - clip_now.ankle;
-  foot.turn = rotation_from(clip_now.orientation, now.orientation);
   const motion::Limb leg = motion::leg_of(side);
   foot.reach_m = std::max(kReachShare * motion::limb_length(skeleton, leg),
                           (now.ankle - frames.position[motion::roles_of(leg).upper]).norm());
@@ -82,9 +82,16 @@ PushFoot make_foot(const PreparedLibrary& library, const PushResponse& response,
   const Interval swing = first_swing(library, response, side);
   foot.stands = is_down && swing.begin_s > 0;
   if (foot.stands) {
+    const Eigen::Quaternionf turn = now.orientation * clip_now.orientation.conjugate();
+    const auto [tilt, about_vertical] =
+        motion::decompose_swing_twist<float>(turn, Eigen::Vector3f::UnitZ());
+    foot.yaw = motion::rotation_vector(about_vertical).z();
+    foot.turn = motion::rotation_vector(tilt);
+    foot.pivot = clip_now.ankle;
     foot.fade = swing;
     return foot;
   }
+  foot.turn = rotation_from(clip_now.orientation, now.orientation);
   foot.offset_velocity = (foot.offset - (before.ankle - clip_before.ankle)) / shown.dt_s;
   foot.turn_velocity = turn_velocity(
       foot.turn, rotation_from(clip_before.orientation, before.orientation), shown.dt_s);
@@ -93,18 +100,25 @@ PushFoot make_foot(const PreparedLibrary& library, const PushResponse& response,
 }
 
 FootPose foot_at(const PushFoot& foot, const FootPose& clip, float time_s) {
-  const float rest = 1 - motion::minimum_jerk((time_s - foot.fade.begin_s) /
-                                              (foot.fade.end_s - foot.fade.begin_s));
   if (time_s >= foot.fade.end_s) return clip;
-  const float weight = time_s <= foot.fade.begin_s ? 1 : rest;
-  const motion::OffsetSpring spring =
-      foot.stands ? motion::OffsetSpring{} : motion::offset_spring(time_s);
+  const float weight = time_s <= foot.fade.begin_s
+                           ? 1
+                           : 1 - motion::minimum_jerk((time_s - foot.fade.begin_s) /
+                                                      (foot.fade.end_s - foot.fade.begin_s));
+  const motion::OffsetSpring spring = motion::offset_spring(time_s);
   const auto left = [&](const Eigen::Vector3f& x, const Eigen::Vector3f& v) -> Eigen::Vector3f {
     return weight * (spring.position * x + spring.velocity * v);
   };
-  return {
-      clip.ankle + left(foot.offset, foot.offset_velocity),
-      motion::rotation_from_vector<float>(left(foot.turn, foot.turn_velocity)) * clip.orientation};
+  const Eigen::Quaternionf turn =
+      motion::rotation_from_vector<float>(left(foot.turn, foot.turn_velocity));
+  if (!foot.stands) {
+    return {clip.ankle + left(foot.offset, foot.offset_velocity), turn * clip.orientation};
+  }
+  const Eigen::Quaternionf yaw =
+      motion::rotation_about(Eigen::Vector3f::UnitZ(), weight * foot.yaw);
+  const Eigen::Vector3f shift(foot.offset.x(), foot.offset.y(), spring.position * foot.offset.z());
+  return {foot.pivot + yaw * (clip.ankle - foot.pivot) + weight * shift,
+          turn * yaw * clip.orientation};
 }
 
 /// The response with what is left of the character's difference.
@@ -137,6 +151,11 @@ void place_feet(const PushMotion& motion, const motion::PerSide<FootPose>& feet,
     motion::move_limb_end(frames, motion::leg_of(side), feet[side].ankle, feet[side].orientation,
                           pose);
   }
+}
+
+Eigen::Vector3f pushed_joint(const PushMotion& motion, float time_s) {
+  return motion::forward_kinematics(motion.library->skeleton(), pose_at(motion, time_s))
+      .position[motion.place];
 }
 
 }  // namespace
@@ -194,20 +213,45 @@ Pose pose_at(const PushMotion& motion, float time_s) noexcept {
 }
 
 Eigen::Vector3f velocity_at_peak(const PushMotion& motion) noexcept {
-  const float peak_s = motion.rise_s;
-  const auto place_at = [&](float time_s) {
-    return motion::forward_kinematics(motion.library->skeleton(), pose_at(motion, time_s))
-        .position[motion.place];
-  };
-  const float from_s = std::max(peak_s - kClipVelocityInterval_s / 2, 0.0F);
-  const float to_s = std::min(peak_s + kClipVelocityInterval_s / 2, motion.duration_s);
-  return (place_at(to_s) - place_at(from_s)) / (to_s - from_s);
+  const float from_s = std::max(motion.rise_s - kClipVelocityInterval_s / 2, 0.0F);
+  const float to_s = std::min(motion.rise_s + kClipVelocityInterval_s / 2, motion.duration_s);
+  return (pushed_joint(motion, to_s) - pushed_joint(motion, from_s)) / (to_s - from_s);
+}
+
+Eigen::Vector3f peak_velocity(const PushMotion& motion, const Eigen::Vector3f& wanted) noexcept {
+  constexpr std::size_t kSteps = 4;  // of which the interval of the velocity consists
+  constexpr float kStep_s = kClipVelocityInterval_s / kSteps;
+  Eigen::Vector3f fastest = Eigen::Vector3f::Zero();
+  std::array<Eigen::Vector3f, kSteps> last;  // places of the joint, in a ring
+  std::size_t k = 0;
+  for (float time_s = 0; time_s <= motion::kMaxPushRise_s;
+       time_s = static_cast<float>(k) * kStep_s) {
+    const Eigen::Vector3f now = pushed_joint(motion, time_s);
+    Eigen::Vector3f& before = last[k % kSteps];
+    if (k >= kSteps) {
+      const Eigen::Vector3f velocity = (now - before) / kClipVelocityInterval_s;
+      if (velocity.dot(wanted) > fastest.dot(wanted)) fastest = velocity;
+    }
+    before = now;
+    ++k;
+  }
+  return fastest;
+}
+
+bool is_faithful(const Eigen::Vector3f& reached, const Eigen::Vector3f& wanted) noexcept {
+  constexpr float kMaxError = 0.1F;
+  constexpr float kLeastCosine = 0.9659258F;  // of 15 degrees
+  const Eigen::Vector2f level = reached.head<2>();
+  const Eigen::Vector2f asked = wanted.head<2>();
+  return std::abs(level.norm() - asked.norm()) <= kMaxError * asked.norm() &&
+         level.dot(asked) >= kLeastCosine * level.norm() * asked.norm();
 }
 
 void match_velocity(const Eigen::Vector3f& wanted, PushMotion& motion) noexcept {
   constexpr int kRounds = 4;
   for (int round = 0; round < kRounds; ++round) {
-    const Eigen::Vector3f missing = wanted - velocity_at_peak(motion);
+    Eigen::Vector3f missing = wanted - velocity_at_peak(motion);
+    missing.z() = 0;
     if (missing.norm() < 0.01F * wanted.norm()) return;
     motion.deformation += missing;
   }

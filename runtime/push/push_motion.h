@@ -26,14 +26,20 @@ struct PushCandidate {
 inline constexpr float kGoodRealism = 0.5F;
 
 /// How a foot of a pushed character differs from that of the recorded response.
+///
+/// A foot that stands is moved as a whole: turned by `yaw` about the vertical through `pivot`, then
+/// shifted, so that it rolls over its toes where it stands; what it differs by in height and tilt
+/// goes away by the spring. Any other foot goes to the response's by the spring.
 struct PushFoot {
+  bool stands = false;
   Eigen::Vector3f offset = Eigen::Vector3f::Zero();  ///< of the ankle when the push comes, m
   Eigen::Vector3f offset_velocity = Eigen::Vector3f::Zero();  ///< m/s; zero for a standing foot
-  Eigen::Vector3f turn = Eigen::Vector3f::Zero();             ///< of the foot, rotation vector
-  Eigen::Vector3f turn_velocity = Eigen::Vector3f::Zero();    ///< radians/s
-  bool stands = false;  ///< the offset stays until `fade` begins; else the spring takes it away
-  Interval fade;        ///< in which the offset fades to none, s after the push
-  float reach_m = 0;    ///< longest distance of the ankle from the hip
+  float yaw = 0;                                              ///< of a standing foot, radians
+  Eigen::Vector3f pivot = Eigen::Vector3f::Zero();  ///< the response's ankle at contact, world, m
+  Eigen::Vector3f turn = Eigen::Vector3f::Zero();   ///< of the foot, beside `yaw`, rotation vector
+  Eigen::Vector3f turn_velocity = Eigen::Vector3f::Zero();  ///< radians/s
+  Interval fade;      ///< in which the difference fades to none, s after the push
+  float reach_m = 0;  ///< longest distance of the ankle from the hip
 };
 
 /// The motion of a pushed character: a recorded response from its contact on, turned and moved to
@@ -78,7 +84,16 @@ motion::Pose pose_at(const PushMotion& motion, float time_s) noexcept;
 /// kClipVelocityInterval_s.
 Eigen::Vector3f velocity_at_peak(const PushMotion& motion) noexcept;
 
-/// Changes the deformation until velocity_at_peak() is `wanted`, to 1 %, in at most four rounds.
+/// Changes the deformation until velocity_at_peak() is `wanted` (horizontal), to 1 % as seen from
+/// above, in at most four rounds.
 void match_velocity(const Eigen::Vector3f& wanted, PushMotion& motion) noexcept;
+
+/// The velocity of the pushed joint when it is fastest along `wanted` within
+/// motion::kMaxPushRise_s of the push, world, m/s: over kClipVelocityInterval_s.
+Eigen::Vector3f peak_velocity(const PushMotion& motion, const Eigen::Vector3f& wanted) noexcept;
+
+/// Whether a velocity, as seen from above, is within 10 % and 15 degrees of the wanted one: pushed
+/// bodies sink by up to 0.8 m/s while they take a step.
+bool is_faithful(const Eigen::Vector3f& reached, const Eigen::Vector3f& wanted) noexcept;
 
 }  // namespace flinch::runtime

@@ -55,6 +55,7 @@ PushCandidate deformed_candidate(const PushResponses& responses, std::size_t res
   if (options.deforms) {
     candidate.deformation =
         asked - motion::rotation_about(Eigen::Vector3f::UnitZ(), candidate.turn) * own;
+    candidate.deformation.z() = 0;
   }
   return candidate;
 }

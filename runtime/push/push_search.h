@@ -24,7 +24,8 @@ struct SearchOptions {
 
 /// F (Arikan et al. 2005, equation 2), exact: the deformation by which the pushed joint reaches the
 /// asked velocity (in the frame of the facing) at the peak of the response's own push, after the
-/// turn that takes its direction nearest to the asked one. Sets everything except `realism` and
+/// turn that takes its direction nearest to the asked one. Both count as
+/// seen from above: pushed bodies sink while they take a step. Sets everything except `realism` and
 /// `taper`.
 PushCandidate deformed_candidate(const PushResponses& responses, std::size_t response,
                                  motion::Role place, const Eigen::Vector3f& asked,

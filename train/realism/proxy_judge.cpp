@@ -62,18 +62,23 @@ ProxyMeasures ProxyJudge::measured(const motion::Motion& motion) const {
           quality.peak_acceleration_mps2, out_of_balance_m(figure_, motion)};
 }
 
-float ProxyJudge::quality_of(const PushExample& example) const {
+std::array<float, 6> ProxyJudge::scores_of(const PushExample& example) const {
   const ProxyMeasures found = measured(played(responses_, example));
   const ProxyMeasures& own = recorded_[static_cast<std::size_t>(example.answer.response)];
   const database::QualityBounds bounds;
   const float acceleration = std::max(own.acceleration_mps2, bounds.peak_acceleration_mps2);
-  return std::min(
-      {score(found.limit_excess_deg, std::max(own.limit_excess_deg, bounds.limit_excess_deg), 20),
-       score(found.support_drift_m, std::max(own.support_drift_m, 0.005F), 0.03F),
-       score(found.below_ground_m, std::max(own.below_ground_m, bounds.foot_below_ground_m), 0.02F),
-       score(found.speed_share, std::max(own.speed_share, bounds.speed_share), 1),
-       score(found.acceleration_mps2, acceleration, acceleration),
-       score(found.out_of_balance_m, own.out_of_balance_m, 0.15F)});
+  return {
+      score(found.limit_excess_deg, std::max(own.limit_excess_deg, bounds.limit_excess_deg), 20),
+      score(found.support_drift_m, std::max(own.support_drift_m, 0.005F), 0.03F),
+      score(found.below_ground_m, std::max(own.below_ground_m, bounds.foot_below_ground_m), 0.02F),
+      score(found.speed_share, std::max(own.speed_share, bounds.speed_share), 1),
+      score(found.acceleration_mps2, acceleration, acceleration),
+      score(found.out_of_balance_m, own.out_of_balance_m, 0.15F)};
+}
+
+float ProxyJudge::quality_of(const PushExample& example) const {
+  const std::array<float, 6> scores = scores_of(example);
+  return *std::min_element(scores.begin(), scores.end());
 }
 
 }  // namespace flinch::train

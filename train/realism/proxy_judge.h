@@ -34,6 +34,8 @@ class ProxyJudge {
 
   /// Q of an example, 0 to 1.
   float quality_of(const PushExample& example) const;
+  /// What each measure alone would give, in the order of ProxyMeasures, 0 to 1.
+  std::array<float, 6> scores_of(const PushExample& example) const;
 
  private:
   ProxyMeasures measured(const motion::Motion& motion) const;

@@ -229,6 +229,28 @@ TEST_F(CApi, PoseStaysValidAfterRandomCalls) {
   }
 }
 
+TEST_F(CApi, PushSaysWhatIsWrong) {
+  constexpr float kAhead[3] = {1, 0, 0};
+  constexpr float kNone[3] = {0, 0, 0};
+  constexpr std::int32_t kChest = 2;
+  const auto push = [&](std::int32_t joint, const float* velocity) {
+    return flinch_character_push(character, joint, velocity, workspace);
+  };
+  ASSERT_STREQ(flinch_joint_name(kChest), "chest");
+  refuses(FLINCH_NULL_POINTER, [&] { return push(kChest, nullptr); });
+  refuses(FLINCH_NULL_POINTER,
+          [&] { return flinch_character_push(nullptr, kChest, kAhead, workspace); });
+  refuses(FLINCH_BAD_PUSH, [&] { return push(kChest, kNone); });
+  refuses(FLINCH_BAD_PUSH, [&] { return push(-1, kAhead); });
+  refuses(FLINCH_BAD_PUSH, [&] { return push(FLINCH_JOINT_COUNT, kAhead); });
+  refuses(FLINCH_WITHOUT_PUSHES, [&] { return push(kChest, kAhead); });
+  std::int32_t count = -1;
+  EXPECT_EQ(flinch_character_push_candidates(character, nullptr, 0, &count), FLINCH_OK);
+  EXPECT_EQ(count, 0);
+  refuses(FLINCH_NULL_POINTER,
+          [&] { return flinch_character_push_candidates(character, nullptr, 1, &count); });
+}
+
 TEST_F(CApi, RejectsARotationThatIsNotUnit) {
   flinch_pose stretched = pose();
   stretched.rotation[3][0] *= 1.5F;
@@ -267,7 +289,7 @@ TEST(CApiStatus, EachHasAMessageOfItsOwn) {
     EXPECT_GT(std::strlen(message), 1U);
     messages.insert(message);
   }
-  EXPECT_EQ(messages.size(), 28U + 1) << "and one for all that are none";
+  EXPECT_EQ(messages.size(), 31U + 1) << "and one for all that are none";
 }
 
 }  // namespace

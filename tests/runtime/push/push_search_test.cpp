@@ -121,7 +121,8 @@ TEST(SearchPush, RanksEveryResponseByItsBestWidth) {
 
 TEST(DeformedCandidate, TurnsByAtMostThirtyDegreesAndDeformsTheRest) {
   const tests::PushScene scene;
-  const Eigen::Vector3f own = scene.responses.responses[0].velocity[0];
+  const Eigen::Vector3f recorded = scene.responses.responses[0].velocity[0];
+  const Eigen::Vector3f own(recorded.x(), recorded.y(), 0);
   const auto turned = [&](float degrees) {
     return Eigen::Vector3f(
         motion::rotation_about(Eigen::Vector3f::UnitZ(), motion::radians(degrees)) * own);
