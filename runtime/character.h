@@ -171,11 +171,12 @@ class Character {
   /// The response that brace() would start for what was noticed.
   Response plan_brace(const Perception& perception, bool startles = false) const noexcept;
   /// Answers a push: the joint `place` (one of motion::kPushPlaces) shall move with `velocity`
-  /// (world, m/s, 0.05 to 20; its vertical part is ignored) within 0.65 s. Chooses, of the recorded responses that can be bent to
-  /// this push (is_faithful()), the one that will look most real, and starts it from the pose and velocities of now, whatever the character
-  /// does; that includes the response to another push. Returns no_good_answer, and changes nothing
-  /// but push_candidates(), where none of those has a realism of kGoodRealism. `workspace` as for
-  /// perceive(). Costs 0.1 to 0.3 ms.
+  /// (world, m/s, 0.05 to 20; its vertical part is ignored) within 0.65 s. Chooses, of the recorded
+  /// responses that can be bent to this push (is_faithful()), the one that will look most real, and
+  /// starts it from the pose and velocities of now, whatever the character does; that includes the
+  /// response to another push. Returns no_good_answer, and changes nothing but push_candidates(),
+  /// where none of those has a realism of kGoodRealism. `workspace` as for perceive(). Costs 0.1 to
+  /// 0.3 ms.
   Status push(motion::Role place, const Eigen::Vector3f& velocity, Workspace& workspace) noexcept;
 
   /// Advances the character by `dt_s` (above 0, at most kMaxTimeStep_s), which may differ from
