@@ -8,7 +8,7 @@ import unittest
 
 from flinch_program import ProgramTest, make_library
 
-PUSH = ["--at", "left_shoulder", "--from", 180, "--speed", 0.6]
+PUSH = ["--at", "left_shoulder", "--from", 180, "--speed", 1.2]
 
 
 class Push(ProgramTest):
@@ -49,7 +49,7 @@ class Push(ProgramTest):
         played = self.document("push", self.selector, *PUSH, "--out", out)
         self.assertEqual(out.read_bytes()[:4], b"glTF")
         self.assertGreater(played["candidates"][0]["realism"], 0.5)
-        self.assertAlmostEqual(played["reached_mps"], 0.6, delta=0.06)
+        self.assertAlmostEqual(played["reached_mps"], 1.2, delta=0.2)
         again = self.document("push", self.selector, *PUSH, "--out", out, "--repeat", 0.4)
         self.assertGreater(again["duration_s"], played["duration_s"])
         self.assertIn("proxy", self.succeed("push", self.selector, *PUSH, "--out", out).stdout)
