@@ -76,8 +76,7 @@ double least_impulse_ns(const sim::FigureModel& figure_model, const features::Ba
   const double sine = (relative + closing * at.normal).norm() / speed + kMaxLag_m / radius;
   if (sine >= 1) return 0;
   const sim::BodyState state = moved_on(part.state, time_s);
-  const Vector3d arm =
-      state.orientation.conjugate() * (at.point - state.position).cross(at.normal);
+  const Vector3d arm = state.orientation.conjugate() * (at.point - state.position).cross(at.normal);
   const double mobility = 1 / then.mass_kg +
                           1 / static_cast<double>(figure_model.model[part.body].mass_kg) +
                           arm.dot(figure_model.inertia[part.body].inverse() * arm);
@@ -89,8 +88,8 @@ std::optional<double> time_of_hit(const NearParts& near, const features::Ball& b
                                   double horizon_s) {
   std::optional<double> first_s;
   for (const NearPart& part : near.all()) {
-    const auto touch_s = time_of_contact(ball, part.shape, first_s.value_or(horizon_s),
-                                         sim::kContactDistance_m, 0);
+    const auto touch_s =
+        time_of_contact(ball, part.shape, first_s.value_or(horizon_s), sim::kContactDistance_m, 0);
     if (!touch_s) continue;
     const features::Ball then = ball.at(*touch_s);
     const sim::MovingShape shape = part.shape.at(*touch_s);
@@ -115,12 +114,11 @@ FirstHit least_first_hit(ResponseReference& reference, const sim::FigureModel& f
     FirstHit hit{std::numeric_limits<double>::infinity(), begin_s + *hit_s};
     for (const NearPart& part : near.all()) {
       if (part.near_s > *hit_s) continue;
-      const double gap_m =
-          motion::gap(now.at(*hit_s).position, now.radius, part.shape.at(*hit_s));
+      const double gap_m = motion::gap(now.at(*hit_s).position, now.radius, part.shape.at(*hit_s));
       if (gap_m > kGrazingDistance_m) return {};
       hit.damage_ns =
-          std::min(hit.damage_ns, vulnerability[part.body] *
-                                      least_impulse_ns(figure_model, now, part, *hit_s));
+          std::min(hit.damage_ns,
+                   vulnerability[part.body] * least_impulse_ns(figure_model, now, part, *hit_s));
     }
     return hit;
   }

@@ -340,7 +340,8 @@ Response Character::plan(const Perception& perception, int clip) const noexcept 
   const float time_s = perception.scenario.time_to_impact_s - perception.delay_s;
   if (!library_->is_loaded() || !is_time_to_impact(time_s)) return {};
   features::CharacterState state = current_state();
-  if (!is_responding() && !is_pushed()) state = features::later(current_loop(), state, perception.delay_s);
+  if (!is_responding() && !is_pushed())
+    state = features::later(current_loop(), state, perception.delay_s);
   return make_response(library_->prepared(), state, clip, time_s, current_inertialization(state));
 }
 

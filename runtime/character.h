@@ -255,7 +255,7 @@ class Character {
   Inertialization inertialization_;  ///< of the next response, after set_pose()
   /// Of the pelvis along the ground, a running mean of what set_pose() tells, m/s.
   Eigen::Vector3f drift_mps_ = Eigen::Vector3f::Zero();
-  PushMotion push_;                  ///< while the character answers a push
+  PushMotion push_;  ///< while the character answers a push
   PerceptionLimits limits_;
   std::uint64_t seed_ = 0;
   std::uint64_t threats_ = 0;  ///< perceived so far; refused ones do not count

@@ -258,8 +258,8 @@ flinch_status flinch_character_perceive_known(flinch_character* character,
 flinch_status flinch_character_brace(flinch_character* character, const flinch_threat* threat,
                                      int32_t startles) {
   if (const flinch_status status = check(character, threat)) return status;
-  return status_of(
-      character->content->character().brace(runtime::threat_of(*threat), startles != 0));
+  return status_of(character->content->character().brace(
+      runtime::threat_of(*threat, character->content->library->selector()), startles != 0));
 }
 
 flinch_status flinch_character_respond(flinch_character* character, int32_t clip,

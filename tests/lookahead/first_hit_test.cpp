@@ -18,9 +18,9 @@ class FirstHitTest : public testing::Test {
  protected:
   FirstHitTest() {
     features::CharacterState state;
-    reference_.follow(runtime::make_response(trained().library.prepared(), state,
-                                             trained().clips.idle, kTime_s),
-                      trained().clips.rate_hz);
+    reference_.follow(
+        runtime::make_response(trained().library.prepared(), state, trained().clips.idle, kTime_s),
+        trained().clips.rate_hz);
   }
 
   std::size_t frame_at(double time_s) { return static_cast<std::size_t>(time_s * rate_hz_); }
@@ -52,10 +52,8 @@ class FirstHitTest : public testing::Test {
 TEST_F(FirstHitTest, AHeadOnHitGivesNearlyTheImpulseOfTwoFreeBodies) {
   const features::Ball ball = ball_at_head(0, 20);
   const FirstHit hit = hit_of(ball);
-  const double head_kg =
-      static_cast<double>(trained().data->figure->model[Body::head].mass_kg);
-  const double impulse_ns =
-      (1 + ball.bounce.restitution) * 20 / (1 / ball.mass_kg + 1 / head_kg);
+  const double head_kg = static_cast<double>(trained().data->figure->model[Body::head].mass_kg);
+  const double impulse_ns = (1 + ball.bounce.restitution) * 20 / (1 / ball.mass_kg + 1 / head_kg);
   EXPECT_LT(hit.damage_ns, impulse_ns);  // off the centre of mass, and a centimetre beside
   EXPECT_GT(hit.damage_ns, 0.85 * impulse_ns);
   EXPECT_GT(hit.contact_s, kTime_s - 0.02);
