@@ -34,13 +34,18 @@ async function open(where) {
     if (message.type() === "error") complaints.push(message.text());
   });
   made.on("pageerror", (error) => complaints.push(String(error)));
+  const session = await context.newCDPSession(made);
+  await session.send("Performance.enable", { timeDomain: "threadTicks" });
+  made.busy_ms = async () =>
+    1000 * (await session.send("Performance.getMetrics")).metrics.find(({ name }) => name === "TaskDuration").value;
   await made.goto(where, { waitUntil: "commit" });
   await made.waitForFunction(() => globalThis.flinchPage?.takes.length > 0);
   return made;
 }
 const begin_ms = performance.now();
 const page = await open(address);
-console.log(`the page loads in ${(performance.now() - begin_ms).toFixed(0)} ms`);
+const load_ms = performance.now() - begin_ms;
+console.log(`the page loads in ${load_ms.toFixed(0)} ms, of which its thread computes ${(await page.busy_ms()).toFixed(0)} ms`);
 
 /** Follows a link to a view within the page. */
 async function show(hash) {

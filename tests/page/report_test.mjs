@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
-// The page of a report in a real browser: usage: node report_test.mjs FLINCH SOURCE_FOLDER FOLDER [SHOTS]
-// Everything it makes is in FOLDER. With SHOTS writes pictures into that folder.
+// The page of a report in a real browser: usage:
+// node report_test.mjs FLINCH SOURCE_FOLDER FOLDER [SHOTS REPORT_HTML]
+// Everything it makes is in FOLDER. With SHOTS writes pictures of REPORT_HTML into that folder.
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { mkdirSync, readFileSync, readdirSync, rmSync } from "node:fs";
 import { createRequire } from "node:module";
 import { pathToFileURL } from "node:url";
 
-const [program, source, folder, shots] = process.argv.slice(2);
+const [program, source, folder, shots, pictured] = process.argv.slice(2);
 const { chromium } = createRequire(`${source}/viewer/package.json`)("playwright-core");
 rmSync(folder, { recursive: true, force: true });
 mkdirSync(folder, { recursive: true });
@@ -68,9 +69,8 @@ const tests = {
     assert.equal(await marks("groups", "cell"), 4 * (report.rows.length - 1));
     const drawn = report.directions.filter((row) => row.name !== "oracle" && row.regret !== null);
     assert.equal(await page.locator("#directions .drawing svg path").count(), drawn.length);
-    const names = [...new Set(report.confusions.map((row) => row.name))];
     const filled = await page.locator('#confusion .drawing svg [aria-label="cell"]').last().locator("rect").count();
-    assert.equal(filled, report.confusions.filter((row) => row.name === names[0]).length);
+    assert.equal(filled, report.confusions.filter((row) => row.name === report.methods[0].name).length);
   },
 
   async "dots and bars stand where their numbers are"() {
@@ -166,8 +166,10 @@ const tests = {
     assert.equal(await colour(dark), "rgb(30, 36, 45)");
     if (shots) {
       mkdirSync(shots, { recursive: true });
-      for (const [name, one] of Object.entries({ light: page, dark, phone }))
+      for (const [name, width, scheme] of [["light", 1180, "light"], ["dark", 1180, "dark"], ["phone", 390, "light"]]) {
+        const one = await open(width, scheme, pictured);
         await one.screenshot({ path: `${shots}/report_${name}.jpg`, type: "jpeg", quality: 80 });
+      }
     }
   },
 };

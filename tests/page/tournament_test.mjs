@@ -28,7 +28,7 @@ const bundled = async (name) => {
   return import(pathToFileURL(outfile));
 };
 const { playTournament } = await bundled("tournament");
-const { choosersOf, loadSelector } = await bundled("chooser");
+const { atRest, choosersOf, loadSelector } = await bundled("chooser");
 const { loadFlinch } = await import(pathToFileURL(`${packageFolder}/flinch.js`));
 const selector = loadSelector(await loadFlinch(), "a", readFileSync(`${folder}/a.flinch`));
 const { brawn } = selector.oracle.costs();
@@ -56,3 +56,15 @@ for (const [name, row] of [["a", "knn"], ["Idle", "idle"], ["Oracle", "oracle"],
 }
 assert.equal(compared_rows, 4);
 assert.ok(rowNamed("idle").mean_cost > 1.2 * rowNamed("oracle").mean_cost, "the scenarios hardly differ");
+
+// What the oracle's worker computes for a throw at a character that stands still.
+const { randomNumbers, randomThrow, threatOf } = await bundled("throw");
+const random = randomNumbers(1);
+const computed_ms = Array.from({ length: 40 }, () => {
+  const threat = threatOf(randomThrow(random));
+  const begin = process.cpuUsage().user;
+  selector.oracle.tryAll(atRest(selector, 0), threat);
+  return (process.cpuUsage().user - begin) / 1000;
+}).slice(10); // the first are slower, until their code is compiled well
+computed_ms.sort((a, b) => a - b);
+console.log(`the oracle computes ${computed_ms[computed_ms.length >> 1].toFixed(0)} ms for a throw (median of ${computed_ms.length}, CPU time)`);

@@ -144,7 +144,10 @@ export const kCharts: readonly Chart[] = [
     title: "Confusion among clips",
     about: "Which clip was chosen where which was the best. The diagonal is right; beside it the regret counts, which a clip's twin may not cost.",
     is_wide: true,
-    choices: (report) => valuesOf(report.confusions, "name"),
+    choices: (report) => {
+      const methods = report.methods.map(({ name }) => name);
+      return [...new Set([...methods, ...valuesOf(report.confusions, "name")])];
+    },
     rows: (report, _, name) =>
       report.confusions.filter((row) => row.name === name)
         .sort((a, b) => Number(b.scenarios) - Number(a.scenarios)),

@@ -5,7 +5,7 @@ import type { Row } from "./report";
 import { colourOf, type Frame } from "./look";
 
 const kHeight = 13; // px, of a name
-const kLetter = 6.4;
+const kLetter = 7.5;
 const kGap = 8;
 
 export interface Lines {
@@ -106,8 +106,12 @@ function linesOf(rows: readonly Row[], at: (row: Row) => Point): Box[] {
 function besideEnds(texts: readonly string[], points: readonly Point[], lines: Box[], size: Size): Point[] {
   const taken = [...lines];
   const far = 10000;
-  taken.push({ left: -far, right: far, top: -far, bottom: 4 }, { left: size.width, right: far, top: 0, bottom: far });
-  taken.push({ left: -far, right: far, top: size.height - size.marginBottom - 2, bottom: far });
+  const outside: Box[] = [
+    { left: -far, right: far, top: -far, bottom: 4 },
+    { left: size.width, right: far, top: 0, bottom: far },
+    { left: -far, right: far, top: size.height - size.marginBottom - 2, bottom: far },
+  ];
+  const covers = (box: Box, others: Box[]) => others.reduce((sum, other) => sum + overlap(box, other), 0);
   return texts.map((text, i) => {
     const { x, y } = points[i]!;
     const width = kLetter * text.length;
@@ -117,7 +121,7 @@ function besideEnds(texts: readonly string[], points: readonly Point[], lines: B
       const lefts = [x + kGap, x - kGap - width, ...(down ? [x - width / 2] : [])];
       for (const left of lefts) boxes.push({ left, right: left + width, top, bottom: top + kHeight });
     }
-    const covered = boxes.map((box) => taken.reduce((sum, other) => sum + overlap(box, other), 0));
+    const covered = boxes.map((box) => covers(box, taken) + 100 * covers(box, outside));
     const best = boxes[covered.indexOf(Math.min(...covered))]!;
     taken.push(best);
     return { x: best.left, y: best.top + kHeight / 2 };

@@ -20,8 +20,6 @@ export function drawn(frame: Frame, options: Plot.PlotOptions): Drawing {
     style: { color: theme.ink, background: theme.card, fontSize: "11px" },
   }) as Drawing;
   plot.querySelectorAll("style").forEach((style) => style.remove());
-  plot.removeAttribute("class");
-  plot.classList.add("plot");
   return plot;
 }
 
@@ -88,7 +86,7 @@ export function lines({ rows: all, x, y }: Lines, options: LineOptions, frame: F
     ? { ticks: kTicksTowardsOne.filter((tick) => tick >= bounds[0] - 0.15 * (1 - bounds[0]) && tick <= bounds[1]).map(height_of), tickFormat: (d: number) => String(Number((1 - d).toPrecision(6))) }
     : {};
   const x_ticks = few && !narrow ? { ticks: sizes, tickFormat: (d: number) => d.toLocaleString("en") }
-    : { ticks: narrow ? 4 : 8, ...(options.logarithmic_x ? { tickFormat: (d: number) => (/^[125]/.test(d.toExponential()) ? d.toLocaleString("en") : "") } : {}) };
+    : { ticks: Math.max(3, frame.width / 100), ...(options.logarithmic_x ? { tickFormat: (d: number) => (/^[125]/.test(d.toExponential()) ? d.toLocaleString("en") : "") } : {}) };
   return drawn(frame, {
     ...scalesOf(frame), height: narrow ? 280 : 330, marginLeft: 52, marginBottom: 42, marginTop: 24,
     marginRight: together ? 130 : 30,

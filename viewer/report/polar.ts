@@ -51,7 +51,8 @@ export function polarMaps(rows: readonly Row[], options: PolarOptions, frame: Fr
   const sector_deg = 360 / new Set(rows.map((row) => row.azimuth_degrees)).size;
   const known = rows.filter((row) => row[options.value] !== null);
   const most = options.most ?? Math.max(...known.map((row) => row[options.value] as number), 1e-9);
-  const share = (row: Row) => Math.min(Math.max((row[options.value] as number) / most, 0), 1);
+  const linear = (row: Row) => Math.min(Math.max((row[options.value] as number) / most, 0), 1);
+  const share = (row: Row) => (options.most ? linear(row) : Math.sqrt(linear(row))); // the small is seen too
   const outlines = known.flatMap((row, cell) =>
     corners(row, sector_deg).map((corner) => ({ ...facet(String(row.name)), ...corner, cell, share: share(row) })),
   );
