@@ -290,7 +290,7 @@ const tests = {
 
   async "a character that was knocked over rises without a jump"() {
     await show(kThrow.replace("view=one", "view=volley"));
-    const { seed, steps } = await page.evaluate(() => {
+    const { seed, steps, away } = await page.evaluate(() => {
       const app = globalThis.flinchPage;
       Object.assign(app.view.thrown, { radius: 0.15, mass: 6 });
       for (let seed = 1; seed <= 20; ++seed) {
@@ -302,13 +302,16 @@ const tests = {
         const places = app.alone.frames.slice(first, first + 60).map(({ joints }) => joints.position);
         const far = (a, b) => Math.max(...a.map((_, i) => Math.abs(a[i] - b[i])));
         const steps = places.slice(1).map((place, i) => far(place, places[i]));
-        return { seed, steps: [...steps, far(places[0], places.at(-1))] };
+        // The pelvis comes first.
+        const away = Math.hypot(...[0, 1].map((axis) => places.at(-1)[axis] - places[0][axis]));
+        return { seed, steps: [...steps, far(places[0], places.at(-1))], away };
       }
       return { seed: 0, steps: [] };
     });
     assert.ok(seed > 0, "no volley knocks the character over");
     const whole = steps.pop();
     assert.ok(whole > 0.5, `it rises by ${whole} m`);
+    assert.ok(away < 0.25, `it rises ${away} m from where it fell`);
     assert.ok(Math.max(...steps) < 0.12, `a joint jumps by ${Math.max(...steps)} m in a frame`);
     await page.evaluate(() => globalThis.flinchPage.set({ seed: 1 }));
   },

@@ -131,9 +131,10 @@ export class Volley extends Recording {
     if (this.character.reaction().phase !== kKnockedOver) return;
     if (this.risesAt === Infinity) this.risesAt = now + kLies;
     if (now < this.risesAt) return;
-    this.risings.push({ from: now, pose: this.character.pose() });
-    const { position, facing } = this.character.state();
-    this.character.place(position[0]!, position[1]!, facing);
+    const pose = this.character.pose();
+    this.risings.push({ from: now, pose });
+    const [x, y] = pose.root_position; // which may be far from where it stood
+    this.character.place(x!, y!, this.character.state().facing);
     this.risesAt = Infinity;
   }
 
