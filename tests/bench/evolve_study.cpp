@@ -212,7 +212,7 @@ void gallery(const std::string& library_file, const std::string& folder) {
   std::ofstream page(folder + "/README.md");
   page << "# Evolved clips\n\nFilmstrips of the clips that `flinch evolve` added to the authored "
           "library; mirror images are left out. Rows and arrows are as in [the gallery of authored "
-          "clips](../gallery/README.md).\n";
+          "clips](../README.md).\n";
   for (const motion::Clip& clip : library.clips) {
     if (clip.kind != "evolved" || !clip.mirrored_from.empty()) continue;
     std::ofstream(folder + "/" + clip.name + ".svg") << database::filmstrip_svg(figure, clip);
