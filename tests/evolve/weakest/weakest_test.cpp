@@ -89,6 +89,13 @@ TEST(Weakest, GivesTheSameBytesOnOneThreadAndWhenInterruptedAnywhere) {
     ASSERT_LT(reports, 20);
   }
   EXPECT_EQ(database::library_bytes(library), database::library_bytes(finished().library));
+  const auto& expected = finished().series.finished;
+  ASSERT_EQ(series.finished.size(), expected.size());
+  for (std::size_t k = 0; k < expected.size(); ++k) {
+    ASSERT_EQ(series.finished[k].history.size(), expected[k].history.size());
+    for (std::size_t g = 0; g < expected[k].history.size(); ++g)
+      EXPECT_EQ(series.finished[k].history[g].mean_fitness, expected[k].history[g].mean_fitness);
+  }
 }
 
 }  // namespace
