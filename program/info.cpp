@@ -82,9 +82,7 @@ std::vector<std::string> push_cells(const motion::Push& push) {
           "-"};
 }
 
-std::vector<std::string> annotation_cells(const motion::Clip& clip) {
-  if (clip.push) return push_cells(*clip.push);
-  const std::optional<motion::Annotation>& annotation = clip.annotation;
+std::vector<std::string> annotation_cells(const std::optional<motion::Annotation>& annotation) {
   if (!annotation) return {"-", "-", "-", "-", "-", "-"};
   return {std::string(motion::name_of(annotation->target)),
           fixed(motion::degrees(double{annotation->direction}), 0),
@@ -92,6 +90,11 @@ std::vector<std::string> annotation_cells(const motion::Clip& clip) {
           fixed(double{annotation->onset_s}, 2),
           fixed(double{annotation->peak_s}, 2),
           fixed(double{annotation->end_s}, 2)};
+}
+
+/// Of what a clip answers.
+std::vector<std::string> answer_cells(const motion::Clip& clip) {
+  return clip.push ? push_cells(*clip.push) : annotation_cells(clip.annotation);
 }
 
 void print_library(const database::ClipLibrary& library) {
@@ -107,7 +110,7 @@ void print_library(const database::ClipLibrary& library) {
   for (const motion::Clip& clip : library.clips) {
     std::vector<std::string> cells{clip.name, std::string(motion::name_of(clip.purpose)),
                                    fixed(double{clip.motion.duration_s()}, 2)};
-    const std::vector<std::string> annotation = annotation_cells(clip);
+    const std::vector<std::string> annotation = answer_cells(clip);
     cells.insert(cells.end(), annotation.begin(), annotation.end());
     table.add(cells);
   }

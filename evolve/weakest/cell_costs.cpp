@@ -12,7 +12,7 @@ double oracle_cost_ns(const train::Observation& observation, const train::CostMo
   const auto end = std::ranges::find_if(
       observation.trials, [&](const train::Trial& trial) { return trial.clip >= clip_count; });
   const std::span trials(observation.trials.begin(), end);
-  const std::vector<double> costs = costs_of(trials, model);
+  const std::vector<double> costs = costs_of(trials, observation.scenario.threat.kind, model);
   return costs[best_trial(trials, costs)];
 }
 

@@ -138,7 +138,7 @@ std::optional<std::vector<ClipScore>> CellTrial::test(std::span<const Chromosome
     for (const train::Trial& trial : observation.trials) {
       if (trial.clip == candidates.idle) continue;
       ClipScore& score = scores[static_cast<std::size_t>(trial.clip) - 1];
-      const double cost_ns = cost_of(trial, cost_model_);
+      const double cost_ns = cost_of(trial, observation.scenario.threat.kind, cost_model_);
       score.cost_ns += cost_ns / count;
       score.oracle_ns += std::min(cost_ns, best_ns) / count;
     }

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "author_scene.h"
+#include "database/author/static_balance.h"
 #include "motion/body_distance.h"
 #include "motion/error.h"
 #include "motion/joint_limits.h"
