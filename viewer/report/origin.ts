@@ -41,7 +41,7 @@ export function originOf(report: Report): HTMLElement {
       element("h3", { textContent: "Cost" }),
       list([
         ["brawn", String(model.brawn)],
-        ["reference damage", `${model.reference_damage_ns.toFixed(3)} N s`],
+        ["reference damage", `${model.reference_damage_ns.map((ns) => ns.toFixed(3)).join(", ")} N s`],
         ["reference work", `${model.reference_work_j.toFixed(1)} J`],
         [`vulnerability (${model.vulnerability_name})`, plain(model.vulnerability)],
       ])),

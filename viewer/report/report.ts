@@ -42,7 +42,7 @@ export interface Report {
   scenarios_tested: number;
   cost_model: {
     brawn: number;
-    reference_damage_ns: number;
+    reference_damage_ns: number[]; // of each kind of threat
     reference_work_j: number;
     vulnerability_name: string;
     vulnerability: Record<string, number>;
