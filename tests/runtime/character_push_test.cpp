@@ -15,7 +15,8 @@ namespace {
 
 using motion::Role;
 
-Library loaded(const database::ClipLibrary& clips, std::optional<models::RealismModel> realism) {
+Library loaded_with(const database::ClipLibrary& clips,
+                    std::optional<models::RealismModel> realism) {
   tests::MadeUpSelector made = tests::made_up_selector(clips, 40, tests::ModelKind::knn);
   made.selector.realism = std::move(realism);
   const std::string file = made.file();
@@ -24,13 +25,14 @@ Library loaded(const database::ClipLibrary& clips, std::optional<models::Realism
   return library;
 }
 
-const Library& library() {
-  static const Library one = loaded(tests::library_with_pushes(), tests::constant_realism(0.9F));
+const Library& pushable() {
+  static const Library one =
+      loaded_with(tests::library_with_pushes(), tests::constant_realism(0.9F));
   return one;
 }
 
-struct Pushed {
-  explicit Pushed(const Library& of) : character(of) {
+struct PushedOne {
+  explicit PushedOne(const Library& of) : character(of) {
     workspace.reserve_memory(of.selection_bytes());
     character.place({1, 2}, 0.5F, 0.3F);
   }
@@ -41,22 +43,22 @@ struct Pushed {
   Workspace workspace;
 };
 
-constexpr float kFrame_s = 1.0F / 60;
+constexpr float kPushFrame_s = 1.0F / 60;
 
 TEST(CharacterPush, AnswersAndReturnsToIdleWithoutAJump) {
-  Pushed one(library());
-  for (int k = 0; k < 30; ++k) one.character.update(kFrame_s);
+  PushedOne one(pushable());
+  for (int k = 0; k < 30; ++k) one.character.update(kPushFrame_s);
   const motion::Pose before = one.character.pose();
   ASSERT_EQ(one.push(Role::left_upper_arm, {0.5F, 0.6F, 0}), Status::ok);
   EXPECT_LT(tests::distance(one.character.pose(), before), 2e-3F);
   EXPECT_EQ(one.character.phase(), Phase::pushed);
-  EXPECT_TRUE(library().clip_library().clip(one.character.clip()).push);
+  EXPECT_TRUE(pushable().clip_library().clip(one.character.clip()).push);
   EXPECT_EQ(one.character.push_candidates().size(), 6U);
   EXPECT_NEAR(one.character.push_candidates()[0].realism, 0.9F, 1e-5F);
   motion::Pose last = one.character.pose();
   int frames = 0;
   for (; one.character.phase() != Phase::idle && frames < 600; ++frames) {
-    one.character.update(kFrame_s);
+    one.character.update(kPushFrame_s);
     const motion::Pose pose = one.character.pose();
     ASSERT_TRUE(is_sound(pose));
     ASSERT_LT(tests::distance(pose, last), 0.25F) << frames;
@@ -68,9 +70,9 @@ TEST(CharacterPush, AnswersAndReturnsToIdleWithoutAJump) {
 }
 
 TEST(CharacterPush, TakesAnotherPushDuringTheFirst) {
-  Pushed one(library());
+  PushedOne one(pushable());
   ASSERT_EQ(one.push(Role::chest, {-1, 0, 0}), Status::ok);
-  for (int k = 0; k < 24; ++k) one.character.update(kFrame_s);
+  for (int k = 0; k < 24; ++k) one.character.update(kPushFrame_s);
   const motion::Pose before = one.character.pose();
   int answered = 0;
   for (int k = 0; k < 16; ++k) {
@@ -82,15 +84,15 @@ TEST(CharacterPush, TakesAnotherPushDuringTheFirst) {
     }
     ++answered;
     EXPECT_LT(tests::distance(again.pose(), before), 5e-3F);
-    again.update(kFrame_s);
+    again.update(kPushFrame_s);
     EXPECT_LT(tests::distance(again.pose(), before), 0.2F);
   }
   EXPECT_GT(answered, 2);
 }
 
 TEST(CharacterPush, IsTheSameAtAnyFrameRate) {
-  Pushed slow(library());
-  Pushed fast(library());
+  PushedOne slow(pushable());
+  PushedOne fast(pushable());
   slow.push(Role::chest, {0.8F, 0.2F, 0});
   fast.push(Role::chest, {0.8F, 0.2F, 0});
   for (int k = 0; k < 15; ++k) slow.character.update(1.0F / 30);
@@ -99,7 +101,7 @@ TEST(CharacterPush, IsTheSameAtAnyFrameRate) {
 }
 
 TEST(CharacterPush, SaysWhyItDoesNotAnswerAndChangesNothing) {
-  Pushed one(library());
+  PushedOne one(pushable());
   const motion::Pose before = one.character.pose();
   for (const Eigen::Vector3f& velocity :
        {Eigen::Vector3f(0, 0, 0), Eigen::Vector3f(0.01F, 0, 0), Eigen::Vector3f(0, 21, 0),
@@ -110,26 +112,26 @@ TEST(CharacterPush, SaysWhyItDoesNotAnswerAndChangesNothing) {
   EXPECT_EQ(one.push(Role{99}, {1, 0, 0}), Status::bad_push);
   EXPECT_EQ(tests::distance(one.character.pose(), before), 0);
 
-  const Library no_pushes = loaded(scenes::synthetic_library(), tests::constant_realism(0.9F));
-  EXPECT_EQ(Pushed(no_pushes).push(Role::chest, {1, 0, 0}), Status::without_pushes);
-  const Library no_realism = loaded(tests::library_with_pushes(), std::nullopt);
-  EXPECT_EQ(Pushed(no_realism).push(Role::chest, {1, 0, 0}), Status::without_realism);
-  const Library bad = loaded(tests::library_with_pushes(), tests::constant_realism(0.4F));
-  Pushed refused(bad);
+  const Library no_pushes = loaded_with(scenes::synthetic_library(), tests::constant_realism(0.9F));
+  EXPECT_EQ(PushedOne(no_pushes).push(Role::chest, {1, 0, 0}), Status::without_pushes);
+  const Library no_realism = loaded_with(tests::library_with_pushes(), std::nullopt);
+  EXPECT_EQ(PushedOne(no_realism).push(Role::chest, {1, 0, 0}), Status::without_realism);
+  const Library bad = loaded_with(tests::library_with_pushes(), tests::constant_realism(0.4F));
+  PushedOne refused(bad);
   EXPECT_EQ(refused.push(Role::chest, {1, 0, 0}), Status::no_good_answer);
   EXPECT_EQ(refused.character.phase(), Phase::idle);
   EXPECT_NEAR(refused.character.push_candidates()[0].realism, 0.4F, 1e-5F);
-  Pushed small(library());
+  PushedOne small(pushable());
   Workspace none;
   EXPECT_EQ(small.character.push(Role::chest, {1, 0, 0}, none), Status::other_workspace);
 }
 
 TEST(CharacterPush, AllocatesNothing) {
-  Pushed one(library());
+  PushedOne one(pushable());
   const std::size_t before = tests::allocation_count();
   for (int k = 0; k < 100; ++k) {
     if (k % 40 == 0) one.push(Role::chest, {0.7F, 0.1F, 0});
-    one.character.update(kFrame_s);
+    one.character.update(kPushFrame_s);
     one.character.pose();
   }
   EXPECT_EQ(tests::allocation_count(), before);
