@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# glTF-Transform 4.5.1 (npm @gltf-transform/functions): functions that flatten, join or clean up meshes
+# glTF-Transform 4.5.1 (npm @gltf-transform/functions): functions that flatten or join meshes
 # take hands, feet and the top of the head off a skeleton without meshes.
 #
 # Expected: flatten() moves meshes to the root and join() joins meshes, so a file
