@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "reaction/recovery.h"
 #include "tests/reaction/reaction_player.h"
 
 namespace flinch::reaction {
