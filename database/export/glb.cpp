@@ -50,7 +50,8 @@ void pad(std::byte with, std::vector<std::byte>& bytes) {
 // Minimum and maximum of each component.
 std::pair<std::vector<float>, std::vector<float>> bounds(std::span<const float> numbers,
                                                          std::size_t components) {
-  std::vector<float> min(numbers.begin(), numbers.begin() + components);
+  const std::span<const float> first = numbers.first(components);
+  std::vector<float> min(first.begin(), first.end());
   std::vector<float> max = min;
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     min[i % components] = std::min(min[i % components], numbers[i]);

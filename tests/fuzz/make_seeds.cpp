@@ -60,7 +60,8 @@ void write_seeds(const std::filesystem::path& folder) {
   for (char& byte : words) byte = static_cast<char>(random());
   write(folder / "c_calls" / "random", words);
   const database::ClipLibrary authored = database::authored_library(motion::default_character());
-  write(folder / "c_calls.flinch", made_up_selector(authored, 60, ModelKind::knn).file());
+  write(folder / "c_calls.flinch",
+        with_response_costs(made_up_selector(authored, 60, ModelKind::knn)).file());
 }
 
 }  // namespace

@@ -26,14 +26,9 @@ constexpr int kOracleThrows = 3;
 constexpr float kFrame_s = 1.0F / 60;
 
 std::string selector_with_costs() {
-  tests::MadeUpSelector made = tests::made_up_selector(
-      database::authored_library(motion::default_character()), 60, tests::ModelKind::knn);
-  models::ResponseCosts& costs = made.selector.costs.emplace();
-  for (double& vulnerability : costs.vulnerability) vulnerability = 0.5;
-  costs.reference_damage_ns = {13};
-  costs.reference_work_j = 300;
-  costs.work_j.assign(made.selector.clips.size(), 40);
-  return made.file();
+  const database::ClipLibrary authored = database::authored_library(motion::default_character());
+  return tests::with_response_costs(tests::made_up_selector(authored, 60, tests::ModelKind::knn))
+      .file();
 }
 
 flinch_status checked(flinch_status status) {

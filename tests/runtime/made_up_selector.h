@@ -85,4 +85,14 @@ inline MadeUpSelector made_up_selector(const database::ClipLibrary& library, int
   return made;
 }
 
+/// The same with made-up costs of its clips, which looking ahead needs.
+inline MadeUpSelector with_response_costs(MadeUpSelector made) {
+  models::ResponseCosts& costs = made.selector.costs.emplace();
+  for (double& vulnerability : costs.vulnerability) vulnerability = 0.5;
+  costs.reference_damage_ns = {13};
+  costs.reference_work_j = 300;
+  costs.work_j.assign(made.selector.clips.size(), 40);
+  return made;
+}
+
 }  // namespace flinch::tests
