@@ -24,8 +24,7 @@ enum class RandomStream : std::uint32_t {
   noise,
   evolution,
   threat_grid,
-  realism,
-  motion_walk
+  realism
 };
 
 /// The random numbers of one (seed, stream, substream), in order. Scenarios use their number as the

@@ -40,7 +40,7 @@ void print_rows(const char* name, const char* unit, float scale, std::vector<Row
 /// A response in which no foot leaves the ground before the peak, with the weight shifted over the
 /// support foot all the same, as Zordan et al. do.
 runtime::Response with_shift(const runtime::Response& planned) {
-  constexpr float kShift_s = 0.3F;  // as response_plan.cpp has them
+  constexpr float kShift_s = 0.3F;  // as weight_shift.cpp has them
   constexpr float kBack_s = 0.45F;
   constexpr float kMargin_m = 0.015F;
   constexpr float kOvershoot = 1.17F;
