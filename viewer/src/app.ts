@@ -2,7 +2,6 @@
 // The page: what is shown, and what changes it.
 import type { Flinch } from "flinch";
 import { connectAim } from "./aim";
-import { centreOfMass, supportPolygon } from "./balance";
 import { showCaption, showCaptions } from "./captions";
 import { atRest, choose, choosersOf, loadSelector, type Chooser, type Conditions, type Selector } from "./chooser";
 import { ClipEditor } from "./clip_editor";
@@ -12,6 +11,8 @@ import { Figure } from "./figure";
 import { shortName } from "./files";
 import { kDefaultView, linkOf, viewOf, type Mode, type View } from "./link";
 import { showMessage } from "./message";
+import { overlayOf } from "./overlay";
+import { connectPage } from "./page_events";
 import { Panel } from "./panel";
 import { Player } from "./player";
 import type { Ring } from "./petals";
@@ -25,7 +26,6 @@ import { kDefaultThrow, randomNumbers, randomThrow, threatOf, type Throw } from 
 import { Volley } from "./volley";
 import { whyThisClip } from "./why";
 import type { SelectorFile } from "./worker";
-import { Vector3 } from "three";
 
 const kModeNames: Record<Mode, string> = {
   one: "Throw",
@@ -101,7 +101,24 @@ export class App {
         this.throwBall();
       },
     });
-    this.connectPage();
+    connectPage(
+      {
+        painted: (scheme) => {
+          this.stage.paint(kPalettes[scheme]);
+          this.isStale = true;
+        },
+        resized: (width, height) => {
+          this.stage.resize(width, height);
+          if (this.takes.length > 0) this.showCells();
+          this.isStale = true;
+        },
+        linked: () => {
+          if (location.hash !== linkOf(this.view)) this.restore();
+        },
+        files: (files) => void this.openFiles(files),
+      },
+      this.keys,
+    );
   }
 
   /** Adds a selector from its file; throws FlinchError where it cannot be used. */
@@ -210,53 +227,26 @@ export class App {
     this.showPage();
   }
 
-  private connectPage(): void {
-    const dark = matchMedia("(prefers-color-scheme: dark)");
-    const paint = () => {
-      this.stage.paint(kPalettes[dark.matches ? "dark" : "light"]);
-      this.isStale = true;
+  /** What keys do. */
+  private get keys(): Record<string, () => void> {
+    const turn = (by: number) => {
+      const [azimuth, elevation, distance] = this.view.camera;
+      this.set({ camera: [azimuth + by, elevation, distance] });
     };
-    dark.addEventListener("change", paint);
-    paint();
-    new ResizeObserver(() => {
-      if (this.takes.length > 0) this.showCells();
-      this.isStale = true;
-    }).observe(this.stage.canvas);
-    addEventListener("hashchange", () => {
-      if (location.hash !== linkOf(this.view)) this.restore();
-    });
-    addEventListener("keydown", (event) => this.pressed(event));
-    addEventListener("dragover", (event) => {
-      event.preventDefault();
-      document.body.classList.add("drop");
-    });
-    addEventListener("dragleave", () => document.body.classList.remove("drop"));
-    addEventListener("drop", (event) => {
-      event.preventDefault();
-      document.body.classList.remove("drop");
-      void this.openFiles(event.dataTransfer?.files ?? []);
-    });
-  }
-
-  private pressed(event: KeyboardEvent): void {
-    const isTyping = (event.target as Element).closest("input, select, button");
-    if (isTyping || event.ctrlKey || event.metaKey || event.altKey) return;
-    const [azimuth, elevation, distance] = this.view.camera;
-    const acts: Record<string, () => void> = {
+    const scrub = (by: number) => {
+      this.player.pause();
+      this.player.seek(this.player.time + by);
+    };
+    return {
       " ": () => this.player.toggle(),
-      ArrowLeft: () => this.player.seek(this.player.time - 1 / 30),
-      ArrowRight: () => this.player.seek(this.player.time + 1 / 30),
-      a: () => this.set({ camera: [azimuth - 5, elevation, distance] }),
-      d: () => this.set({ camera: [azimuth + 5, elevation, distance] }),
+      ArrowLeft: () => scrub(-1 / 30),
+      ArrowRight: () => scrub(1 / 30),
+      a: () => turn(-5),
+      d: () => turn(5),
       t: () => this.throwBall(),
       n: () => this.throwRandom(),
       x: () => this.throwDisagreeing(),
     };
-    const act = acts[event.key];
-    if (!act) return;
-    event.preventDefault();
-    if (event.key.startsWith("Arrow")) this.player.pause();
-    act();
   }
 
   /** While dragging: the throw is shown, not simulated. */
@@ -346,8 +336,7 @@ export class App {
 
   private showCells(): void {
     const count = this.takes.length;
-    const isNarrow = this.stage.canvas.clientWidth < this.stage.canvas.clientHeight;
-    const columns = count === 1 ? 1 : isNarrow ? 2 : 3;
+    const columns = count === 1 ? 1 : this.stage.isNarrow ? 2 : 3;
     this.stage.setCells(
       this.takes.map((take) => ({ recording: take, figure: this.figureOf(take.chooser) })),
       columns,
@@ -434,7 +423,7 @@ export class App {
     const isMoving = this.player.tick(now);
     if ((isMoving || this.isStale) && this.recordings.length > 0 && !byId("stage").hidden) {
       this.isStale = false;
-      this.showBalance();
+      this.showOverlay();
       this.stage.draw(this.player.time);
       this.showAloneCaption();
       this.frame_ms.push(performance.now() - begin);
@@ -455,18 +444,9 @@ export class App {
     }
   }
 
-  private showBalance(): void {
+  private showOverlay(): void {
     const [take] = this.takes;
-    if (!take || this.view.mode !== "one" || !this.panel.showsBalance) {
-      this.stage.showOverlay([]);
-      return;
-    }
-    const { library } = take.chooser.selector;
-    const { joints } = take.at(this.player.time).from;
-    const centre = centreOfMass(library, joints);
-    this.stage.showOverlay([
-      { points: supportPolygon(library, joints), colour: 0x2f9e6e },
-      { points: [centre, new Vector3(centre.x, centre.y, 0.006)], colour: 0xd0504a },
-    ]);
+    const isWanted = take && this.view.mode === "one" && this.panel.showsOverlay;
+    this.stage.showOverlay(isWanted ? overlayOf(take, this.player.time) : []);
   }
 }

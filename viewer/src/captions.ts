@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
+import type { Clip, Trial } from "flinch";
 import { costOf } from "./chooser";
 import { element } from "./dom";
 import type { Take } from "./take";
 
-/** Under a figure alone, in words. */
+/** Under a figure alone, in words. Called for every frame. */
 export function showCaption(root: HTMLElement, name: string, text: string): void {
+  if (root.textContent === name + text) return;
   root.style.gridTemplate = "1fr / 1fr";
   root.replaceChildren(
     element(
@@ -30,19 +32,33 @@ export function showCaptions(
   );
   const least = Math.min(...costs);
   const made = takes.map(({ chooser, clip, trial }, i) => {
-    const { name, kind } = chooser.selector.library.clips[clip]!;
     const isBest = takes.length > 1 && trial !== null && costs[i]! <= least * 1.01;
-    const numbers = trial
-      ? `cost ${costs[i]!.toFixed(2)} · damage ${trial.damage_ns.toFixed(2)} N s · work ${trial.work_j.toFixed(0)} J`
-      : "the ball hits nothing";
     const caption = element(
       "div",
       { className: isBest ? "caption best" : "caption", title: chooser.about },
       element("b", { textContent: chooser.name }),
-      element("div", { className: "clip", textContent: kind ? `${name.replaceAll("_", " ")} (${kind})` : name }),
-      element("div", { className: "numbers", textContent: numbers }),
+      element("div", { className: "clip", textContent: titleOf(chooser.selector.library.clips[clip]!) }),
+      element("div", { className: "numbers" }, ...(trial ? numbersOf(trial, costs[i]!) : ["the ball hits nothing"])),
     );
     return caption;
   });
   root.replaceChildren(...made);
+}
+
+/** Where there is little room units alone tell them apart. */
+function numbersOf(trial: Trial, cost: number): (string | Node)[] {
+  const label = (text: string) => element("span", { className: "more", textContent: text });
+  return [
+    `cost ${cost.toFixed(2)} · `,
+    label("damage "),
+    `${trial.damage_ns.toFixed(2)} N s · `,
+    label("work "),
+    `${trial.work_j.toFixed(0)} J`,
+  ];
+}
+
+/** Its name, and its kind where the name does not begin with that. */
+function titleOf({ name, kind }: Clip): string {
+  const words = name.replaceAll("_", " ");
+  return kind && !words.startsWith(kind) ? `${words} (${kind})` : words;
 }

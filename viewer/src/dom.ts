@@ -26,6 +26,11 @@ export function byId<T extends HTMLElement>(id: string): T {
   return found as T;
 }
 
+/** Changes a text, if it says something else. */
+export function setText(node: Text, text: string): void {
+  if (node.data !== text) node.data = text;
+}
+
 export function button(text: string, act: () => void, className = ""): HTMLButtonElement {
   return element("button", { type: "button", textContent: text, onclick: act, className });
 }

@@ -29,8 +29,13 @@ export class Figure {
   readonly mesh: SkinnedMesh<BufferGeometry, MeshStandardMaterial>;
   private readonly bones: Bone[];
   private readonly plain: Float32Array; // colours without glow
-  private readonly bodyOf: Uint8Array; // for each vertex
-  private glowing: Float32Array | null = null;
+  private readonly verticesOf: number[][]; // of each body
+  private readonly lit: Float32Array; // share of the glow on each body
+  // Of one joint, while its matrix is composed: nothing is allocated for a frame.
+  private readonly position = new Vector3();
+  private readonly nextPosition = new Vector3();
+  private readonly orientation = new Quaternion();
+  private readonly nextOrientation = new Quaternion();
 
   constructor(library: Library, colour: number) {
     const skin = library.skin();
@@ -43,17 +48,16 @@ export class Figure {
     this.plain = coloursOf(skin.triangles, skin.position.length / 3, new Color(colour));
     geometry.setAttribute("color", new BufferAttribute(this.plain.slice(), 3));
     const bodies = bodyOfJoints(library);
-    this.bodyOf = Uint8Array.from({ length: skin.joint.length / 4 }, (_, v) => bodies[skin.joint[4 * v]!]!);
-    this.bones = bodies.map(() => {
-      const bone = new Bone();
-      bone.matrixAutoUpdate = false;
-      return bone;
-    });
+    this.verticesOf = library.outlines.map(() => []);
+    for (let v = 0; v < skin.joint.length / 4; ++v)
+      this.verticesOf[bodies[skin.joint[4 * v]!]!]!.push(v);
+    this.lit = new Float32Array(this.verticesOf.length);
+    // Bones stand beside the scene: their matrices are the world's, and nobody else walks over them.
+    this.bones = bodies.map(() => new Bone());
     const rest = restPositions(library);
     const inverses = rest.map((position) => new Matrix4().setPosition(position.negate()));
     const material = new MeshStandardMaterial({ vertexColors: true, roughness: 0.8 });
     this.mesh = new SkinnedMesh(geometry, material);
-    for (const bone of this.bones) this.mesh.add(bone);
     this.mesh.bind(new Skeleton(this.bones, inverses), new Matrix4());
     this.mesh.castShadow = this.mesh.receiveShadow = true;
     this.mesh.frustumCulled = false;
@@ -62,28 +66,38 @@ export class Figure {
 
   /** Shows a pose between two recorded ones. */
   show(from: JointFrames, to: JointFrames, share: number): void {
-    this.bones.forEach((bone, joint) => {
-      const orientation = quaternionOf(from.orientation, joint).slerp(
-        quaternionOf(to.orientation, joint),
-        share,
+    const { position, nextPosition, orientation, nextOrientation } = this;
+    this.bones.forEach(({ matrixWorld }, joint) => {
+      setQuaternion(orientation, from.orientation, joint);
+      setQuaternion(nextOrientation, to.orientation, joint);
+      position.fromArray(from.position, 3 * joint);
+      nextPosition.fromArray(to.position, 3 * joint);
+      matrixWorld.compose(
+        position.lerp(nextPosition, share),
+        orientation.slerp(nextOrientation, share),
+        kOne,
       );
-      const position = vectorOf(from.position, joint).lerp(vectorOf(to.position, joint), share);
-      bone.matrix.compose(position, orientation, kOne);
-      bone.matrixWorldNeedsUpdate = true;
     });
   }
 
-  /** Lights the bodies that were hit: impulses in N s. */
+  /** Lights the bodies that were hit: impulses in N s. Most frames change no body, which costs
+   * nothing then. */
   glow(impulses: Float32Array): void {
-    if (impulses === this.glowing) return;
-    this.glowing = impulses;
-    const share = Array.from(impulses, (impulse) => 0.9 * Math.sqrt(Math.min(impulse / kFullGlow_ns, 1)));
+    impulses.forEach((impulse, body) => {
+      const share = Math.fround(0.9 * Math.sqrt(Math.min(impulse / kFullGlow_ns, 1)));
+      if (share !== this.lit[body]) this.light(body, share);
+    });
+  }
+
+  private light(body: number, share: number): void {
+    this.lit[body] = share;
     const colours = this.mesh.geometry.attributes.color as BufferAttribute;
     const glow = kGlow.toArray();
-    for (let i = 0; i < this.plain.length; ++i) {
-      const lit = share[this.bodyOf[Math.floor(i / 3)]!]!;
-      colours.array[i] = this.plain[i]! + lit * (glow[i % 3]! - this.plain[i]!);
-    }
+    for (const vertex of this.verticesOf[body]!)
+      for (let i = 0; i < 3; ++i) {
+        const plain = this.plain[3 * vertex + i]!;
+        colours.array[3 * vertex + i] = plain + share * (glow[i]! - plain);
+      }
     colours.needsUpdate = true;
   }
 
@@ -121,17 +135,13 @@ function bodyOfJoints({ outlines, flinch }: Library): number[] {
 function restPositions({ skeleton, flinch }: Library): Vector3[] {
   const positions: Vector3[] = [];
   flinch.parents.forEach((parent, joint) => {
-    const offset = vectorOf(skeleton.offset, joint);
+    const offset = new Vector3().fromArray(skeleton.offset, 3 * joint);
     positions.push(parent < 0 ? offset : offset.add(positions[parent]!));
   });
   return positions;
 }
 
-function vectorOf(values: Float32Array, joint: number): Vector3 {
-  return new Vector3().fromArray(values, 3 * joint);
-}
-
-function quaternionOf(values: Float32Array, joint: number): Quaternion {
-  const [w, x, y, z] = values.subarray(4 * joint, 4 * joint + 4);
-  return new Quaternion(x, y, z, w);
+function setQuaternion(quaternion: Quaternion, values: Float32Array, joint: number): void {
+  const at = 4 * joint;
+  quaternion.set(values[at + 1]!, values[at + 2]!, values[at + 3]!, values[at]!);
 }

@@ -28,7 +28,7 @@ const kSliders: [Slid, string, string, number, number, number][] = [
 
 export class Panel {
   roseColours: RoseColours = "kind";
-  showsBalance = false;
+  showsOverlay = false;
   private view!: View;
   private readonly sliders: [Slid, ReturnType<typeof slider>][];
   private readonly brawn: ReturnType<typeof slider>;
@@ -37,6 +37,7 @@ export class Panel {
   private readonly about = element("p", { className: "quiet" });
   private readonly why = element("div", { id: "why" });
   private readonly ball = element("div");
+  private readonly overlay = element("label", { className: "quiet" });
   private readonly throwing = element("div"); // all that is about throws
   private readonly rose = element("select", { className: "choice", ariaLabel: "Colours of the rose" });
 
@@ -71,11 +72,12 @@ export class Panel {
   }
 
   private build(): void {
-    const balance = element("input", { type: "checkbox" });
-    balance.onchange = () => {
-      this.showsBalance = balance.checked;
+    const overlay = element("input", { type: "checkbox" });
+    overlay.onchange = () => {
+      this.showsOverlay = overlay.checked;
       this.acts.set({});
     };
+    this.overlay.append(overlay, " Show balance and predicted contact");
     const file = element("input", { type: "file", accept: ".flinch", multiple: true, hidden: true });
     file.onchange = () => this.acts.files(file.files ?? []);
     this.ball.append(
@@ -103,7 +105,7 @@ export class Panel {
         textContent:
           "Brawn weighs costs and the oracle's choice here; selectors keep what they were trained with.",
       }),
-      element("label", { className: "quiet" }, balance, " Show support and centre of mass"),
+      this.overlay,
     );
     byId("panel").append(
       this.clips.root,
@@ -137,6 +139,7 @@ export class Panel {
     this.clips.root.hidden = view.mode !== "clips";
     this.who.hidden = view.mode === "compare" || view.mode === "tournament";
     this.rose.hidden = view.mode !== "rose";
+    this.overlay.hidden = view.mode !== "one";
     this.about.hidden = this.who.hidden;
     this.about.textContent = choosers[view.figure]?.about ?? "";
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The time of the playback.
-import { button, element } from "./dom";
+import { button, element, setText } from "./dom";
 
 const kPaces = [1, 0.5, 0.25, 0.1];
 
@@ -11,9 +11,11 @@ export class Player {
   private duration = 1; // s, of what is shown
   readonly root: HTMLElement[];
   private last = 0;
-  private readonly play = button("Play", () => this.toggle(), "main");
+  private readonly playing = new Text("Play"); // of the button
+  private readonly play = button("", () => this.toggle(), "main");
   private readonly scrub = element("input", { type: "range", ariaLabel: "Time" });
-  private readonly output = element("output");
+  private readonly shownTime = new Text();
+  private readonly output = element("output", {}, this.shownTime);
   private readonly paces = element("select", { ariaLabel: "Speed of the playback" });
 
   constructor(private readonly changed: () => void) {
@@ -28,6 +30,7 @@ export class Player {
       this.pace = Number(this.paces.value);
       this.changed();
     };
+    this.play.append(this.playing);
     this.root = [this.play, this.scrub, this.output, this.paces];
   }
 
@@ -89,10 +92,12 @@ export class Player {
     return true;
   }
 
+  /** Called for every frame: what has not changed is not written, nor are nodes made anew. */
   private show(): void {
     this.scrub.value = String(this.time);
-    this.output.textContent = `${this.time.toFixed(2)} s`;
-    this.play.textContent = this.isPlaying ? "Pause" : "Play";
-    this.paces.value = String(this.pace);
+    setText(this.shownTime, `${this.time.toFixed(2)} s`);
+    setText(this.playing, this.isPlaying ? "Pause" : "Play");
+    const pace = String(this.pace);
+    if (this.paces.value !== pace) this.paces.value = pace;
   }
 }

@@ -24,12 +24,17 @@ export abstract class Recording {
 
   constructor(readonly duration: number) {}
 
-  /** The frame shown at `time`, between the two nearest that are kept. */
-  at(time: number): { from: Frame; to: Frame; share: number } {
+  /** What is shown at `time`: between frame `number` and the next, at a share of the way. */
+  at(time: number): { from: Frame; to: Frame; share: number; number: number } {
     const exact = Math.min(Math.max(time, 0), this.duration) * kRate;
-    const first = Math.floor(exact);
-    while (this.frames.length < first + 2) this.advance();
-    return { from: this.frames[first]!, to: this.frames[first + 1]!, share: exact - first };
+    const number = Math.floor(exact);
+    while (this.frames.length < number + 2) this.advance();
+    return {
+      from: this.frames[number]!,
+      to: this.frames[number + 1]!,
+      share: exact - number,
+      number,
+    };
   }
 
   abstract free(): void;

@@ -2,7 +2,6 @@
 // The drawing: ground, light, shadow, one cell for each figure, all seen by one camera.
 import {
   AmbientLight,
-  BufferAttribute,
   BufferGeometry,
   CircleGeometry,
   Color,
@@ -25,11 +24,12 @@ import {
   WebGLRenderer,
 } from "three";
 import { Figure } from "./figure";
-import { kRate, type Ball, type Frame, type Recording } from "./recording";
+import type { OverlayLine } from "./overlay";
+import type { Frame, Recording } from "./recording";
+import { Trail } from "./trail";
 
 const kMostBalls = 3;
 const kShift = 0.1; // of a cell's height
-const kMostTrail = 4 * kRate; // frames
 
 export interface Palette {
   ground: number;
@@ -56,16 +56,20 @@ export class Stage {
   private readonly ground: Mesh<CircleGeometry, MeshStandardMaterial>;
   private readonly shadow: Mesh<CircleGeometry, ShadowMaterial>;
   private readonly balls: Mesh<SphereGeometry, MeshStandardMaterial>[];
-  private readonly trail = new Line(new BufferGeometry(), new LineBasicMaterial());
+  private readonly trails: Trail[] = []; // of the cells
+  private readonly trailMaterial = new LineBasicMaterial();
   private readonly aim = new Line(new BufferGeometry(), new LineBasicMaterial());
   private readonly overlay = new Group();
   private grid = new GridHelper(24, 24);
   private readonly raycaster = new Raycaster();
+  private readonly next = new Vector3(); // of a ball, while its place is found
+  private size = { width: 0, height: 0 }; // CSS pixels
+  private drawn = { width: 0, height: 0, ratio: 0 }; // of the drawing buffer
   cells: Cell[] = [];
   columns = 1;
 
   constructor(readonly canvas: HTMLCanvasElement) {
-    this.renderer = new WebGLRenderer({ canvas, antialias: true, preserveDrawingBuffer: true });
+    this.renderer = new WebGLRenderer({ canvas, antialias: true });
     this.renderer.shadowMap.enabled = true;
     this.camera.up.set(0, 0, 1);
     this.ground = new Mesh(new CircleGeometry(30, 64), new MeshStandardMaterial({ roughness: 1 }));
@@ -90,15 +94,10 @@ export class Stage {
       this.ground,
       this.shadow,
       ...this.balls,
-      this.trail,
       this.aim,
       this.overlay,
     );
-    this.trail.geometry.setAttribute(
-      "position",
-      new BufferAttribute(new Float32Array(3 * (kMostTrail + 1)), 3),
-    );
-    this.trail.frustumCulled = this.aim.frustumCulled = false;
+    this.aim.frustumCulled = false;
     this.aim.visible = false;
   }
 
@@ -107,7 +106,7 @@ export class Stage {
     this.scene.fog = new Fog(palette.fog, 8, 22);
     this.ground.material.color.set(palette.ground);
     this.balls[0]!.material.color.set(palette.ball);
-    this.trail.material.color.set(palette.ball);
+    this.trailMaterial.color.set(palette.ball);
     this.aim.material.color.set(palette.ball);
     this.scene.remove(this.grid);
     this.grid.dispose();
@@ -120,9 +119,17 @@ export class Stage {
   /** Replaces what the cells show. */
   setCells(cells: Cell[], columns: number): void {
     for (const { figure } of this.cells) this.scene.remove(figure.mesh);
+    for (const trail of this.trails.splice(0)) {
+      this.scene.remove(trail.line);
+      trail.dispose();
+    }
     this.cells = cells;
     this.columns = columns;
-    for (const { figure } of cells) this.scene.add(figure.mesh);
+    for (const { figure, recording } of cells) {
+      const trail = new Trail(recording, this.trailMaterial);
+      this.trails.push(trail);
+      this.scene.add(figure.mesh, trail.line);
+    }
   }
 
   /** Puts the camera around the figure: degrees, degrees, metres. */
@@ -147,7 +154,7 @@ export class Stage {
   }
 
   /** Lines over the figures: the support polygon and the like. */
-  showOverlay(lines: { points: Vector3[]; colour: number }[]): void {
+  showOverlay(lines: readonly OverlayLine[]): void {
     for (const line of this.overlay.children as Line[]) line.geometry.dispose();
     this.overlay.clear();
     for (const { points, colour } of lines)
@@ -167,14 +174,21 @@ export class Stage {
     return this.raycaster.intersectObject(cell.figure.mesh, true)[0]?.point ?? null;
   }
 
+  /** The canvas has this size now, CSS pixels. To read it of the canvas for every frame would make the
+   * browser lay the page out within the script. */
+  resize(width: number, height: number): void {
+    this.size = { width, height };
+  }
+
+  get isNarrow(): boolean {
+    return this.size.width < this.size.height;
+  }
+
   /** Draws all cells at this time of the playback. */
   draw(time: number): void {
-    const { clientWidth: width, clientHeight: height } = this.canvas;
+    const { width, height } = this.size;
     if (width === 0 || height === 0) return;
-    const ratio = Math.min(window.devicePixelRatio, 2);
-    if (this.renderer.getPixelRatio() !== ratio) this.renderer.setPixelRatio(ratio);
-    const size = this.renderer.getSize(new Vector2());
-    if (size.x !== width || size.y !== height) this.renderer.setSize(width, height, false);
+    this.fitBuffer();
     this.renderer.setScissorTest(true);
     const [across, down] = [width / this.columns, height / this.rows];
     this.camera.aspect = across / down;
@@ -182,15 +196,25 @@ export class Stage {
     // Several figures stand higher in their cells, above their captions.
     const shift = this.cells.length > 1 ? kShift * down : 0;
     this.camera.setViewOffset(across, down, 0, shift, across, down);
-    this.camera.updateProjectionMatrix();
-    this.cells.forEach((cell, i) => {
+    this.cells.forEach((_, i) => {
       const left = (i % this.columns) * across;
       const bottom = height - (Math.floor(i / this.columns) + 1) * down;
       this.renderer.setViewport(left, bottom, across, down);
       this.renderer.setScissor(left, bottom, across, down);
-      this.prepare(cell, time);
+      this.prepare(i, time);
       this.renderer.render(this.scene, this.camera);
     });
+  }
+
+  /** Gives the drawing buffer the canvas's size. */
+  private fitBuffer(): void {
+    const { width, height } = this.size;
+    const ratio = Math.min(window.devicePixelRatio, 2);
+    const { drawn } = this;
+    if (drawn.width === width && drawn.height === height && drawn.ratio === ratio) return;
+    this.drawn = { width, height, ratio };
+    this.renderer.setPixelRatio(ratio);
+    this.renderer.setSize(width, height, false);
   }
 
   private get rows(): number {
@@ -198,8 +222,8 @@ export class Stage {
   }
 
   private cellAt(x: number, y: number): [Cell | undefined, Vector2] {
-    const across = this.canvas.clientWidth / this.columns;
-    const down = this.canvas.clientHeight / this.rows;
+    const across = this.size.width / this.columns;
+    const down = this.size.height / this.rows;
     const [column, row] = [Math.floor(x / across), Math.floor(y / down)];
     const local = new Vector2(
       2 * (x / across - column) - 1,
@@ -208,13 +232,21 @@ export class Stage {
     return [this.cells[row * this.columns + column], local];
   }
 
-  private prepare({ recording, figure }: Cell, time: number): void {
-    for (const other of this.cells) other.figure.mesh.visible = other.figure === figure;
-    const { from, to, share } = recording.at(time);
+  /** Makes the scene that of one cell. */
+  private prepare(index: number, time: number): void {
+    this.cells.forEach(({ figure }, i) => {
+      figure.mesh.visible = i === index;
+      this.trails[i]!.line.visible = i === index;
+    });
+    const { recording, figure } = this.cells[index]!;
+    const { from, to, share, number } = recording.at(time);
     figure.show(from.joints, to.joints, share);
     figure.glow(to.impulses);
     this.drawBalls(from, to, share);
-    this.drawTrail(recording, from, time);
+    const trail = this.trails[index]!;
+    const latest = from.balls.at(-1);
+    if (latest) trail.show(latest.id, number, this.balls[0]!.position);
+    else trail.line.visible = false;
   }
 
   private drawBalls(from: Frame, to: Frame, share: number): void {
@@ -224,25 +256,7 @@ export class Stage {
       if (!ball) return;
       const next = to.balls.find(({ id }) => id === ball.id) ?? ball;
       mesh.scale.setScalar(ball.radius);
-      mesh.position.fromArray(ball.position).lerp(new Vector3(...next.position), share);
+      mesh.position.fromArray(ball.position).lerp(this.next.fromArray(next.position), share);
     });
-  }
-
-  /** The latest ball's path so far. */
-  private drawTrail({ frames }: Recording, { balls }: Frame, time: number): void {
-    const latest = balls.at(-1);
-    this.trail.visible = latest !== undefined;
-    if (!latest) return;
-    const isLatest = ({ id }: Ball) => id === latest.id;
-    const path = this.trail.geometry.attributes.position as BufferAttribute;
-    let points = 0;
-    path.setXYZ(points++, ...this.balls[0]!.position.toArray());
-    for (let i = Math.floor(Math.max(time, 0) * kRate); i >= 0 && points < kMostTrail; --i) {
-      const ball = frames[i]!.balls.find(isLatest);
-      if (!ball) break;
-      path.setXYZ(points++, ...ball.position);
-    }
-    path.needsUpdate = true;
-    this.trail.geometry.setDrawRange(0, points);
   }
 }

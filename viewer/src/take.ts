@@ -14,6 +14,7 @@ export class Take extends Recording {
   private readonly character: Character;
   private readonly ball: FlyingBall;
   private isMet = false;
+  private foreseen: number | null | undefined; // contact_s_at_rest, once it is known
   private answersAt: number | null = null; // when a clip of ours begins to be answered with
 
   /** `chosen`: the oracle's clip, which is found elsewhere. */
@@ -35,6 +36,17 @@ export class Take extends Recording {
 
   get threat(): Threat {
     return this.conditions.threat;
+  }
+
+  /** When the ball would touch the character if that stood still; null if never. Simulated when first
+   * asked for. */
+  get contact_s_at_rest(): number | null {
+    if (this.foreseen === undefined) {
+      const { oracle, library } = this.chooser.selector;
+      const idle = oracle.tryClip(atRest(this.chooser.selector, 0), this.threat, library.info.idle_clip);
+      this.foreseen = idle && Number.isFinite(idle.contact_s) ? idle.contact_s : null;
+    }
+    return this.foreseen;
   }
 
   free(): void {
