@@ -13,7 +13,6 @@
 #include "motion/error.h"
 #include "program/command.h"
 #include "program/printable.h"
-#include "train/store/file_opening.h"
 
 namespace flinch::program {
 
@@ -30,9 +29,7 @@ struct AuthorOptions {
 
 motion::Physique character_of(const AuthorOptions& options) {
   if (!options.character) return motion::default_character();
-  if (train::file_kind_at(*options.character) == database::FileKind::library)
-    return database::load_library(*options.character).character;
-  return database::read_character(*options.character);
+  return database::find_character(*options.character);
 }
 
 /// The first words of a gallery's README.md.

@@ -9,8 +9,7 @@
 #include "program/command.h"
 #include "program/comparison_table.h"
 #include "program/page.h"
-#include "train/fit/feature_derivation.h"
-#include "train/report/report.h"
+#include "train/report/comparison.h"
 
 namespace flinch::program {
 
@@ -37,23 +36,6 @@ double now_s() {
   return Seconds(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-void tell(const std::string& what) {
-  std::cerr << "fitting " << what << '\n';
-}
-
-train::Store read_with_features(const std::string& path, const std::string& set) {
-  train::Store store = train::read_store(path);
-  derive_features(train::layout_for(set, store.header), store);
-  return store;
-}
-
-train::TrainTestSplit read_split(const CompareOptions& options, train::Store store) {
-  if (options.test.empty()) return split_of(std::move(store));
-  train::Store test = read_with_features(options.test, options.features);
-  require_independent(store, test, options.test);
-  return split_of(std::move(store), std::move(test));
-}
-
 std::vector<train::Method> methods_of(const CompareOptions& options) {
   std::vector<train::Method> chosen;
   for (const train::Method method : train::methods()) {
@@ -63,6 +45,22 @@ std::vector<train::Method> methods_of(const CompareOptions& options) {
     if (wanted) chosen.push_back(method);
   }
   return chosen;
+}
+
+train::ComparisonPlan plan_of(const CompareOptions& options) {
+  train::ComparisonPlan plan;
+  plan.version = FLINCH_VERSION;
+  plan.feature_set = options.features;
+  plan.methods = methods_of(options);
+  plan.brawn = options.cost.brawn;
+  plan.vulnerability = vulnerability_of(options.cost);
+  plan.curves = options.curves;
+  plan.transfer = options.transfer;
+  plan.ablation = options.ablation;
+  plan.clock = now_s;
+  if (options.curves || options.transfer || options.ablation)  // which take long
+    plan.progress = [](const std::string& what) { std::cerr << "fitting " << what << '\n'; };
+  return plan;
 }
 
 void check_models(const CompareOptions& options) {
@@ -96,10 +94,6 @@ void write_page(const std::string& page, const Json& document, const std::string
   }
 }
 
-train::StoreOrigin origin_of(const train::StoreHeader& header) {
-  return {header.seed, header.distribution, header.simulation};
-}
-
 void run_compare(const CompareOptions& options) {
   check_models(options);
   check_report(options);
@@ -108,48 +102,13 @@ void run_compare(const CompareOptions& options) {
     std::cerr << "there will be no report.html, only its data: this program was built without the "
                  "packages of the page; scripts/setup fetches them\n";
   }
-  const train::VulnerabilityProfile vulnerability = vulnerability_of(options.cost);
-  train::Store store = read_with_features(options.store, options.features);
-  const std::uint64_t seed = store.header.seed;
-  const train::CostModel cost_model =
-      make_cost_model(store.header, vulnerability, options.cost.brawn);
-  train::Report report;
-  report.version = FLINCH_VERSION;
-  report.options = {options.features, options.curves, options.transfer, options.ablation};
-  report.prevention = train::prevention_rows(store, train::label(store.observations, cost_model));
-  const train::TrainTestSplit split = read_split(options, std::move(store));
-  const std::vector<train::Method> chosen = methods_of(options);
-  const train::StudyPlan plan{split, cost_model, chosen, seed};
-
-  const std::vector<train::FittedMethod> fitted =
-      fit_methods(split.header, split.fitted, cost_model, chosen, seed, now_s);
-  report.fitted_store = origin_of(split.header);
-  report.tested_store = origin_of(split.test_header);
-  report.library = split.header.library_name;
-  report.library_hash = split.header.library_hash;
-  report.seed = seed;
-  report.fitted_count = split.fitted.size();
-  report.tested_count = split.tested.size();
-  report.has_test_store = split.has_test_store;
-  report.features = split.header.layout.names();
-  for (const models::ClipSummary& clip : split.header.clips) report.clips.push_back(clip.name);
-  report.evaluation = train::evaluate(split, cost_model, fitted, seed, now_s);
-  report.kinds = train::kind_rows(split, report.evaluation, seed);
-  report.methods = train::summaries_of(fitted);
-  report.groups = train::group_rows(split, report.evaluation, seed);
-  report.directions = train::direction_rows(split, report.evaluation);
-  report.confusions = train::confusion_rows(split, report.evaluation);
-  report.reliability = train::reliability(report.evaluation);
-  report.brawn = train::brawn_rows(split, cost_model);
-  report.noise = train::noise_rows(plan, fitted);
-  if (options.curves) report.curves = train::learning_curve_rows(plan, tell);
-  if (options.transfer) report.transfer = train::transfer_rows(plan, tell);
-  if (options.ablation) report.ablation = train::ablation_rows(plan, tell);
-
+  const train::Comparison comparison =
+      train::compare_methods(options.store, options.test, plan_of(options));
+  const train::Report& report = comparison.report;
   Json document = train::report_document(report);
   document["timing"] = train::timing_document(report.evaluation);
   if (!options.report.empty()) {
-    train::write_report(report, split, options.report);
+    train::write_report(report, comparison.split, options.report);
     write_page(page, document, options.report);
   }
   if (options.json) {

@@ -11,10 +11,10 @@
 #include "motion/rotation.h"
 #include "program/bvh_options.h"
 #include "program/command.h"
-#include "program/load.h"
 #include "program/printable.h"
 #include "program/quality.h"
 #include "program/table.h"
+#include "train/fit/selector_reader.h"
 #include "train/objective/vulnerability.h"
 #include "train/store/file_opening.h"
 #include "train/store/store.h"
@@ -368,7 +368,8 @@ void run_info(const InfoOptions& options) {
     case FileKind::store:
       return show(options, StoreView(options.file), store_document, print_store);
     case FileKind::selector:
-      return show(options, load_selector_file(options.file), selector_document, print_selector);
+      return show(options, train::load_selector_file(options.file), selector_document,
+                  print_selector);
     case FileKind::bvh:
     case FileKind::fbx:
     case FileKind::gltf:

@@ -7,10 +7,10 @@
 #include "motion/error.h"
 #include "motion/rotation.h"
 #include "program/command.h"
-#include "program/load.h"
 #include "program/printable.h"
 #include "program/table.h"
 #include "runtime/character.h"
+#include "train/fit/selector_reader.h"
 
 namespace flinch::program {
 
@@ -166,7 +166,7 @@ Json document_of(const runtime::Library& library, const PushOptions& options,
 void run_push(const PushOptions& options) {
   database::check_outputs({{options.out, database::FileKind::gltf, database::kGlbMark}},
                           {options.selector}, overwrite_of(options.force));
-  const runtime::Library library = load_runtime_library(options.selector);
+  const runtime::Library library = train::load_runtime_library(options.selector);
   const PushRecording recording = PushedCharacter(library, options).recorded();
   database::write_glb(options.out, library.clip_library().character, recording.motion);
   if (options.json) {

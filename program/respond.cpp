@@ -17,13 +17,13 @@
 #include "motion/rotation.h"
 #include "program/command.h"
 #include "program/command_line.h"
-#include "program/load.h"
 #include "program/look_ahead_option.h"
 #include "program/printable.h"
 #include "program/response_recording.h"
 #include "program/table.h"
 #include "program/threat_options.h"
 #include "runtime/response/prepared_library.h"
+#include "train/fit/selector_reader.h"
 
 namespace flinch::program {
 
@@ -312,7 +312,7 @@ void run_respond(const RespondOptions& options) {
   database::check_outputs({output_of(options.out)}, {options.motion.value_or(options.selector)},
                           overwrite_of(options.force));
   const runtime::Library library =
-      options.motion ? library_of_motion(options) : load_runtime_library(options.selector);
+      options.motion ? library_of_motion(options) : train::load_runtime_library(options.selector);
   const RecordedScene scene = scene_of(library, options);
   lookahead::LookAheadWorkspace look_ahead;
   if (options.look_ahead) look_ahead = look_ahead_workspace(library, options.selector);

@@ -10,11 +10,11 @@
 #include "motion/error.h"
 #include "motion/rotation.h"
 #include "program/command.h"
-#include "program/load.h"
 #include "program/look_ahead_option.h"
 #include "program/printable.h"
 #include "program/table.h"
 #include "program/threat_options.h"
+#include "train/fit/selector_reader.h"
 #include "train/scenario/scenario_sampling.h"
 
 namespace flinch::program {
@@ -155,7 +155,7 @@ void print_foreseen(const models::Selector& selector, const ThreatOptions& threa
 
 /// Looks ahead as a game does whose character stands at the origin.
 void run_look_ahead(const SelectOptions& options) {
-  const runtime::Library library = load_runtime_library(options.selector);
+  const runtime::Library library = train::load_runtime_library(options.selector);
   lookahead::LookAheadWorkspace workspace = look_ahead_workspace(library, options.selector);
   const models::Selector& selector = library.selector();
   const features::ThreatDescription threat = described(options.threat, selector);
@@ -189,7 +189,7 @@ void run_select(const SelectOptions& options) {
     run_look_ahead(options);
     return;
   }
-  const models::Selector selector = load_selector_file(options.selector).selector;
+  const models::Selector selector = train::load_selector_file(options.selector).selector;
   const features::ThreatDescription threat = described(options.threat, selector);
   const std::pmr::vector<models::Candidate> candidates = models::candidates(
       selector, train::described_features(selector.layout, threat, selector.target_centres),

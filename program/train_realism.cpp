@@ -7,10 +7,10 @@
 #include "database/files/library_writer.h"
 #include "motion/error.h"
 #include "program/command.h"
-#include "program/load.h"
 #include "program/printable.h"
 #include "program/table.h"
 #include "runtime/response/prepared_library.h"
+#include "train/fit/selector_reader.h"
 #include "train/fit/selector_writer.h"
 #include "train/realism/proxy_judge.h"
 #include "train/realism/realism_evaluation.h"
@@ -35,7 +35,7 @@ std::string judge_of(const std::vector<train::Label>& labels) {
 }
 
 void run_train_realism(const TrainRealismOptions& options) {
-  runtime::SelectorFile file = load_selector_file(options.selector);
+  runtime::SelectorFile file = train::load_selector_file(options.selector);
   if (!file.library)
     throw Error(options.selector, "the selector has no clips; run `flinch train` again");
   const runtime::PreparedLibrary prepared = runtime::prepare(*file.library);

@@ -7,9 +7,9 @@
 #include "motion/error.h"
 #include "program/command.h"
 #include "program/command_line.h"
-#include "program/load.h"
 #include "program/page.h"
 #include "program/printable.h"
+#include "train/fit/selector_reader.h"
 
 namespace flinch::program {
 
@@ -38,7 +38,7 @@ void run_view(const ViewOptions& options) {
                 "build/release/flinch finds it");
   std::vector<PageFile> files;
   for (const std::string& selector : options.selectors) {
-    load_runtime_library(selector);  // the page needs what a game needs
+    train::load_runtime_library(selector);  // the page needs what a game needs
     files.push_back(
         {std::filesystem::path(selector).filename().string(), database::read_file(selector)});
   }

@@ -5,6 +5,9 @@
 #include <cmath>
 #include <utility>
 
+#include "database/files/file_io.h"
+#include "database/files/file_kind.h"
+#include "database/files/library_writer.h"
 #include "database/files/toml_reader.h"
 #include "motion/default_character.h"
 #include "motion/error.h"
@@ -182,6 +185,12 @@ motion::Physique read_character(const std::string& path) {
       static_cast<float>(reader.number("mass_kg").value_or(mean.mass_kg * share * share));
   const std::string where = reader.where(is_in(height, kHeight) ? "mass_kg" : "height_m");
   return make_character(height, mass, sex, proportions, where);
+}
+
+motion::Physique find_character(const std::string& path) {
+  if (file_kind_of(read_file_start(path, kFileOpening)) == FileKind::library)
+    return load_library(path).character;
+  return read_character(path);
 }
 
 }  // namespace flinch::database

@@ -32,4 +32,7 @@ motion::Physique make_character(float height_m, float mass_kg, motion::Sex sex,
 /// Error "FILE:LINE: …".
 motion::Physique read_character(const std::string& path);
 
+/// Returns the character of a library or, if the file is none, of a TOML file. Throws Error.
+motion::Physique find_character(const std::string& path);
+
 }  // namespace flinch::database

@@ -250,9 +250,11 @@ RowTiming timing_of(const FittedMethod& fitted, std::span<const Observation> obs
 std::vector<FittedMethod> fit_methods(const StoreHeader& header,
                                       std::span<const Observation> observations,
                                       const CostModel& cost_model, std::span<const Method> methods,
-                                      std::uint64_t seed, const Clock& clock) {
+                                      std::uint64_t seed, const Clock& clock,
+                                      const ProgressCallback& progress) {
   std::vector<FittedMethod> fitted;
   for (const Method method : methods) {
+    progress(std::string(name_of(method)));
     const double before_s = clock();
     Training training = train_selector(header, observations, cost_model, method, seed);
     const double fit_s = clock() - before_s;

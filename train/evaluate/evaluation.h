@@ -27,11 +27,15 @@ struct FittedMethod {
   std::size_t file_bytes = 0;  ///< size of the selector's file without clips
 };
 
+/// Called with the name of what is being fitted, because fits take long. What it throws ends the
+/// work.
+using ProgressCallback = std::function<void(const std::string& what)>;
+
 /// Fits methods one after the other, each with all processors.
-std::vector<FittedMethod> fit_methods(const StoreHeader& header,
-                                      std::span<const Observation> observations,
-                                      const CostModel& cost_model, std::span<const Method> methods,
-                                      std::uint64_t seed, const Clock& clock);
+std::vector<FittedMethod> fit_methods(
+    const StoreHeader& header, std::span<const Observation> observations,
+    const CostModel& cost_model, std::span<const Method> methods, std::uint64_t seed,
+    const Clock& clock, const ProgressCallback& progress = [](const std::string&) {});
 
 /// A row's candidates for a scenario: up to three clips, best first.
 struct Ranking {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -25,9 +24,6 @@ struct StudyPlan {
   std::span<const Method> methods;
   std::uint64_t seed = 1;
 };
-
-/// Called with the name of what is being fitted, because fits take long.
-using ProgressCallback = std::function<void(const std::string& what)>;
 
 /// Results of a method when its input features are noisy.
 struct NoiseRow {

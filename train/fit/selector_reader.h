@@ -6,7 +6,7 @@
 #include "runtime/library.h"
 #include "runtime/selector_file.h"
 
-namespace flinch::program {
+namespace flinch::train {
 
 /// Reads a selector file, with its clips if it has any. Throws Error that says what is wrong and,
 /// if known, what the file is instead.
@@ -16,4 +16,4 @@ runtime::SelectorFile load_selector_file(const std::string& path);
 /// also for a selector without clips.
 runtime::Library load_runtime_library(const std::string& path);
 
-}  // namespace flinch::program
+}  // namespace flinch::train

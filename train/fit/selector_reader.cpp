@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "program/load.h"
+#include "train/fit/selector_reader.h"
 
 #include <span>
 
@@ -7,7 +7,7 @@
 #include "database/files/file_kind.h"
 #include "motion/error.h"
 
-namespace flinch::program {
+namespace flinch::train {
 
 runtime::SelectorFile load_selector_file(const std::string& path) {
   const std::string bytes = database::read_file(path);
@@ -32,4 +32,4 @@ runtime::Library load_runtime_library(const std::string& path) {
                         "; run `flinch train` again");
 }
 
-}  // namespace flinch::program
+}  // namespace flinch::train
