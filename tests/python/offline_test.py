@@ -1,0 +1,188 @@
+# SPDX-License-Identifier: MIT
+"""The offline part in Python does what the program does. Environment: FLINCH (the program), BVH
+(a folder of motion)."""
+
+import csv
+import json
+import os
+import pathlib
+import signal
+import subprocess
+import tempfile
+import threading
+import unittest
+
+import numpy
+
+import flinch
+
+FLINCH = os.environ["FLINCH"]
+SCENARIOS = 60
+
+
+def run(*arguments):
+    return subprocess.run([FLINCH, *map(str, arguments)], capture_output=True, text=True, check=False)
+
+
+class Offline(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        cls.folder = pathlib.Path(folder.name)
+        cls.library = cls.folder / "a.flinchlib"
+        cls.succeed("author", "--out", cls.library)
+        cls.file = cls.folder / "a.flinchobs"
+        cls.succeed("simulate", cls.library, "--out", cls.file, "-n", SCENARIOS)
+        cls.store = flinch.Store(cls.file)
+
+    @staticmethod
+    def succeed(*arguments):
+        done = run(*arguments)
+        assert done.returncode == 0, done.stderr
+        return done.stdout
+
+    def path(self, name):
+        return self.folder / f"{self.id().rpartition('.')[2]}.{name}"
+
+    def test_authors_the_same_file(self):
+        told = []
+        library = flinch.author(progress=lambda *news: told.append(news))
+        library.save(self.path("flinchlib"))
+        self.assertEqual(self.path("flinchlib").read_bytes(), self.library.read_bytes())
+        self.assertEqual(told, [("authoring clips", 0, 0)])
+        read = flinch.ClipLibrary(self.library)
+        self.assertEqual(read.hash, library.hash)
+        root, rotation = read.poses(read.idle)
+        self.assertEqual(rotation.shape, (len(root), 21, 4))
+        numpy.testing.assert_allclose(numpy.linalg.norm(rotation, axis=2), 1, atol=1e-5)
+        clip = read.clips[read.idle]
+        self.assertAlmostEqual(clip["duration_s"], (len(root) - 1) / read.rate_hz, places=5)
+        self.assertEqual(clip["purpose"], "idle")
+
+    def test_imports_the_same_file(self):
+        bvh = os.environ["BVH"]
+        library, notes = flinch.import_motion([bvh], rate_hz=30)
+        library.save(self.path("flinchlib"))
+        document = json.loads(self.succeed("import", bvh, "--rate", 30, "--out",
+                                           self.path("program.flinchlib"), "--json"))
+        self.assertEqual(library.hash, document["hash"])
+        self.assertEqual(len(library.clips), document["clip_count"])
+        told = document["warnings"] + [w for s in document["sources"] for w in s["warnings"]]
+        self.assertTrue(all(any(w in note for note in notes) for w in told))
+        with self.assertRaisesRegex(ValueError, "there is no unit parsec"):
+            flinch.import_motion([bvh], unit="parsec")
+
+    def test_simulates_the_same_bytes_and_tells_progress(self):
+        told = []
+        counts = flinch.simulate(self.library, self.path("flinchobs"), 12, seed=7, threads=1,
+                                 progress=lambda *news: told.append(news))
+        self.succeed("simulate", self.library, "--out", self.path("program"), "-n", 12, "--seed", 7)
+        self.assertEqual(self.path("flinchobs").read_bytes(), self.path("program").read_bytes())
+        self.assertEqual(told[-1], ("simulating scenarios", 12, 12))
+        self.assertGreater(counts["hits"], 0)
+        with self.assertRaises(flinch.Error) as caught:
+            flinch.simulate(self.library, self.library, 12)
+        self.assertIsNone(caught.exception.status)
+        self.assertEqual(f"flinch: {caught.exception}\n",
+                         run("simulate", self.library, "--out", self.library, "-n", 12).stderr)
+
+    def test_ctrl_c_keeps_what_is_finished(self):
+        timer = threading.Timer(0.7, lambda: os.kill(os.getpid(), signal.SIGINT))
+        timer.start()
+        with self.assertRaises(KeyboardInterrupt):
+            flinch.simulate(self.library, self.path("flinchobs"), 100000, threads=1)
+        timer.join()
+        self.assertTrue(self.path("flinchobs.partial").exists())
+        self.assertEqual(flinch.author().name, flinch.ClipLibrary(self.library).name)  # goes on
+
+    def test_an_error_in_progress_ends_the_work(self):
+        def fail(*_):
+            raise ZeroDivisionError("mine")
+        with self.assertRaisesRegex(ZeroDivisionError, "mine"):
+            flinch.compare(self.file, models=["knn"], progress=fail)
+
+    def test_arrays_are_those_of_the_exported_table(self):
+        self.succeed("export", self.file, "--out", self.path("csv"), "--brawn", 0.3)
+        with open(self.path("csv"), encoding="utf-8") as file:
+            table = list(csv.DictReader(file))
+        label, cost = self.store.label(brawn=0.3)
+        self.assertEqual(len(table), len(self.store))
+        names = list(table[0])
+        first_cost = names.index("idle_cost_ns") + 1
+        self.assertEqual(names[2:2 + len(self.store.feature_names)], self.store.feature_names)
+        for i, row in enumerate(table):
+            self.assertEqual(int(row["number"]), self.store.number[i])
+            self.assertEqual(row["target"], flinch.TARGETS[self.store.target[i]])
+            self.assertEqual(int(row["label"]), label[i])
+            self.assertEqual(row["clip"], self.store.clips[label[i]])
+            self.assertEqual([float(row[name]) for name in self.store.feature_names],
+                             [float(value) for value in self.store.features[i]])
+            told = [float(row[name] or "nan") for name in names[first_cost:]]
+            numpy.testing.assert_array_equal(told, cost[i])
+        numpy.testing.assert_array_equal(numpy.isnan(cost), numpy.isnan(self.store.work_j))
+        self.assertFalse(self.store.features.flags.writeable)
+
+    def test_the_cost_is_its_formula(self):
+        brawn = 0.25
+        cost_model = json.loads(self.succeed("compare", self.file, "--models", "knn", "--brawn", brawn,
+                                             "--json"))["cost_model"]
+        vulnerability = [cost_model["vulnerability"][body] for body in flinch.BODIES]
+        damage = self.store.impulse_ns @ numpy.array(vulnerability)
+        scale = cost_model["reference_damage_ns"][0] / cost_model["reference_work_j"]
+        _, cost = self.store.label(brawn)
+        numpy.testing.assert_allclose(cost, (1 - brawn) * damage + brawn * self.store.work_j * scale,
+                                      rtol=1e-6)
+
+    def test_frames_are_the_arrays(self):
+        try:
+            from flinch import frames
+        except ImportError:
+            self.skipTest("pandas is missing")
+        scenarios = frames.scenarios(self.store, brawn=0.3)
+        self.succeed("export", self.file, "--out", self.path("csv"), "--brawn", 0.3)
+        import pandas
+        told = pandas.read_csv(self.path("csv"), float_precision="round_trip")[scenarios.columns]
+        pandas.testing.assert_frame_equal(scenarios, told, check_dtype=False, check_exact=True)
+        trials = frames.trials(self.store)
+        self.assertEqual(len(trials), numpy.count_nonzero(~numpy.isnan(self.store.work_j)))
+        least = trials.groupby("number")["cost_ns"].min()
+        label, cost = self.store.label()
+        best = cost[numpy.arange(len(label)), label]
+        self.assertTrue((best <= least.loc[self.store.number].to_numpy() * 1.01).all())
+
+    def test_fits_the_same_file_and_chooses_by_it(self):
+        for model, options, arguments in (
+                ("knn", {"k": 5}, ["-k", 5]),
+                ("svm", {"c": 10, "libsvm_defaults": True}, ["--c", 10, "--parameters", "libsvm"])):
+            selector = flinch.fit(self.store, model, brawn=0.1, seed=3, **options)
+            selector.save(self.path("flinch"))
+            document = json.loads(self.succeed("train", self.file, "--out", self.path("program"), "--model",
+                                               model, "--brawn", 0.1, "--seed", 3, *arguments, "--json"))
+            self.assertEqual(self.path("flinch").read_bytes(), self.path("program").read_bytes())
+            self.assertEqual(selector.parameters, document["parameters"])
+            self.assertEqual(selector.cross_validated_regret_ns, document["cross_validated_regret_ns"])
+            chosen = selector.choose(self.store.features, self.store.target)
+            label, _ = self.store.label(0.1)
+            self.assertGreater(numpy.mean(chosen == label), 0.3)  # of some 60 clips
+        with self.assertRaisesRegex(ValueError, "there is no model forest; it is one of knn, svm"):
+            flinch.fit(self.store, "forest")
+        with self.assertRaises(flinch.Error) as caught:
+            flinch.fit(self.store, "knn", gamma=1)
+        self.assertEqual(f"flinch: {caught.exception}\n",
+                         run("train", self.file, "--out", self.path("no"), "--model", "knn", "--gamma", 1,
+                             ).stderr)
+
+    def test_compares_as_the_program_does(self):
+        told = []
+        mine = flinch.compare(self.file, models=["svm", "knn"], brawn=0.1,
+                              progress=lambda what, *_: told.append(what))
+        program = json.loads(self.succeed("compare", self.file, "--models", "svm,knn", "--brawn", 0.1,
+                                          "--json"))
+        self.assertEqual(told, ["fitting knn", "fitting svm"])
+        for document in (mine, program):
+            del document["timing"]
+        self.assertEqual(json.dumps(mine), json.dumps(program))  # also where numbers are NaN
+
+
+unittest.main()

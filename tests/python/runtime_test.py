@@ -1,0 +1,188 @@
+# SPDX-License-Identifier: MIT
+"""The run time in Python. Environment: SELECTOR, FLINCH (the program), FLINCH_LIBRARY (libflinch.so)."""
+
+import ctypes
+import os
+import pathlib
+import subprocess
+import tempfile
+import unittest
+
+import numpy
+
+import flinch
+
+SELECTOR = pathlib.Path(os.environ["SELECTOR"])
+BALL = flinch.Threat([9, 1, 1.4], [-20, -2.2, 2.8])
+AWAY = flinch.Threat([9, 1, 1.4], [20, 0, 0])
+
+
+def message_of(status):
+    library = ctypes.CDLL(os.environ["FLINCH_LIBRARY"])
+    library.flinch_status_message.restype = ctypes.c_char_p
+    return library.flinch_status_message(status).decode()
+
+
+def numbers(pose):
+    return numpy.concatenate([pose.root_position, pose.rotation.ravel()])
+
+
+class Runtime(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.library = flinch.Library(SELECTOR)
+
+    def setUp(self):
+        self.character = flinch.Character(self.library)
+
+    def refuses(self, status, call, *arguments, **options):
+        with self.assertRaises(flinch.Error) as caught:
+            call(*arguments, **options)
+        self.assertEqual(caught.exception.status, status)
+        self.assertEqual(str(caught.exception), message_of(status))
+
+    def test_a_ball_is_answered_and_the_character_returns_to_idle(self):
+        self.assertEqual(self.character.perceive(AWAY), "misses")
+        self.assertEqual(self.character.perceive(BALL), "ok")
+        self.assertEqual(self.character.clip, self.character.candidates[0]["clip"])
+        self.assertEqual(self.library.clips[self.character.clip]["target"] in flinch.TARGETS, True)
+        self.assertGreater(self.character.time_to_impact_s, 0.3)
+        phases = set()
+        for _ in range(300):
+            self.character.update(1 / 60)
+            phases.add(self.character.phase)
+        self.assertIn("protecting", phases)
+        self.assertEqual(self.character.phase, "idle")
+
+    def test_a_crowd_does_what_each_character_does_alone(self):
+        count = 40
+        random = numpy.random.default_rng(1)
+        position = random.uniform(-50, 50, (count, 2))
+        facing = random.uniform(-3, 3, count)
+        time_s = random.uniform(0, 2, count)
+        start = numpy.c_[position + random.uniform(2, 6, (count, 2)), random.uniform(0.5, 2, count)]
+        velocity = (numpy.c_[position, numpy.full(count, 2.4)] - start) / 0.5
+        crowd = flinch.Crowd(self.library, count)
+        crowd.place(position, facing, time_s)
+        answers = crowd.perceive(start, velocity, radius=0.2)
+        for _ in range(25):
+            crowd.update(1 / 60)
+        root, rotation = crowd.poses()
+        self.assertEqual((len(crowd), root.shape, rotation.shape), (count, (count, 3), (count, 21, 4)))
+        for i in range(count):
+            self.character.place(*position[i], facing[i], time_s[i])
+            answer = self.character.perceive(flinch.Threat(start[i], velocity[i], radius=0.2))
+            self.assertEqual(["ok", "misses", "unnoticed", "outside_training"][answers[i]], answer)
+            for _ in range(25):
+                self.character.update(1 / 60)
+            numpy.testing.assert_array_equal(numpy.r_[root[i], rotation[i].ravel()],
+                                             numbers(self.character.pose()))
+            numpy.testing.assert_array_equal(crowd.joint_positions()[i],
+                                             self.library.joint_frames(self.character.pose())[0])
+            self.assertEqual(crowd.clips()[i], self.character.clip)
+            numpy.testing.assert_array_equal(numbers(crowd[i].pose()), numbers(self.character.pose()))
+        self.assertGreater(len(set(crowd.clips())), 3)
+        self.assertRaises(IndexError, lambda: crowd[count])
+        self.assertEqual(crowd[-1].clip, crowd.clips()[-1])
+
+    def test_joint_frames_are_the_skeletons(self):
+        offset, tip = self.library.skeleton
+        self.assertEqual((offset.shape, tip.shape), ((21, 3), (21, 3)))
+        positions, _ = self.library.joint_frames(self.character.pose())
+        for joint, parent in enumerate(flinch.JOINT_PARENTS):
+            if parent >= 0:  # bones keep their length
+                self.assertAlmostEqual(numpy.linalg.norm(positions[joint] - positions[parent]),
+                                       numpy.linalg.norm(offset[joint]), places=5)
+        self.assertAlmostEqual(sum(body["mass_kg"] for body in self.library.bodies),
+                               self.library.mass_kg, places=3)
+
+    def test_a_pose_of_the_game_shows_through_by_the_mask(self):
+        game = flinch.Pose([1, 2, 3], numpy.tile([1, 0, 0, 0], (21, 1)))
+        kept = self.character.pose_over(game, numpy.zeros(21))
+        numpy.testing.assert_array_equal(numbers(kept), numbers(game))
+        taken = self.character.pose_over(game, numpy.ones(21))
+        numpy.testing.assert_allclose(numbers(taken), numbers(self.character.pose()), atol=1e-6)
+        self.character.set_pose(self.character.pose(), self.character.pose(), 1 / 60)
+
+    def test_looking_ahead_takes_the_cheapest(self):
+        found = self.character.look_ahead([BALL], candidates=8)
+        self.assertEqual(found["answer"], "ok")
+        self.assertTrue(found["is_complete"])
+        chosen = found["candidates"][found["chosen"]]
+        self.assertEqual(self.character.clip, chosen["clip"])
+        self.assertEqual(chosen["cost_ns"], numpy.nanmin([c["cost_ns"] for c in found["candidates"]]))
+        self.character.place()
+        hurried = self.character.look_ahead([BALL], candidates=8, budget_us=0)
+        self.assertLess(hurried["tried"], found["tried"])
+
+    def test_a_hit_reaches_the_body(self):
+        character = flinch.Character(self.library, reacting=True)
+        character.react_to(flinch.Threat([1.5, 0, 1.2], [-20, 0, 0]))
+        for _ in range(30):
+            character.update(1 / 60)
+        reaction = character.reaction
+        self.assertGreater(reaction["impulse_ns"].sum(), 0.5)
+        self.assertLess(reaction["contact_s"], 0.1)
+        self.refuses(-14, self.character.react_to, BALL)
+
+    def test_perception_can_be_imperfect(self):
+        self.character.limit_perception(seed=3, chance_to_fail=1)
+        self.assertEqual(self.character.perceive(BALL), "unnoticed")
+        limits = flinch.human_limits(4)
+        self.assertGreater(limits["reaction_delay_s"], flinch.human_limits(1)["reaction_delay_s"])
+        self.character.limit_perception(3, **{**limits, "chance_to_fail": 0})
+        self.assertEqual(self.character.perceive(BALL), "ok")
+        self.assertEqual(self.character.phase, "reacting")
+        self.character.limit_perception()
+
+    def test_other_answers(self):
+        self.assertEqual(self.character.perceive([AWAY, BALL]), "ok")
+        self.assertEqual(self.character.perceive_known(BALL, "legs", 0.5), "ok")
+        self.assertEqual(self.character.target, "legs")
+        self.assertEqual(self.character.brace(BALL), "ok")
+        self.assertEqual(self.character.clip, -1)
+        clip = next(i for i, c in enumerate(self.library.clips) if c.get("target") == "head")
+        self.character.respond(clip, 0.5)
+        self.assertEqual(self.character.clip, clip)
+        self.character.settle()
+        heavy = self.character.outside_training(flinch.Threat([9, 1, 1.4], [-20, -2.2, 2.8], mass_kg=5))
+        value, (low, high) = heavy["mass_kg"]
+        self.assertEqual(value, 5)
+        self.assertLessEqual(low, high)
+        self.assertEqual(self.library.stances[0], self.library.idle_clip)
+        self.assertEqual(self.library.kinds[0]["shape"], "ball")
+
+    def test_errors_have_the_librarys_text(self):
+        self.refuses(-7, self.character.perceive, flinch.Threat([numpy.nan, 0, 0], [1, 0, 0]))
+        self.refuses(-8, self.character.update, -1)
+        self.refuses(-6, self.character.respond, 9999, 0.5)
+        self.refuses(-10, self.character.place, 1e9, 0)
+        self.refuses(-17, self.character.push, "chest", [1, 0, 0])
+        self.refuses(-21, flinch.Library.from_bytes, b"")
+        data = bytearray(SELECTOR.read_bytes())
+        data[len(data) // 2] ^= 1
+        self.refuses(-23, flinch.Library.from_bytes, bytes(data))
+
+    def test_a_file_that_cannot_be_used_has_the_programs_text(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder, "file")
+            for content in (b"", b"HIERARCHY\nROOT Hips\n", SELECTOR.read_bytes()[:-9], None):
+                file.unlink(missing_ok=True)
+                if content is not None:
+                    file.write_bytes(content)
+                said = subprocess.run([os.environ["FLINCH"], "select", str(file), "--target", "head"],
+                                      capture_output=True, text=True, check=False).stderr
+                with self.assertRaises(flinch.Error) as caught:
+                    flinch.Library(file)
+                self.assertEqual(f"flinch: {caught.exception}\n", said)
+
+    def test_arguments_of_another_shape_are_refused(self):
+        with self.assertRaisesRegex(ValueError, r"position must have the shape \(3,\), but has \(2,\)"):
+            flinch.Threat([1, 2], [1, 2, 3])
+        with self.assertRaisesRegex(ValueError, r"facing must have the shape \(2,\)"):
+            flinch.Crowd(self.library, 2).place(numpy.zeros((2, 2)), [0], [0, 0])
+        with self.assertRaisesRegex(ValueError, "there is no target elbow; it is one of head, trunk"):
+            self.character.perceive_known(BALL, "elbow", 1)
+
+
+unittest.main()
