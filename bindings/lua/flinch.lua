@@ -1,0 +1,78 @@
+-- SPDX-License-Identifier: MIT
+-- Flinch in LuaJIT: docs/lua.md. Its declarations are those of flinch.h, which it reads.
+local ffi = require("ffi")
+
+-- What LuaJIT's parser knows of a C header: no comments, no preprocessor, no macros.
+local function declarations(header)
+  header = header:gsub("/%*.-%*/", " "):gsub('\n#ifdef __cplusplus.-\n#endif', "")
+  local constants = {}
+  for name, value in header:gmatch("#define (FLINCH_[A-Z_]+) +(%d+)") do constants[name] = value end
+  header = header:gsub("\n#[^\n]*", ""):gsub("^#[^\n]*", ""):gsub("FLINCH_API ", "")
+  for name, value in pairs(constants) do header = header:gsub("%f[%w_]" .. name .. "%f[^%w_]", value) end
+  return header, constants
+end
+
+local Flinch = {}
+
+-- Loads the library at `library` ("libflinch.so") with the declarations of the header at `header`.
+-- What it returns has every function of flinch.h without "flinch_"; one that fails raises an error
+-- with the library's text. Constants are there without "FLINCH_".
+function Flinch.load(library, header)
+  local file = assert(io.open(header))
+  local text, constants = declarations(file:read("*a"))
+  file:close()
+  ffi.cdef(text)
+  local C = ffi.load(library)
+  local flinch = { C = C }
+
+  -- A struct of flinch.h, such as new("flinch_threat", {radius = 0.1}), with its size set.
+  function flinch.new(name, fields)
+    local made = fields and ffi.new(name, fields) or ffi.new(name)
+    made.size = ffi.sizeof(name)
+    return made
+  end
+
+  -- Makes an object by a function whose last argument is the handle to be made, such as
+  -- make("library", flinch.library_load, path); the garbage collector frees it.
+  function flinch.make(kind, create, ...)
+    local out = ffi.new("flinch_" .. kind .. "*[1]")
+    local arguments = { ... }
+    arguments[#arguments + 1] = out
+    create(unpack(arguments))
+    return ffi.gc(out[0], C["flinch_" .. kind .. "_free"])
+  end
+
+  local function checked(name)
+    local call = C["flinch_" .. name]
+    local returns_status = text:find("flinch_status flinch_" .. name .. "%(") ~= nil
+    if not returns_status then
+      return function(...)
+        local result = call(...)
+        if type(result) ~= "cdata" then return result end
+        return result ~= nil and ffi.string(result) or nil
+      end
+    end
+    return function(...)
+      local status = call(...)
+      if status < 0 then
+        error("flinch_" .. name .. ": " .. ffi.string(C.flinch_status_message(status)), 2)
+      end
+      return status
+    end
+  end
+
+  return setmetatable(flinch, {
+    __index = function(self, name)
+      local value
+      if name:find("^%u") then
+        value = tonumber(constants["FLINCH_" .. name]) or C["FLINCH_" .. name]
+      else
+        value = checked(name)
+      end
+      rawset(self, name, value)
+      return value
+    end,
+  })
+end
+
+return Flinch
