@@ -48,6 +48,11 @@ install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
 if(TARGET flinch)
   install(TARGETS flinch RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+  if(TARGET flinch_manual)
+    install(DIRECTORY ${FLINCH_MANUAL}/man1 DESTINATION ${CMAKE_INSTALL_MANDIR})
+    install(FILES ${FLINCH_MANUAL}/bash/flinch
+      DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
+  endif()
   # Where the program finds its pages (program/page.h).
   if(TARGET flinch_report_page)
     install(FILES ${FLINCH_REPORT_PAGE} DESTINATION ${CMAKE_INSTALL_BINDIR}/../share/flinch)
