@@ -37,8 +37,8 @@ class Scenario:
         self.number = int(row["number"])
         self.label_cost_ns = float(row["cost_ns"])  # of the clip that the oracle chooses
         self.features = [float(row[name]) for name in feature_names]
-        self.cost_ns = {name.removeprefix("cost_ns "): float(value) for name, value in row.items()
-                        if name.startswith("cost_ns ") and value}
+        self.cost_ns = {name.removeprefix("cost_ns_"): float(value) for name, value in row.items()
+                        if name.startswith("cost_ns_") and value}
 
 
 class Selector:

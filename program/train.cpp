@@ -12,6 +12,7 @@
 #include "train/fit/labels.h"
 #include "train/fit/selector_writer.h"
 #include "train/fit/training.h"
+#include "train/report/report.h"
 #include "train/store/store.h"
 
 namespace flinch::program {
@@ -59,13 +60,6 @@ train::FixedParameters fixed_parameters(const TrainOptions& options) {
           .libsvm_defaults = options.parameters == kParameterSources[1]};
 }
 
-Json parameters_of(const train::Training& training) {
-  Json parameters;
-  for (const train::NamedValue& parameter : training.parameter_values)
-    std::visit([&](const auto& value) { parameters[parameter.name] = value; }, parameter.value);
-  return parameters;
-}
-
 Json summary_of(const TrainOptions& options, const train::Store& store,
                 const std::string& vulnerability, const train::Training& training) {
   Json summary{{"kind", "selector"},
@@ -77,7 +71,7 @@ Json summary_of(const TrainOptions& options, const train::Store& store,
                {"seed", options.seed.value_or(store.header.seed)},
                {"brawn", options.cost.brawn},
                {"vulnerability", vulnerability},
-               {"parameters", parameters_of(training)},
+               {"parameters", train::parameters_document(training.parameter_values)},
                {"cross_validated_regret_ns", training.cross_validated_regret_ns},
                {"warnings", warnings_on(store)},
                {"unanswered", unanswered(store.header.clips)}};

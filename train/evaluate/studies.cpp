@@ -94,8 +94,8 @@ std::vector<NamedLayout> ablated_layouts(std::span<const features::KnownKind> ki
 std::vector<MethodSummary> summaries_of(std::span<const FittedMethod> methods) {
   std::vector<MethodSummary> summaries;
   for (const FittedMethod& fitted : methods)
-    summaries.push_back({std::string(name_of(fitted.method)), fitted.training.parameters,
-                         fitted.training.cross_validated_regret_ns});
+    summaries.push_back({std::string(name_of(fitted.method)), fitted.training.parameter_values,
+                         fitted.training.parameters, fitted.training.cross_validated_regret_ns});
   return summaries;
 }
 

@@ -12,7 +12,8 @@ namespace flinch::train {
 /// Results of one method's choices.
 struct MethodSummary {
   std::string name;
-  std::string parameters;
+  std::vector<NamedValue> parameter_values;
+  std::string parameters;  ///< the same as text
   double cross_validated_regret_ns = 0;
 };
 std::vector<MethodSummary> summaries_of(std::span<const FittedMethod> methods);

@@ -10,8 +10,9 @@ std::string header_line(const StoreHeader& header) {
   std::string text = "number,target";
   for (const std::string& name : header.layout.names()) text += ',' + name;
   text += ",label,clip,cost_ns,idle_cost_ns";
-  for (const models::ClipSummary& clip : header.clips)
-    text += ',' + csv_cell("cost_ns " + clip.name);
+  std::vector<std::string> clips;
+  for (const models::ClipSummary& clip : header.clips) clips.push_back(clip.name);
+  for (const std::string& name : column_names("cost_ns_", clips)) text += ',' + name;
   return text + '\n';
 }
 

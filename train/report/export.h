@@ -15,7 +15,8 @@ std::string libsvm_text(const Store& store, const Labels& labels, const features
 
 /// Returns the observations as comma-separated values under a line of names: number, target,
 /// features (unscaled), index and name of the label, its cost and that of standing idle, and then
-/// the cost of each clip of the library, empty if the clip was not tried.
+/// the cost of each clip of the library, empty if the clip was not tried. Names of columns are
+/// valid in R.
 std::string csv_text(const Store& store, const Labels& labels);
 
 }  // namespace flinch::train

@@ -160,7 +160,7 @@ Json document_of(const PreventionRow& row) {
 
 Json document_of(const MethodSummary& method) {
   return {{"name", method.name},
-          {"parameters", method.parameters},
+          {"parameters", parameters_document(method.parameter_values)},
           {"cross_validated_regret", method.cross_validated_regret_ns}};
 }
 
@@ -264,6 +264,13 @@ Json report_document(const Report& report) {
           {"ablation", list(report.ablation, to_document)},
           {"brawn", list(report.brawn, to_document)},
           {"prevention", list(report.prevention, to_document)}};
+}
+
+Json parameters_document(std::span<const NamedValue> parameters) {
+  Json document = Json::object();
+  for (const NamedValue& parameter : parameters)
+    std::visit([&](const auto& value) { document[parameter.name] = value; }, parameter.value);
+  return document;
 }
 
 Json timing_document(const Evaluation& evaluation) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -64,6 +65,9 @@ struct Report {
 /// options, so that reports can be compared. Contains the cost model, with which anyone can
 /// recompute the costs from the store.
 nlohmann::ordered_json report_document(const Report& report);
+
+/// Returns parameters as an object: each name with its value.
+nlohmann::ordered_json parameters_document(std::span<const NamedValue> parameters);
 
 /// Returns the time that the rows took to fit and to choose, which differs from run to run.
 nlohmann::ordered_json timing_document(const Evaluation& evaluation);

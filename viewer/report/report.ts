@@ -49,7 +49,7 @@ export interface Report {
   };
   rows: Result[];
   look_ahead: (Result & { candidates: number; encounters: number })[];
-  methods: { name: string; parameters: string; cross_validated_regret: Number }[];
+  methods: { name: string; parameters: Record<string, string | number>; cross_validated_regret: Number }[];
   sizes: { name: string; file_bytes: number }[];
   groups: Row[];
   directions: Row[];

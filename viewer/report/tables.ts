@@ -83,15 +83,21 @@ export function lookAheadTable(report: Report): HTMLElement {
   ], rows);
 }
 
+/** "k 10, vote majority". */
+function chosen(parameters: Record<string, string | number>): string {
+  const text = (value: string | number) => typeof value === "number" ? String(+value.toPrecision(6)) : value;
+  return Object.entries(parameters).map(([name, value]) => `${name} ${text(value)}`).join(", ");
+}
+
 export function methodsTable(report: Report): HTMLElement {
   const timing = new Map(report.timing.map((one) => [one.name, one]));
   const bytes = new Map(report.sizes.map((one) => [one.name, one.file_bytes]));
-  const rows = report.methods.map((row): Row => ({
-    ...row, ...timing.get(row.name), kib: (bytes.get(row.name) ?? 0) / 1024,
+  const rows = report.methods.map(({ parameters, ...row }): Row => ({
+    ...row, chosen: chosen(parameters), ...timing.get(row.name), kib: (bytes.get(row.name) ?? 0) / 1024,
   }));
   return table("Time and size", [
     words("selector", "name"), column("median, µs", "median_us", 1), column("p99, µs", "p99_us", 1),
     column("fit, s", "fit_s", 1), column("file, KiB", "kib", 0),
-    column("cross-validated regret, N s", "cross_validated_regret", 3), words("chosen", "parameters"),
+    column("cross-validated regret, N s", "cross_validated_regret", 3), words("chosen", "chosen"),
   ], rows);
 }

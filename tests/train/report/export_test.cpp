@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "train/report/export.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cctype>
 #include <cstdlib>
 #include <sstream>
 
@@ -55,6 +57,19 @@ TEST(Export, LibsvmTextRoundTripsTheTrainingSet) {
   }
 }
 
+TEST(Export, NamesOfColumnsAreValidInRAndDiffer) {
+  const std::vector<std::string> texts{"duck", "a-b",    "a b",    "a_b", "a.b",
+                                       "über", "\"x\",", "duck_2", "duck"};
+  const std::vector<std::string> names = column_names("cost_ns_", texts);
+  EXPECT_THAT(names, testing::ElementsAre("cost_ns_duck", "cost_ns_a_b", "cost_ns_a_b_2",
+                                          "cost_ns_a_b_3", "cost_ns_a.b", "cost_ns___ber",
+                                          "cost_ns__x__", "cost_ns_duck_2", "cost_ns_duck_3"));
+  for (const std::string& name : names)  // what R's make.names() leaves as it is
+    EXPECT_THAT(name, testing::Each(testing::Truly([](char c) {
+                  return (std::isalnum(static_cast<unsigned char>(c)) != 0) || c == '.' || c == '_';
+                })));
+}
+
 TEST(Export, CsvHoldsTheCostOfEachTriedClipUnderItsName) {
   Store store = made_up_store(20);
   derive_features(features::feature_set_named("geometry")->layout, store);
@@ -65,7 +80,7 @@ TEST(Export, CsvHoldsTheCostOfEachTriedClipUnderItsName) {
   const std::vector<std::string> names = cells_of(line);
   const std::size_t first = names.size() - store.header.clips.size();
   for (std::size_t clip = 0; clip < store.header.clips.size(); ++clip)
-    EXPECT_EQ(names[first + clip], "cost_ns " + store.header.clips[clip].name);
+    EXPECT_EQ(names[first + clip], "cost_ns_" + store.header.clips[clip].name);
   EXPECT_EQ(names[2], "contact_x");
   for (std::size_t i = 0; std::getline(lines, line); ++i) {
     const std::vector<std::string> cells = cells_of(line);
