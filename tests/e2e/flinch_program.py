@@ -10,7 +10,13 @@ import subprocess
 import tempfile
 import unittest
 
+try:
+    import jsonschema
+except ImportError:  # then e2e.schemas is skipped, and says so
+    jsonschema = None
+
 FLINCH = os.environ["FLINCH"]
+SCHEMA = pathlib.Path(__file__).resolve().parents[2] / "docs/schemas/flinch.schema.json"
 MOCAP = pathlib.Path(os.environ["FLINCH_MOCAP_DIR"])
 
 
@@ -18,6 +24,21 @@ def run(*arguments, **options):
     """Runs the program and returns the finished process with its output."""
     return subprocess.run([FLINCH, *map(str, arguments)], capture_output=True, text=True,
                           check=False, **options)
+
+
+@functools.cache
+def validator_of(command):
+    """Of the documents that a command prints."""
+    schema = json.loads(SCHEMA.read_text(encoding="utf-8"))
+    return jsonschema.Draft202012Validator({**schema, "$ref": f"#/$defs/{command}"})
+
+
+def checked(command, text):
+    """Returns the document in `text`, which must be as docs/schemas says."""
+    document = json.loads(text)
+    if jsonschema is not None:
+        validator_of(command).validate(document)
+    return document
 
 
 def make_library(path, name="synthetic"):
@@ -49,13 +70,13 @@ class ProgramTest(unittest.TestCase):
         """Returns the one document that --json prints."""
         done = self.succeed(*arguments, "--json")
         self.assertEqual(done.stderr, "")
-        return json.loads(done.stdout)
+        return checked(arguments[0], done.stdout)
 
     def lines(self, *arguments):
         """Returns what `simulate --json` prints: one document per line, the summary last."""
         done = self.succeed(*arguments, "--json")
         self.assertEqual(done.stderr, "")
-        return [json.loads(line) for line in done.stdout.splitlines()]
+        return [checked(arguments[0], line) for line in done.stdout.splitlines()]
 
     def fail_with(self, code, *arguments, **options):
         """Expects that the command fails, and returns its one line on stderr."""
