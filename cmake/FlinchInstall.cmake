@@ -11,7 +11,8 @@ list(APPEND runtime_libraries ${lookahead_libraries})
 list(REMOVE_DUPLICATES runtime_libraries)
 list(FILTER runtime_libraries INCLUDE REGEX "^flinch_")
 list(REMOVE_ITEM runtime_libraries flinch_flags)
-install(TARGETS ${runtime_libraries} EXPORT flinch ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+install(TARGETS ${runtime_libraries} EXPORT flinch
+  ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development)
 
 # The public headers alone. They keep their folder, as in `#include "runtime/character.h"`, but for
 # that of the C interface.
@@ -21,7 +22,8 @@ foreach(header IN LISTS FLINCH_PUBLIC_HEADERS)
   if(header STREQUAL "runtime/c/flinch.h")
     set(destination ${CMAKE_INSTALL_INCLUDEDIR})
   endif()
-  install(FILES ${PROJECT_SOURCE_DIR}/${header} DESTINATION ${destination})
+  install(FILES ${PROJECT_SOURCE_DIR}/${header} DESTINATION ${destination}
+    COMPONENT development)
 endforeach()
 
 set(package_directory ${CMAKE_INSTALL_LIBDIR}/cmake/flinch)
@@ -30,35 +32,41 @@ configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/flinchConfig.cmake.in
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/flinchConfigVersion.cmake
   COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/flinchConfig.cmake
-  ${PROJECT_BINARY_DIR}/flinchConfigVersion.cmake DESTINATION ${package_directory})
-install(EXPORT flinch NAMESPACE flinch:: FILE flinchTargets.cmake DESTINATION ${package_directory})
+  ${PROJECT_BINARY_DIR}/flinchConfigVersion.cmake DESTINATION ${package_directory}
+  COMPONENT development)
+install(EXPORT flinch NAMESPACE flinch:: FILE flinchTargets.cmake DESTINATION ${package_directory}
+  COMPONENT development)
 
 # The C interface, as one library: `flinch::flinch`, and for all build systems `flinch.pc`, which
 # finds its prefix from where it is.
 install(TARGETS flinch_shared flinch_static EXPORT flinch_c
-  LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR}
-  ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+  LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT runtime NAMELINK_COMPONENT development
+  RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT runtime
+  ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development)
 install(EXPORT flinch_c NAMESPACE flinch:: FILE flinchCTargets.cmake
-  DESTINATION ${package_directory})
+  DESTINATION ${package_directory} COMPONENT development)
 file(RELATIVE_PATH to_prefix /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
 configure_file(${CMAKE_CURRENT_LIST_DIR}/flinch.pc.in ${PROJECT_BINARY_DIR}/flinch.pc @ONLY)
-install(FILES ${PROJECT_BINARY_DIR}/flinch.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+install(FILES ${PROJECT_BINARY_DIR}/flinch.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig
+  COMPONENT development)
 
-install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT license)
 
 if(TARGET flinch)
-  install(TARGETS flinch RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+  install(TARGETS flinch RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
   if(TARGET flinch_manual)
-    install(DIRECTORY ${FLINCH_MANUAL}/man1 DESTINATION ${CMAKE_INSTALL_MANDIR})
+    install(DIRECTORY ${FLINCH_MANUAL}/man1 DESTINATION ${CMAKE_INSTALL_MANDIR}
+      COMPONENT program)
     install(FILES ${FLINCH_MANUAL}/bash/flinch
-      DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
+      DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions COMPONENT program)
   endif()
   # Where the program finds its pages (program/page.h).
   if(TARGET flinch_report_page)
-    install(FILES ${FLINCH_REPORT_PAGE} DESTINATION ${CMAKE_INSTALL_BINDIR}/../share/flinch)
+    install(FILES ${FLINCH_REPORT_PAGE} DESTINATION ${CMAKE_INSTALL_DATADIR}/flinch
+      COMPONENT program)
   endif()
   if(TARGET flinch_page)
-    install(FILES ${FLINCH_PAGE} DESTINATION ${CMAKE_INSTALL_BINDIR}/../share/flinch
-      RENAME page.html)
+    install(FILES ${FLINCH_PAGE} DESTINATION ${CMAKE_INSTALL_DATADIR}/flinch RENAME page.html
+      COMPONENT program)
   endif()
 endif()
