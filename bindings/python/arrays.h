@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -39,6 +40,15 @@ void require_shape(const Array<Number>& array, const std::vector<std::size_t>& s
   if (seen != shape)
     throw pybind11::value_error(name + " must have the shape " + shape_text(shape) + ", but has " +
                                 shape_text(seen));
+}
+
+/// Returns whole numbers of any width. Throws ValueError, naming the argument, for others, which a
+/// cast to an array of integers would round.
+inline Array<std::int64_t> whole_numbers(const pybind11::object& numbers, const std::string& name) {
+  const auto array = pybind11::array::ensure(numbers);
+  if (!array || (array.dtype().kind() != 'i' && array.dtype().kind() != 'u'))
+    throw pybind11::value_error(name + " must hold whole numbers");
+  return Array<std::int64_t>::ensure(array);
 }
 
 /// Returns the array of these values.

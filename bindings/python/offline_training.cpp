@@ -71,14 +71,15 @@ py::dict parameters_of(const FittedSelector& self) {
 
 /// The clip for each row of features and its target.
 Array<std::int32_t> choose(const FittedSelector& self, const Array<float>& features,
-                           const Array<std::int32_t>& target) {
+                           const py::object& targets) {
   const models::Selector& selector = self.training.selector;
+  const Array<std::int64_t> target = whole_numbers(targets, "target");
   const auto count = static_cast<std::size_t>(target.size());
   const auto width = static_cast<std::size_t>(selector.layout.size());
   require_shape(target, {count}, "target");
   require_shape(features, {count, width}, "features");
   if (std::any_of(target.data(), target.data() + count,
-                  [](int one) { return one < 0 || one >= motion::kTargetCount; }))
+                  [](std::int64_t one) { return one < 0 || one >= motion::kTargetCount; }))
     throw py::value_error("target must hold indices of TARGETS");
   Array<std::int32_t> clips = make_array<std::int32_t>({count});
   features::FeatureVector x{};

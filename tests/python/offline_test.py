@@ -165,6 +165,10 @@ class Offline(unittest.TestCase):
             chosen = selector.choose(self.store.features, self.store.target)
             label, _ = self.store.label(0.1)
             self.assertGreater(numpy.mean(chosen == label), 0.3)  # of some 60 clips
+        for target, text in (([0.5], "target must hold whole numbers"), ([4], "indices of TARGETS"),
+                             ([2**32], "indices of TARGETS"), ([0, 1], r"\(2, 22\), but has \(1, 22\)")):
+            with self.assertRaisesRegex(ValueError, text):
+                selector.choose(self.store.features[:1], target)
         with self.assertRaisesRegex(ValueError, "there is no model forest; it is one of knn, svm"):
             flinch.fit(self.store, "forest")
         with self.assertRaises(flinch.Error) as caught:
