@@ -167,6 +167,10 @@ public sealed class Library : IDisposable {
   public void ComputeJoints(ref Pose pose, ref JointFrames frames) {
     Native.Check(Native.flinch_library_joint_frames(Handle, ref pose, ref frames));
   }
+  /// <summary>Writes the pose of a clip at a time of it, above the world's origin.</summary>
+  public void GetClipPose(int clip, float time_s, ref Pose pose) {
+    Native.Check(Native.flinch_library_clip_pose(Handle, clip, time_s, ref pose));
+  }
   public static string JointName(int joint) { return Native.Text(Native.flinch_joint_name(joint)); }
   public static int JointParent(int joint) { return Native.flinch_joint_parent(joint); }
 }
@@ -292,6 +296,13 @@ public sealed unsafe class Character : IDisposable {
     Native.Check(Native.flinch_character_react_to(handle, ref ball));
   }
 
+  /// <summary>Ends physics at once: the body is where its own motion has it.</summary>
+  public void StopReaction() { Native.Check(Native.flinch_character_stop_reaction(handle)); }
+  /// <summary>Puts it into the state of another one of the library; neither takes hits.</summary>
+  public void CopyFrom(Character saved) {
+    Native.Check(Native.flinch_character_copy(handle, saved.handle));
+  }
+
   public void Update(float dt_s) { Native.Check(Native.flinch_character_update(handle, dt_s)); }
   public void GetPose(ref Pose pose) { Native.Check(Native.flinch_character_pose(handle, ref pose)); }
   public void GetPoseOver(ref Pose game, ref Mask mask, ref Pose pose) {
@@ -414,6 +425,9 @@ internal static unsafe class Native {
   [DllImport(Flinch)] internal static extern int flinch_character_push_candidates(Handle character, [Out] PushCandidate[] candidates, int capacity, out int count);
   [DllImport(Flinch)] internal static extern int flinch_character_look_ahead(Handle character, [In] Threat[] threats, int count, ref LookAheadOptions options, Handle lookAhead, IntPtr status);
   [DllImport(Flinch)] internal static extern int flinch_character_react_to(Handle character, ref Threat ball);
+  [DllImport(Flinch)] internal static extern int flinch_character_stop_reaction(Handle character);
+  [DllImport(Flinch)] internal static extern int flinch_character_copy(Handle character, Handle saved);
+  [DllImport(Flinch)] internal static extern int flinch_library_clip_pose(Handle library, int clip, float time_s, ref Pose pose);
   [DllImport(Flinch)] internal static extern int flinch_character_update(Handle character, float dt_s);
   [DllImport(Flinch)] internal static extern int flinch_character_pose(Handle character, ref Pose pose);
   [DllImport(Flinch)] internal static extern int flinch_character_pose_over(Handle character, ref Pose game, ref Mask mask, ref Pose pose);

@@ -79,6 +79,11 @@ export class Character {
     memory.checked(memory.call.flinch_character_react_to(this.handle, at));
   }
 
+  /** Ends physics at once: the body is where the character's own motion has it. */
+  stopReaction() {
+    this.memory.checked(this.memory.call.flinch_character_stop_reaction(this.handle));
+  }
+
   /** The last reaction: what moves the body, the ball, and the impulse on each body. */
   reaction() {
     return this.described("flinch_reaction", "flinch_character_reaction");

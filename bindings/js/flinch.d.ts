@@ -157,6 +157,7 @@ export class Character {
   respond(clip: number, time_to_impact_s: number): void;
   update(dt_s: number): void;
   reactTo(ball: Threat): void;
+  stopReaction(): void;
   reaction(): Reaction;
   pose(): Pose;
   jointFrames(): JointFrames;

@@ -140,6 +140,11 @@ std::string layout() {
                     {F(size), F(candidates), F(budget_us), F(reserved), F(now_us), F(clock)}));
   }
   {
+    using S = flinch_reaction_options;
+    structs.push_back(struct_text("flinch_reaction_options", sizeof(S),
+                                  {F(size), F(simulation_only_s), F(stiffness)}));
+  }
+  {
     using S = flinch_foreseen;
     structs.push_back(
         struct_text("flinch_foreseen", sizeof(S),

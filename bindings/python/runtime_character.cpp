@@ -244,6 +244,16 @@ void bind_motion(Class& character) {
             checked(flinch_character_update(self.get(), dt_s));
           },
           py::arg("dt_s"), "Advances it, s.")
+      .def(
+          "copy_from",
+          [](const Character& self, const Character& saved) {
+            checked(flinch_character_copy(self.get(), saved.get()));
+          },
+          py::arg("saved"), "Puts it into the state of another one; neither takes hits.")
+      .def(
+          "stop_reaction",
+          [](const Character& self) { checked(flinch_character_stop_reaction(self.get())); },
+          "Ends physics at once: the body is where its own motion has it.")
       .def("pose", &pose, "The current pose, world.")
       .def("pose_over", &pose_over, py::arg("game"), py::arg("joint"), py::arg("weight") = 1.0F,
            "The game's pose with Flinch's laid over it; weights of the 21 joints, 0 to 1.");

@@ -174,6 +174,15 @@ void bind_library(py::module_& module) {
       .def_property_readonly("stances", &stances_of, "Indices of the stances' clips.")
       .def_property_readonly("skeleton", &skeleton_of,
                              "Offsets from the parents and tips of the segments, (21, 3) each, m.")
+      .def(
+          "clip_pose",
+          [](const Library& self, std::int32_t clip, float time_s) {
+            Pose pose;
+            checked(flinch_library_clip_pose(self.get(), clip, time_s, &pose.value));
+            return pose;
+          },
+          py::arg("clip"), py::arg("time_s"),
+          "The pose of a clip at a time of it, above the world's origin.")
       .def("joint_frames", &joint_frames, py::arg("pose"),
            "Positions (21, 3) and orientations (21, 4) of the joints of a pose, world.");
   module.attr("JOINTS") = py::tuple(list_of(FLINCH_JOINT_COUNT, flinch_joint_name));

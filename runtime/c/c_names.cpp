@@ -57,7 +57,9 @@ const char* flinch_status_message(flinch_status status) {
     case FLINCH_WITHOUT_PUSHES:
       return "the selector has no pushes, or no realism model for them";
     case FLINCH_BAD_LIMITS:
-      return "a limit of perception is negative, not finite, or a probability above 1";
+      return "a limit of perception is negative, not finite, or a probability above 1, or an "
+             "option of "
+             "reactions is out of range";
     case FLINCH_BAD_MASK:
       return "a weight of the mask is not between 0 and 1";
     case FLINCH_OUT_OF_MEMORY:

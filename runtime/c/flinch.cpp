@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <memory>
 #include <new>
 #include <span>
 #include <string>
 #include <utility>
+#include <variant>
 
 #include "models/selector.h"
 #include "runtime/c/c_check.h"
@@ -139,6 +141,15 @@ flinch_status flinch_library_joint_frames(const flinch_library* library, const f
   return FLINCH_OK;
 }
 
+flinch_status flinch_library_clip_pose(const flinch_library* library, int32_t clip, float time_s,
+                                       flinch_pose* out) {
+  if (const flinch_status status = check(library, out)) return status;
+  if (!is_index(clip, library->content->clip_library().clips.size())) return FLINCH_BAD_INDEX;
+  if (!(std::abs(time_s) <= runtime::kMaxTimeStep_s)) return FLINCH_BAD_TIME;
+  write_struct(*out, to_c(motion::sample(clip_at(*library, clip).motion, time_s)));
+  return FLINCH_OK;
+}
+
 flinch_status flinch_workspace_create(const flinch_library* library, flinch_workspace** out) {
   if (out == nullptr) return FLINCH_NULL_POINTER;
   *out = nullptr;
@@ -200,6 +211,16 @@ flinch_status flinch_character_set_pose(flinch_character* character, const flinc
   return status_of(character->content->moved([&](runtime::Character& body) {
     return body.set_pose(runtime::pose_of(*before), runtime::pose_of(*now), dt_s);
   }));
+}
+
+flinch_status flinch_character_copy(flinch_character* character, const flinch_character* saved) {
+  if (const flinch_status status = check(character, saved)) return status;
+  auto* to = std::get_if<runtime::Character>(&character->content->body);
+  const auto* from = std::get_if<runtime::Character>(&saved->content->body);
+  if (to == nullptr || from == nullptr) return FLINCH_BAD_HANDLE;
+  if (character->content->library != saved->content->library) return FLINCH_OTHER_LIBRARY;
+  *to = *from;
+  return FLINCH_OK;
 }
 
 flinch_status flinch_character_settle(flinch_character* character) {

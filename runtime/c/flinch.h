@@ -90,7 +90,7 @@ enum {
   FLINCH_BAD_TIME = -8,       /* a time step that is not above 0 and at most 1e6 s */
   FLINCH_BAD_POSE = -9,       /* a number that is not finite, a rotation that is not unit */
   FLINCH_BAD_PLACEMENT = -10, /* a position beyond 1e5 m, another number beyond 1e6, not finite */
-  FLINCH_BAD_LIMITS = -11,    /* of perception: not finite, or out of range */
+  FLINCH_BAD_LIMITS = -11,    /* of perception or of a reaction: not finite, or out of range */
   FLINCH_BAD_MASK = -12,      /* a weight that is not in [0, 1] */
   FLINCH_OUT_OF_MEMORY = -13,
   FLINCH_NOT_REACTING = -14,      /* the character was created without reactions */
@@ -249,6 +249,12 @@ FLINCH_API flinch_status flinch_library_joint_frames(const flinch_library* libra
                                                      const flinch_pose* pose,
                                                      flinch_joint_frames* out);
 
+/* Writes the pose of clip number `clip` at `time_s` of it to `out`, interpolated; before its first
+ * pose and after its last one, those. A clip begins with the pelvis above the world's origin, and
+ * the character facing +X. */
+FLINCH_API flinch_status flinch_library_clip_pose(const flinch_library* library, int32_t clip,
+                                                  float time_s, flinch_pose* out);
+
 /* ---- Characters ------------------------------------------------------------------------------ */
 
 /* Makes a workspace: memory, up to a hundred kilobytes, that only perceiving needs. One serves all
@@ -287,6 +293,12 @@ FLINCH_API int32_t flinch_library_stance(const flinch_library* library, int32_t 
 FLINCH_API flinch_status flinch_character_set_pose(flinch_character* character,
                                                    const flinch_pose* before,
                                                    const flinch_pose* now, float dt_s);
+
+/* Puts the character into the state of `saved`, bit for bit, as for a saved game or a rewind; from
+ * then on equal calls give equal bits. Both are characters of one library, without reactions to
+ * hits (FLINCH_BAD_HANDLE: one has them). */
+FLINCH_API flinch_status flinch_character_copy(flinch_character* character,
+                                               const flinch_character* saved);
 
 /* Stops the response and returns to idle smoothly. */
 FLINCH_API flinch_status flinch_character_settle(flinch_character* character);
@@ -519,11 +531,29 @@ FLINCH_API flinch_status flinch_character_look_ahead(flinch_character* character
 FLINCH_API flinch_status flinch_character_create_reacting(const flinch_library* library,
                                                           flinch_character** out);
 
+/* How a character takes a hit. */
+typedef struct flinch_reaction_options {
+  uint32_t size;
+  float simulation_only_s; /* for which physics alone moves it after the contact, 0.05 to 0.5 */
+  float stiffness; /* of the joints, as a share of that in training, above 0 and at most 1 */
+} flinch_reaction_options;
+/* Writes what flinch_character_create_reacting takes to `out`. */
+FLINCH_API flinch_status flinch_reaction_defaults(flinch_reaction_options* out);
+/* The same with these options. FLINCH_BAD_LIMITS: one is out of range. */
+FLINCH_API flinch_status flinch_character_create_reacting_as(const flinch_library* library,
+                                                             const flinch_reaction_options* options,
+                                                             flinch_character** out);
+
 /* Hands the body to physics, because `ball`, as it is now, is about to hit: at the contact or up to
  * 0.3 s before it. flinch_character_update then moves the body and the ball, blends back to the
  * character's own motion after the hit, and allocates nothing. The first call may allocate. */
 FLINCH_API flinch_status flinch_character_react_to(flinch_character* character,
                                                    const flinch_threat* ball);
+
+/* Ends physics, or the clip that follows it, at once: the body is where the character's own motion,
+ * which has gone on meanwhile, has it. Call it when the game moves a body itself, as after a fall.
+ */
+FLINCH_API flinch_status flinch_character_stop_reaction(flinch_character* character);
 
 /* The stage of a reaction. */
 enum {

@@ -140,6 +140,15 @@ static unsafe class Throws {
     Mask mask = Mask.Make();
     character.GetPoseOver(ref game, ref mask, ref mixed);
     Require(mixed.RootPosition[0] == game.RootPosition[0], "mask of the game");
+    var twin = new Character(library);
+    twin.CopyFrom(character);
+    twin.GetPose(ref mixed);
+    character.GetPose(ref game);
+    Require(mixed.RootPosition[2] == game.RootPosition[2] &&
+            twin.Describe().Phase == character.Describe().Phase, "copy");
+    game.RootPosition[0] += 1;
+    library.GetClipPose(library.Describe().IdleClip, 0, ref mixed);
+    Require(Math.Abs(mixed.RootPosition[0]) < 0.1 && mixed.RootPosition[2] > 0.5, "clip pose");
     mask.Joint[0] = 1;
     character.GetPoseOver(ref game, ref mask, ref mixed);
     Require(Math.Abs(mixed.RootPosition[0] - game.RootPosition[0] + 1) < 1e-5, "mask of Flinch");

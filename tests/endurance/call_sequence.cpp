@@ -109,7 +109,7 @@ bool CallSequence::call() {
     Call call;
     std::uint32_t weight;  ///< of 256
   };
-  constexpr std::array kKinds{Kind{"update", &CallSequence::update, 200},
+  constexpr std::array kKinds{Kind{"update", &CallSequence::update, 194},
                               Kind{"perceive", &CallSequence::perceive, 14},
                               Kind{"respond", &CallSequence::respond, 2},
                               Kind{"place", &CallSequence::place, 8},
@@ -118,6 +118,8 @@ bool CallSequence::call() {
                               Kind{"pose_over", &CallSequence::pose_over, 8},
                               Kind{"joint_frames", &CallSequence::joint_frames, 8},
                               Kind{"limit_perception", &CallSequence::limit_perception, 4},
+                              Kind{"clip_pose", &CallSequence::clip_pose, 3},
+                              Kind{"copy", &CallSequence::copy, 3},
                               Kind{"a new character", &CallSequence::make_anew, 2}};
   Actor& actor = actors_[below(actors_.size())];
   is_odd_ = below(4) == 0;
@@ -269,6 +271,26 @@ CallSequence::Outcome CallSequence::joint_frames(Actor& actor) {
     if (!(unit_error(orientation) <= 8 * kMaxUnitError))
       fail("gave a joint's orientation with a length off by", unit_error(orientation));
   }
+  return {status, Expected::answer};
+}
+
+CallSequence::Outcome CallSequence::clip_pose(Actor&) {
+  const auto clips = static_cast<std::uint32_t>(info_.clip_count);
+  const auto clip = static_cast<std::int32_t>(below(clips + 2)) - 1;
+  const float time_s = number(-1, 3);
+  auto pose = sized<flinch_pose>();
+  const flinch_status status = flinch_library_clip_pose(library_, clip, time_s, &pose);
+  if (status == FLINCH_OK) check_numbers(pose);
+  const bool is_good = clip >= 0 && clip < info_.clip_count && is_extent(time_s);
+  return {status, is_good ? Expected::answer : Expected::refusal};
+}
+
+// From then on it is what the other is, seen bit by bit.
+CallSequence::Outcome CallSequence::copy(Actor& actor) {
+  const Actor& saved = actors_[below(actors_.size())];
+  const flinch_status status = flinch_character_copy(actor.character, saved.character);
+  actor.is_bent = saved.is_bent;
+  if (!has_same_bits(seen_of(actor), seen_of(saved))) fail("gave another state than", 0);
   return {status, Expected::answer};
 }
 

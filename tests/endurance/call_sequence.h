@@ -80,6 +80,8 @@ class CallSequence {
   Outcome settle(Actor& actor);
   Outcome pose_over(Actor& actor);
   Outcome joint_frames(Actor& actor);
+  Outcome clip_pose(Actor& actor);
+  Outcome copy(Actor& actor);
   Outcome limit_perception(Actor& actor);
   Outcome make_anew(Actor& actor);
 

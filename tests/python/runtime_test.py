@@ -124,6 +124,28 @@ class Runtime(unittest.TestCase):
         self.assertGreater(reaction["impulse_ns"].sum(), 0.5)
         self.assertLess(reaction["contact_s"], 0.1)
         self.refuses(-14, self.character.react_to, BALL)
+        character.react_to(flinch.Threat([1.5, 0, 1.2], [-20, 0, 0]))
+        character.update(1 / 60)
+        self.assertEqual(character.reaction["moved_by"], "physics")
+        character.stop_reaction()
+        self.assertEqual(character.reaction["moved_by"], "character")
+
+    def test_a_saved_state_goes_on_as_the_original(self):
+        self.character.perceive(BALL)
+        for _ in range(30):
+            self.character.update(1 / 60)
+        saved = flinch.Character(self.library)
+        saved.copy_from(self.character)
+        for _ in range(30):
+            self.character.update(1 / 60)
+            saved.update(1 / 60)
+        numpy.testing.assert_array_equal(numbers(saved.pose()), numbers(self.character.pose()))
+
+    def test_a_clips_pose_is_the_librarys(self):
+        pose = self.library.clip_pose(self.library.idle_clip, 0)
+        character = flinch.Character(self.library)
+        numpy.testing.assert_allclose(pose.rotation, character.pose().rotation, atol=1e-5)
+        self.refuses(-5, self.library.clip_pose, 9999, 0)
 
     def test_perception_can_be_imperfect(self):
         self.character.limit_perception(seed=3, chance_to_fail=1)
