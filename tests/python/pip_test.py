@@ -3,18 +3,16 @@
 package that works alone. Environment: FLINCH_BUILD (a build folder to take the compiled part from),
 SELECTOR."""
 
+import importlib.util
 import os
 import pathlib
 import shutil
 import subprocess
 import sys
 
-try:
-    import pip  # noqa: F401
-    import setuptools  # noqa: F401
-    import wheel  # noqa: F401
-except ImportError as missing:
-    sys.exit(print(f"skipped: {missing}; scripts/setup --python installs it"))
+missing = [name for name in ("pip", "setuptools", "wheel") if importlib.util.find_spec(name) is None]
+if missing:
+    sys.exit(print(f"skipped: there is no {', '.join(missing)}; scripts/setup --python installs it"))
 
 checkout, folder = sys.argv[1:]
 shutil.rmtree(folder, ignore_errors=True)
