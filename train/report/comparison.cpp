@@ -69,7 +69,8 @@ Comparison compare_methods(const std::string& store_path, const std::string& tes
   const CostModel cost_model = make_cost_model(store.header, plan.vulnerability, plan.brawn);
   std::vector<PreventionRow> prevention =
       prevention_rows(store, label(store.observations, cost_model));
-  Comparison comparison{{}, read_split(std::move(store), test_path, plan.feature_set)};
+  Comparison comparison;
+  comparison.split = read_split(std::move(store), test_path, plan.feature_set);
   const TrainTestSplit& split = comparison.split;
   comparison.report = begin_report(split, seed, plan);
   comparison.report.prevention = std::move(prevention);

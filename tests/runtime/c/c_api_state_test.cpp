@@ -19,7 +19,7 @@ namespace {
 using tests::kNan;
 using tests::sized;
 
-constexpr float kFrame_s = 1.0F / 60;
+constexpr float kStep_s = 1.0F / 60;
 
 class CApiState : public tests::CApi {
  protected:
@@ -44,11 +44,13 @@ TEST_F(CApiState, ACopyGoesOnAsTheOriginalBitForBit) {
       ASSERT_EQ(flinch_character_copy(saved, character), FLINCH_OK);
       EXPECT_EQ(tests::allocation_count(), allocations);
     }
-    ASSERT_EQ(flinch_character_update(character, kFrame_s), FLINCH_OK);
-    ASSERT_EQ(flinch_character_update(saved, kFrame_s), FLINCH_OK);
+    ASSERT_EQ(flinch_character_update(character, kStep_s), FLINCH_OK);
+    ASSERT_EQ(flinch_character_update(saved, kStep_s), FLINCH_OK);
     const flinch_pose copied = pose_of_other(saved);
     const flinch_pose original = pose();
-    if (frame > 40) ASSERT_EQ(std::memcmp(&original, &copied, sizeof copied), 0) << frame;
+    if (frame > 40) {
+      ASSERT_EQ(std::memcmp(&original, &copied, sizeof copied), 0) << frame;
+    }
   }
   EXPECT_EQ(flinch_character_free(saved), FLINCH_OK);
 }
@@ -122,8 +124,8 @@ TEST_F(CApiState, OptionsOfReactionsAreThoseOfCxx) {
   ASSERT_EQ(expected.react_to(features::ball_of(threat_of(ball, {}))),
             reaction::ReactionStatus::ok);
   for (int frame = 0; frame < 40; ++frame) {
-    ASSERT_EQ(flinch_character_update(stiff, kFrame_s), FLINCH_OK);
-    ASSERT_EQ(expected.update(kFrame_s), reaction::ReactionStatus::ok);
+    ASSERT_EQ(flinch_character_update(stiff, kStep_s), FLINCH_OK);
+    ASSERT_EQ(expected.update(kStep_s), reaction::ReactionStatus::ok);
   }
   flinch_pose wanted = to_c(expected.pose());
   wanted.size = sizeof wanted;
@@ -161,8 +163,8 @@ TEST_F(CApiState, AReactionThatIsStoppedShowsTheCharactersOwnMotion) {
   const flinch_threat ball = near_ball_at_the_chest();
   ASSERT_EQ(flinch_character_react_to(reacting, &ball), FLINCH_OK);
   for (int frame = 0; frame < 15; ++frame) {
-    ASSERT_EQ(flinch_character_update(reacting, kFrame_s), FLINCH_OK);
-    ASSERT_EQ(flinch_character_update(character, kFrame_s), FLINCH_OK);
+    ASSERT_EQ(flinch_character_update(reacting, kStep_s), FLINCH_OK);
+    ASSERT_EQ(flinch_character_update(character, kStep_s), FLINCH_OK);
   }
   auto now = sized<flinch_reaction>();
   ASSERT_EQ(flinch_character_reaction(reacting, &now), FLINCH_OK);
