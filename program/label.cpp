@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <iostream>
 #include <memory>
 
@@ -9,14 +10,11 @@
 #include "program/table.h"
 #include "runtime/character.h"
 #include "runtime/response/prepared_library.h"
-#include "train/realism/label_file.h"
 #include "train/realism/proxy_judge.h"
 
 namespace flinch::program {
 
 namespace {
-
-constexpr std::uint64_t kSittings = 10;
 
 struct LabelOptions {
   std::string library;
@@ -33,19 +31,10 @@ void run_label(const LabelOptions& options) {
   if (responses.responses.empty())
     throw Error(options.library, message_of(runtime::Status::without_pushes));
   const train::ProxyJudge judge(responses);
-  std::vector<train::Label> labels;
-  std::uint64_t good = 0;
-  for (std::uint64_t i = 0; i < options.proxy; ++i) {
-    features::Random random(options.seed, features::RandomStream::realism, i);
-    train::Label label;
-    label.example = train::sample_example(responses, random);
-    label.quality = judge.quality_of(label.example);
-    label.judge = train::kProxyJudge;
-    label.sitting = "proxy " + std::to_string(options.seed) + "." +
-                    std::to_string(i * kSittings / options.proxy);
-    good += label.quality > runtime::kGoodRealism ? 1 : 0;
-    labels.push_back(label);
-  }
+  const std::vector<train::Label> labels =
+      train::proxy_labels(responses, judge, options.proxy, options.seed);
+  const auto good = std::ranges::count_if(
+      labels, [](const train::Label& label) { return label.quality > runtime::kGoodRealism; });
   train::append_labels(options.out, library, labels);
   if (options.json) {
     print({{"kind", "labels"},

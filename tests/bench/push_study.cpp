@@ -28,7 +28,6 @@ using runtime::PushCandidate;
 using runtime::PushMotion;
 
 constexpr float kStep_s = 1.0F / 240;
-constexpr std::size_t kSittings = 10;
 
 struct Study {
   database::ClipLibrary library;
@@ -436,14 +435,7 @@ void print_responses(const Study& study) {
 
 void label(Study& study, std::size_t count) {
   const train::ProxyJudge judge(study.responses);
-  std::vector<train::Label> labels;
-  for (std::size_t i = 0; i < count; ++i) {
-    features::Random random(1, features::RandomStream::realism, i);
-    train::Label one{train::sample_example(study.responses, random), 0,
-                     std::string(train::kProxyJudge), std::to_string(i * kSittings / count)};
-    one.quality = judge.quality_of(one.example);
-    labels.push_back(one);
-  }
+  std::vector<train::Label> labels = train::proxy_labels(study.responses, judge, count, 1);
   std::vector<double> qualities;
   for (const train::Label& one : labels) qualities.push_back(double{one.quality});
   const auto good = std::ranges::count_if(qualities, [](double q) { return q > 0.5; });

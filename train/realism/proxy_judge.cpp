@@ -11,6 +11,7 @@ namespace flinch::train {
 namespace {
 
 constexpr float kGravity_mps2 = 9.81F;
+constexpr std::size_t kSittings = 10;
 
 /// Largest distance of the extrapolated centre of mass x + v / w0 outside the soles, m; poses in
 /// the air do not count.
@@ -79,6 +80,19 @@ std::array<float, 6> ProxyJudge::scores_of(const PushExample& example) const {
 float ProxyJudge::quality_of(const PushExample& example) const {
   const std::array<float, 6> scores = scores_of(example);
   return *std::min_element(scores.begin(), scores.end());
+}
+
+std::vector<Label> proxy_labels(const runtime::PushResponses& responses, const ProxyJudge& judge,
+                                std::size_t count, std::uint64_t seed) {
+  const std::string sittings = "proxy " + std::to_string(seed) + ".";
+  std::vector<Label> labels;
+  for (std::size_t i = 0; i < count; ++i) {
+    features::Random random(seed, features::RandomStream::realism, i);
+    const PushExample example = sample_example(responses, random);
+    labels.push_back({example, judge.quality_of(example), std::string(kProxyJudge),
+                      sittings + std::to_string(i * kSittings / count)});
+  }
+  return labels;
 }
 
 }  // namespace flinch::train

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <string_view>
+#include <vector>
 
 #include "motion/figure.h"
-#include "train/realism/push_example.h"
+#include "train/realism/label_file.h"
 
 namespace flinch::train {
 
@@ -44,5 +46,10 @@ class ProxyJudge {
   motion::Figure figure_;
   std::vector<ProxyMeasures> recorded_;  // per response
 };
+
+/// Draws `count` examples and has the proxy judge them, in ten sittings of equal length: "proxy
+/// SEED.0" to "proxy SEED.9". The same seed draws the same examples.
+std::vector<Label> proxy_labels(const runtime::PushResponses& responses, const ProxyJudge& judge,
+                                std::size_t count, std::uint64_t seed);
 
 }  // namespace flinch::train

@@ -86,6 +86,21 @@ TEST(ProxyJudge, LikesTheRecordedPushAndDislikesAWildOne) {
   }
 }
 
+TEST(ProxyLabels, AreTheJudgesAndInTenSittings) {
+  const tests::PushScene scene;
+  const ProxyJudge judge(scene.responses);
+  const std::vector<Label> labels = proxy_labels(scene.responses, judge, 30, 7);
+  const std::vector<Label> again = proxy_labels(scene.responses, judge, 30, 7);
+  ASSERT_EQ(labels.size(), 30U);
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    EXPECT_EQ(labels[i].judge, kProxyJudge);
+    EXPECT_EQ(labels[i].sitting, "proxy 7." + std::to_string(i / 3));
+    EXPECT_EQ(labels[i].quality, judge.quality_of(labels[i].example));
+    EXPECT_EQ(labels[i].example.asked, again[i].example.asked);
+  }
+  EXPECT_NE(proxy_labels(scene.responses, judge, 1, 8)[0].example.asked, labels[0].example.asked);
+}
+
 TEST(SampleExample, IsTheSameForTheSameSeedAndGivesEveryPlace) {
   const tests::PushScene scene;
   std::vector<int> places(motion::kRoleCount);
