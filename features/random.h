@@ -24,7 +24,8 @@ enum class RandomStream : std::uint32_t {
   noise,
   evolution,
   threat_grid,
-  realism
+  realism,
+  motion_walk
 };
 
 /// The random numbers of one (seed, stream, substream), in order. Scenarios use their number as the

@@ -107,12 +107,14 @@ Status Character::set_pose(const Pose& before, const Pose& now, float dt_s) noex
   time_s_ = 0;
   response_ = {};
   push_ = {};
+  walk_ = {};
   waiting_count_ = 0;
   return Status::ok;
 }
 
 Status Character::settle() noexcept {
   if (!library_->is_loaded()) return Status::not_loaded;
+  walk_ = {};
   if (!is_responding() && !is_settling() && !is_pushed()) return Status::ok;
   delayed_clip_.reset();
   time_to_impact_s_ = std::numeric_limits<double>::infinity();
@@ -123,6 +125,7 @@ Status Character::change_stance(int stance) noexcept {
   if (!library_->is_loaded()) return Status::not_loaded;
   const PreparedLibrary& library = library_->prepared();
   if (!library.has_stance(stance)) return Status::bad_placement;
+  walk_ = {};
   if (!is_responding() && !is_settling() && state_.stance == stance) return Status::ok;
   const float now_s = static_cast<float>(time_s_);
   const float before_s = now_s - kVelocityInterval_s;
@@ -162,8 +165,14 @@ Status Character::predict(const features::Threat& threat, Perception& perception
   return Status::ok;
 }
 
-/// How a character goes on that the game animates; other characters come to rest.
+/// How a character goes on that walks or that the game animates; other characters come to rest.
 Eigen::Vector3f Character::current_drift_mps() const noexcept {
+  if (is_walking()) {
+    const auto now_s = static_cast<float>(time_s_);
+    const Eigen::Vector3f way =
+        pose_after(now_s).root_position - pose_after(now_s - kVelocityInterval_s).root_position;
+    return Eigen::Vector3f(way.x(), way.y(), 0) / kVelocityInterval_s;
+  }
   const bool is_animated = !is_responding() && is_settling() && time_s_ < kMaxPoseAge_s;
   return is_animated ? drift_mps_ : Eigen::Vector3f(Eigen::Vector3f::Zero());
 }
@@ -428,7 +437,11 @@ Status Character::update(float dt_s) noexcept {
   for (Waiting& waiting : waiting_) waiting.time_to_impact_s -= dt;
   if (time_to_impact_s_ <= 0) answer_next();
   if (is_responding() && time_s_ >= double{duration_s(response_)}) finish();
-  if (is_pushed() && time_s_ >= double{push_.duration_s}) finish_push(dt_s);
+  if (walk_.graph != nullptr) {
+    walk_on();
+  } else if (is_pushed() && time_s_ >= double{push_.duration_s}) {
+    finish_push(dt_s);
+  }
   if (!is_responding() && !is_pushed()) remove_periods();
   return Status::ok;
 }
@@ -478,8 +491,9 @@ bool Character::is_in_stance() const noexcept {
 }
 
 Phase Character::phase() const noexcept {
-  if (is_pushed()) return Phase::pushed;
+  if (is_pushed() && !is_walking()) return Phase::pushed;
   if (delayed_clip_) return Phase::reacting;
+  if (is_walking()) return Phase::walking;
   if (!is_responding()) return Phase::idle;
   const float t = response_time_s();
   if (response_.clip == library_->prepared().library->idle) return Phase::returning;

@@ -56,6 +56,8 @@ const char* name_of(Phase phase) noexcept {
       return "returning";
     case Phase::pushed:
       return "pushed";
+    case Phase::walking:
+      return "walking";
   }
   return "unknown";
 }

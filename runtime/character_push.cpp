@@ -4,6 +4,7 @@
 
 #include "motion/rotation.h"
 #include "runtime/character.h"
+#include "runtime/graph/motion_graph.h"
 #include "runtime/push/push_deformation.h"
 #include "runtime/push/push_search.h"
 
@@ -63,6 +64,12 @@ Status Character::push(motion::Role place, const Eigen::Vector3f& push_velocity,
 
 void Character::begin_push(const PushMotion& motion) noexcept {
   push_ = motion;
+  is_answering_push_ = true;
+  if (walk_.graph != nullptr) {
+    const GraphExit& exit = walk_.graph->exits[static_cast<std::size_t>(motion.clip)];
+    walk_.leave_s = exit.leave_s - motion.contact_s;
+    walk_.node = exit.node;
+  }
   response_ = {};
   inertialization_ = {};
   delayed_clip_.reset();

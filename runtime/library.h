@@ -20,6 +20,8 @@ struct PreparedLibrary;
 /// The recorded responses to pushes, and how a push is answered with them. Opaque to games.
 struct PushResponses;
 struct PushModel;
+/// Which moments of a library's everyday clips can follow each other. Opaque to games.
+struct MotionGraph;
 
 /// What a game loads, once for all characters of one kind: a selector with its clips, from one file
 /// that `flinch train` writes. Immutable after loading, so any number of characters and threads may

@@ -30,7 +30,7 @@ static_assert(FLINCH_MOST_CANDIDATES == Character::kMaxCandidates);
 static_assert(FLINCH_LEGS == static_cast<int>(motion::Target::legs));
 static_assert(FLINCH_RETURNING == static_cast<int>(Phase::returning));
 static_assert(FLINCH_FIST == static_cast<int>(features::ThreatShape::fist));
-static_assert(FLINCH_PUSHED == static_cast<int>(Phase::pushed));
+static_assert(FLINCH_WALKING == static_cast<int>(Phase::walking));
 
 }  // namespace
 

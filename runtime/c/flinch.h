@@ -431,7 +431,8 @@ enum {
   FLINCH_BLENDING = 4,   /* blends from idle into the clip */
   FLINCH_PROTECTING = 5, /* plays the clip */
   FLINCH_RETURNING = 6,  /* blends back to idle */
-  FLINCH_PUSHED = 7      /* plays the response to a push */
+  FLINCH_PUSHED = 7,     /* plays the response to a push */
+  FLINCH_WALKING = 8     /* moves about by the motion graph */
 };
 FLINCH_API const char* flinch_phase_name(int32_t phase); /* NULL: no such phase */
 

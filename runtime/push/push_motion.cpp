@@ -55,17 +55,17 @@ struct Moving {
 
 /// When the response lifts this foot and sets it down, s after the push; infinite where it never
 /// does. A foot that is in the air at the push lifts at 0.
-Interval first_swing(const PreparedLibrary& library, const PushResponse& response, Side side) {
-  const Footwork& footwork = library.footwork[static_cast<std::size_t>(response.clip)];
+Interval first_swing(const PushMotion& motion, Side side) {
+  const Footwork& footwork = motion.library->footwork[static_cast<std::size_t>(motion.clip)];
   for (const Swing& swing : footwork.swings[side]) {
-    if (swing.end_s <= response.contact_s) continue;
-    return {std::max(swing.begin_s - response.contact_s, 0.0F), swing.end_s - response.contact_s};
+    if (swing.end_s <= motion.contact_s) continue;
+    return {std::max(swing.begin_s - motion.contact_s, 0.0F), swing.end_s - motion.contact_s};
   }
   return {};
 }
 
-PushFoot make_foot(const PreparedLibrary& library, const PushResponse& response,
-                   const Moving& shown, const Moving& clip, Side side) {
+PushFoot make_foot(const PushMotion& motion, const Moving& shown, const Moving& clip, Side side) {
+  const PreparedLibrary& library = *motion.library;
   const motion::Skeleton& skeleton = library.skeleton();
   const motion::JointFrames frames = motion::forward_kinematics(skeleton, shown.now);
   const FootPose now = motion::foot_pose(frames, side);
@@ -79,7 +79,7 @@ PushFoot make_foot(const PreparedLibrary& library, const PushResponse& response,
                           (now.ankle - frames.position[motion::roles_of(leg).upper]).norm());
   const bool is_down = min_height(library.soles[side], frames, side) < kStandingHeight_m &&
                        (now.ankle - before.ankle).norm() < kMaxStandingSpeed_mps * shown.dt_s;
-  const Interval swing = first_swing(library, response, side);
+  const Interval swing = first_swing(motion, side);
   foot.stands = is_down && swing.begin_s > 0;
   if (foot.stands) {
     const Eigen::Quaternionf turn = now.orientation * clip_now.orientation.conjugate();
@@ -158,41 +158,60 @@ Eigen::Vector3f pushed_joint(const PushMotion& motion, float time_s) {
       .position[motion.place];
 }
 
+/// Lays the clip so that at contact it faces `facing` where the character is, and measures what the
+/// character differs by.
+void begin_clip(float facing, float clip_facing, const Moving& shown, PushMotion& motion) {
+  const Eigen::Vector3f& now = shown.now.root_position;
+  motion.yaw = facing - clip_facing;
+  const Eigen::Vector3f turned =
+      motion::rotation_about(Eigen::Vector3f::UnitZ(), motion.yaw) *
+      motion::sample(motion.library->clip(motion.clip).motion, motion.contact_s).root_position;
+  motion.translation = {now.x() - turned.x(), now.y() - turned.y(), 0};
+
+  const float dt_s = shown.dt_s;
+  const Moving clip{clip_pose(motion, -dt_s), clip_pose(motion, 0), dt_s};
+  motion.root = now - clip.now.root_position;
+  motion.root_velocity =
+      (motion.root - (shown.before.root_position - clip.before.root_position)) / dt_s;
+  for (const Role role : motion::kRoles) {
+    motion.rotation[role] = rotation_from(clip.now.rotation[role], shown.now.rotation[role]);
+    motion.rotation_velocity[role] =
+        turn_velocity(motion.rotation[role],
+                      rotation_from(clip.before.rotation[role], shown.before.rotation[role]), dt_s);
+  }
+  for (const Side side : motion::kSides) motion.feet[side] = make_foot(motion, shown, clip, side);
+}
+
 }  // namespace
 
 PushMotion make_push_motion(const PushResponses& responses, std::size_t response, float turn,
                             const PushDeformation& deformation, const Pose& before, const Pose& now,
                             float dt_s) noexcept {
-  const PreparedLibrary& library = *responses.library;
   const PushResponse& recorded = responses.responses[response];
   PushMotion motion;
-  motion.library = &library;
+  motion.library = responses.library;
   motion.clip = recorded.clip;
   motion.contact_s = recorded.contact_s;
   motion.duration_s = recorded.duration_s;
-  motion.yaw = motion::facing(now) + turn - recorded.facing;
-  const Eigen::Vector3f turned =
-      motion::rotation_about(Eigen::Vector3f::UnitZ(), motion.yaw) *
-      motion::sample(library.clip(recorded.clip).motion, recorded.contact_s).root_position;
-  motion.translation = {now.root_position.x() - turned.x(), now.root_position.y() - turned.y(), 0};
-
-  const Moving shown{before, now, dt_s};
-  const Moving clip{clip_pose(motion, -dt_s), clip_pose(motion, 0), dt_s};
-  motion.root = now.root_position - clip.now.root_position;
-  motion.root_velocity = (motion.root - (before.root_position - clip.before.root_position)) / dt_s;
-  for (const Role role : motion::kRoles) {
-    motion.rotation[role] = rotation_from(clip.now.rotation[role], now.rotation[role]);
-    motion.rotation_velocity[role] =
-        turn_velocity(motion.rotation[role],
-                      rotation_from(clip.before.rotation[role], before.rotation[role]), dt_s);
-  }
+  begin_clip(motion::facing(now) + turn, recorded.facing, {before, now, dt_s}, motion);
   motion.rise_s = deformation.rise_s;
   motion.place = deformation.place;
   motion.deformation = deformation.velocity;
-  motion.share =
-      deformation_shares(deformation, motion::forward_kinematics(library.skeleton(), now));
-  for (const Side side : motion::kSides)
-    motion.feet[side] = make_foot(library, recorded, shown, clip, side);
+  motion.share = deformation_shares(deformation,
+                                    motion::forward_kinematics(responses.library->skeleton(), now));
+  return motion;
+}
+
+PushMotion make_transition(const PreparedLibrary& library, int clip, float time_s,
+                           const Pose& before, const Pose& now, float dt_s) noexcept {
+  const motion::Motion& clip_motion = library.clip(clip).motion;
+  PushMotion motion;
+  motion.library = &library;
+  motion.clip = clip;
+  motion.contact_s = time_s;
+  motion.duration_s = clip_motion.duration_s() - time_s;
+  begin_clip(motion::facing(now), motion::facing(motion::sample(clip_motion, time_s)),
+             {before, now, dt_s}, motion);
   return motion;
 }
 

@@ -75,6 +75,12 @@ PushMotion make_push_motion(const PushResponses& responses, std::size_t response
                             const PushDeformation& deformation, const motion::Pose& before,
                             const motion::Pose& now, float dt_s) noexcept;
 
+/// Goes over to another clip of the library at `time_s` without a push: the same, unbent and not
+/// turned. Allocates nothing.
+PushMotion make_transition(const PreparedLibrary& library, int clip, float time_s,
+                           const motion::Pose& before, const motion::Pose& now,
+                           float dt_s) noexcept;
+
 /// The pose `time_s` after the push, world; at 0 that of the character then, just before 0 nearly
 /// the one before it. The last pose after the end. Bones have the skeleton's lengths. Costs a few
 /// microseconds; allocates nothing.

@@ -75,6 +75,19 @@ database::ClipLibrary library_with_pushes() {
   return library;
 }
 
+database::ClipLibrary library_with_walks() {
+  database::ClipLibrary library = library_with_pushes();
+  for (const auto& [name, way] : {std::pair{"go_back", Eigen::Vector3f(-0.35F, 0, 0)},
+                                  std::pair{"go_aside", Eigen::Vector3f(0, -0.3F, 0)}}) {
+    motion::Clip clip = pushed_clip(library, name, way);
+    clip.purpose = motion::Purpose::anticipation;
+    clip.kind = "walk";
+    clip.push.reset();
+    library.clips.push_back(clip);
+  }
+  return library;
+}
+
 models::RealismModel random_realism(unsigned seed, std::size_t count) {
   std::mt19937 random(seed);
   models::RealismModel model = constant_realism(0);

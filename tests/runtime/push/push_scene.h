@@ -12,7 +12,11 @@ namespace flinch::tests {
 /// takes a step with each foot.
 database::ClipLibrary library_with_pushes();
 
-/// The responses of that library.
+/// The same with two clips of everyday motion, "go_back" and "go_aside": the character stands,
+/// takes a step with each foot and stands again.
+database::ClipLibrary library_with_walks();
+
+/// The responses of the first of these.
 struct PushScene {
   database::ClipLibrary library = library_with_pushes();
   runtime::PreparedLibrary prepared = runtime::prepare(library);
