@@ -6,12 +6,11 @@
 
 #include "database/export/export_check.h"
 #include "database/export/glb.h"
-#include "database/export/solid_mesh.h"
+#include "database/export/gltf_mesh.h"
 #include "database/export/y_up.h"
 #include "database/files/file_io.h"
 #include "motion/error.h"
 #include "motion/rotation.h"
-#include "motion/skin/figure_skin.h"
 
 namespace flinch::database {
 namespace {
@@ -22,146 +21,45 @@ using Json = nlohmann::ordered_json;
 using motion::kRoles;
 using motion::Role;
 
-constexpr int kBallSegments = 10;  // chords of a quarter circle
+// Indices of the nodes in the document: those of each figure, then the ball.
+constexpr int kNodesPerFigure = 1 + motion::kRoleCount;
 
-// Indices of the nodes in the document.
-enum Node : int { kFigureNode, kFirstJointNode, kBallNode = 1 + motion::kRoleCount };
-
-int node_of(Role joint) {
-  return kFirstJointNode + static_cast<int>(joint);
+int figure_node(int figure) {
+  return kNodesPerFigure * figure;
 }
-
-template <class Vectors>
-std::vector<float> floats_of(const Vectors& vectors) {
-  std::vector<float> floats;
-  for (const auto& vector : vectors) floats.insert(floats.end(), vector.begin(), vector.end());
-  return floats;
+int node_of(Role joint, int figure) {
+  return figure_node(figure) + 1 + static_cast<int>(joint);
 }
-
-std::vector<Vector3f> all_to_y_up(const std::vector<Vector3f>& vectors) {
-  std::vector<Vector3f> turned;
-  turned.reserve(vectors.size());
-  for (const Vector3f& vector : vectors) turned.push_back(to_y_up(vector));
-  return turned;
-}
+constexpr int kBallNode = kNodesPerFigure;  // beside one figure
 
 Json json_of(const Vector3f& vector) {
   return Json::array({vector.x(), vector.y(), vector.z()});
 }
 
-// --- Materials ---
-
-struct Material {
-  const char* name;
-  std::array<double, 3> colour;  // linear red, green and blue
-  double roughness;
-};
-constexpr motion::PerCovering<Material> kMaterials{{{
-    {"skin", {0.56, 0.33, 0.23}, 0.6},
-    {"hair", {0.035, 0.022, 0.016}, 0.7},
-    {"eyes", {0.02, 0.02, 0.025}, 0.3},
-    {"lips", {0.32, 0.12, 0.09}, 0.6},
-    {"shirt", {0.10, 0.24, 0.36}, 0.85},
-    {"trousers", {0.06, 0.065, 0.08}, 0.85},
-    {"shoes", {0.35, 0.34, 0.32}, 0.7},
-}}};
-constexpr Material kBallMaterial{"ball", {0.85, 0.25, 0.03}, 0.4};
-
-Json json_of(const Material& material) {
-  const auto& [red, green, blue] = material.colour;
-  return {{"name", material.name},
-          {"pbrMetallicRoughness",
-           {{"baseColorFactor", Json::array({red, green, blue, 1})},
-            {"metallicFactor", 0},
-            {"roughnessFactor", material.roughness}}}};
-}
-
-// --- The figure, the ball ---
-
-template <class Triangles>
-int add_triangles(const Triangles& triangles, GltfBuffer& buffer) {
-  std::vector<std::uint32_t> indices;
-  for (const auto& triangle : triangles) {
-    indices.insert(indices.end(), triangle.begin(), triangle.end());
-  }
-  return buffer.add_indices(indices);
-}
-
-template <class Triangles>
-Json primitive(const Json& attributes, const Triangles& triangles, int material,
-               GltfBuffer& buffer) {
-  return {{"attributes", attributes},
-          {"indices", add_triangles(triangles, buffer)},
-          {"material", material}};
-}
-
-Json surface(const std::vector<Vector3f>& positions, const std::vector<Vector3f>& normals,
-             GltfBuffer& buffer) {
-  return {{"POSITION", buffer.add(floats_of(all_to_y_up(positions)), GltfElement::vec3,
-                                  GltfTarget::vertices, true)},
-          {"NORMAL",
-           buffer.add(floats_of(all_to_y_up(normals)), GltfElement::vec3, GltfTarget::vertices)}};
-}
-
-// One primitive per covering; all share the vertices. Weights are floats: Assimp 5.2.5 reads
-// normalised bytes wrongly.
-Json figure_mesh(const motion::FigureSkin& skin, GltfBuffer& buffer) {
-  std::vector<std::uint8_t> joints;
-  for (const auto& vertex : skin.joints) {
-    for (const Role joint : vertex) joints.push_back(static_cast<std::uint8_t>(joint));
-  }
-  Json attributes = surface(skin.positions, skin.normals, buffer);
-  attributes["JOINTS_0"] = buffer.add(joints, GltfElement::vec4, GltfTarget::vertices);
-  attributes["WEIGHTS_0"] =
-      buffer.add(floats_of(skin.weights), GltfElement::vec4, GltfTarget::vertices);
-  Json primitives = Json::array();
-  for (const motion::Covering covering : motion::kCoverings) {
-    primitives.push_back(
-        primitive(attributes, skin.triangles[covering], static_cast<int>(covering), buffer));
-  }
-  return {{"name", "figure"}, {"primitives", std::move(primitives)}};
-}
-
-Json ball_mesh(float radius, GltfBuffer& buffer) {
-  const Mesh sphere = rounded_solid(Vector3f::Zero(), radius, kBallSegments);
-  const Json attributes = surface(sphere.positions, sphere.normals, buffer);
-  return {{"name", "ball"},
-          {"primitives",
-           Json::array({primitive(attributes, sphere.triangles, motion::kCoveringCount, buffer)})}};
-}
-
-// Transforms from the mesh, in the rest pose, to each joint's frame, whose axes are parallel to the
-// world's there. Column-major.
-int inverse_bind_matrices(const motion::Skeleton& skeleton, GltfBuffer& buffer) {
-  const motion::JointFrames rest = forward_kinematics(skeleton, motion::rest_pose(skeleton));
-  std::vector<float> matrices;
-  for (const Role role : kRoles) {
-    const Vector3f joint = to_y_up(rest.position[role]);
-    matrices.insert(matrices.end(), {1, 0, 0, 0,  //
-                                     0, 1, 0, 0,  //
-                                     0, 0, 1, 0,  //
-                                     -joint.x(), -joint.y(), -joint.z(), 1});
-  }
-  return buffer.add(matrices, GltfElement::mat4);
-}
-
 // --- The nodes ---
 
-Json joint_node(const motion::Skeleton& skeleton, Role joint) {
-  Json node{{"name", motion::name_of(joint)},
+// Names are unique in a file.
+std::string name_in(std::string_view name, int figure) {
+  return figure == 0 ? std::string(name) : std::string(name) + "_" + std::to_string(figure + 1);
+}
+
+Json joint_node(const motion::Skeleton& skeleton, Role joint, int figure) {
+  Json node{{"name", name_in(motion::name_of(joint), figure)},
             {"translation", json_of(to_y_up(skeleton.offset[joint]))}};
   Json children = Json::array();
   for (const Role role : kRoles) {
-    if (motion::parent_of(role) == joint) children.push_back(node_of(role));
+    if (motion::parent_of(role) == joint) children.push_back(node_of(role, figure));
   }
   if (!children.empty()) node["children"] = std::move(children);
   return node;
 }
 
-Json nodes_of(const motion::Skeleton& skeleton, const std::vector<Vector3f>& ball) {
+Json nodes_of(const motion::Skeleton& skeleton, int figures, const std::vector<Vector3f>& ball) {
   Json nodes = Json::array();
-  nodes.push_back({{"name", "figure"}, {"mesh", 0}, {"skin", 0}});
-  for (const Role joint : kRoles) nodes.push_back(joint_node(skeleton, joint));
+  for (int figure = 0; figure < figures; ++figure) {
+    nodes.push_back({{"name", name_in("figure", figure)}, {"mesh", 0}, {"skin", figure}});
+    for (const Role joint : kRoles) nodes.push_back(joint_node(skeleton, joint, figure));
+  }
   if (!ball.empty()) {
     nodes.push_back({{"name", "ball"}, {"translation", json_of(ball.front())}, {"mesh", 1}});
   }
@@ -215,12 +113,13 @@ std::vector<float> rotation_keys(const motion::Motion& motion, Role joint) {
   return keys;
 }
 
-void animate_figure(const motion::Motion& motion, Animation& animation) {
+void animate_figure(const motion::Motion& motion, int figure, Animation& animation) {
   std::vector<Vector3f> pelvis;
   for (const motion::Pose& pose : motion.poses) pelvis.push_back(to_y_up(pose.root_position));
-  animation.add(node_of(Role::pelvis), "translation", floats_of(pelvis), GltfElement::vec3);
+  animation.add(node_of(Role::pelvis, figure), "translation", floats_of(pelvis), GltfElement::vec3);
   for (const Role joint : kRoles) {
-    animation.add(node_of(joint), "rotation", rotation_keys(motion, joint), GltfElement::vec4);
+    animation.add(node_of(joint, figure), "rotation", rotation_keys(motion, joint),
+                  GltfElement::vec4);
   }
 }
 
@@ -292,35 +191,47 @@ Json extras_of(const MotionFacts& facts) {
 // What a file holds beside its animations.
 struct Scene {
   GltfBuffer buffer;
+  int figures = 1;
   Json meshes = Json::array();
-  Json materials = Json::array();
-  Json roots = Json::array({int{kFigureNode}, node_of(Role::pelvis)});
+  Json materials = figure_materials();
+  Json roots = Json::array();
   int bind = 0;
 };
 
-Scene scene_of(const motion::Physique& character) {
+Scene scene_of(const motion::Physique& character, int figures = 1) {
   Scene scene;
-  scene.meshes.push_back(figure_mesh(motion::make_figure_skin(character), scene.buffer));
-  for (const Material& material : kMaterials) scene.materials.push_back(json_of(material));
+  scene.figures = figures;
+  scene.meshes.push_back(figure_mesh(character, scene.buffer));
+  for (int figure = 0; figure < figures; ++figure) {
+    scene.roots.push_back(figure_node(figure));
+    scene.roots.push_back(node_of(Role::pelvis, figure));
+  }
   scene.bind = inverse_bind_matrices(character.skeleton, scene.buffer);
   return scene;
 }
 
+Json skin_of(int bind, int figure) {
+  Json joints = Json::array();
+  for (const Role role : kRoles) joints.push_back(node_of(role, figure));
+  return {{"name", name_in("figure", figure)},
+          {"inverseBindMatrices", bind},
+          {"skeleton", node_of(Role::pelvis, figure)},
+          {"joints", std::move(joints)}};
+}
+
 std::vector<std::byte> file_of(const motion::Skeleton& skeleton, const std::vector<Vector3f>& ball,
                                Scene scene, Json animations) {
-  Json joints = Json::array();
-  for (const Role role : kRoles) joints.push_back(node_of(role));
+  Json skins = Json::array();
+  for (int figure = 0; figure < scene.figures; ++figure)
+    skins.push_back(skin_of(scene.bind, figure));
   return scene.buffer.file(
       {{"asset", {{"version", "2.0"}, {"generator", "Flinch " FLINCH_VERSION}}},
        {"scene", 0},
        {"scenes", Json::array({{{"name", "scene"}, {"nodes", std::move(scene.roots)}}})},
-       {"nodes", nodes_of(skeleton, ball)},
+       {"nodes", nodes_of(skeleton, scene.figures, ball)},
        {"meshes", std::move(scene.meshes)},
        {"materials", std::move(scene.materials)},
-       {"skins", Json::array({{{"name", "figure"},
-                               {"inverseBindMatrices", scene.bind},
-                               {"skeleton", node_of(Role::pelvis)},
-                               {"joints", std::move(joints)}}})},
+       {"skins", std::move(skins)},
        {"animations", std::move(animations)}});
 }
 
@@ -337,10 +248,10 @@ std::vector<std::byte> make_glb(const motion::Physique& character, const motion:
   const std::vector<Vector3f> places = ball ? places_of(*ball) : std::vector<Vector3f>();
   Scene scene = scene_of(character);
   Animation animation(motion, scene.buffer);
-  animate_figure(motion, animation);
+  animate_figure(motion, 0, animation);
   if (ball) {
     scene.meshes.push_back(ball_mesh(ball->radius, scene.buffer));
-    scene.materials.push_back(json_of(kBallMaterial));
+    scene.materials.push_back(ball_material());
     scene.roots.push_back(int{kBallNode});
     animate_ball(*ball, places, animation);
   }
@@ -356,9 +267,25 @@ std::vector<std::byte> make_glb(const motion::Physique& character,
   Json animations = Json::array();
   for (const NamedMotion& one : motions) {
     Animation animation(one.motion, scene.buffer);
-    animate_figure(one.motion, animation);
+    animate_figure(one.motion, 0, animation);
     animations.push_back(animation.json(one.name, extras_of(one.facts)));
   }
+  return file_of(character.skeleton, {}, std::move(scene), std::move(animations));
+}
+
+std::vector<std::byte> make_group_glb(const motion::Physique& character,
+                                      std::span<const motion::Motion> motions) {
+  if (motions.empty()) throw Error("", "there are no motions to write");
+  for (const motion::Motion& motion : motions) {
+    check_exportable(character, motion);
+    if (motion.poses.size() != motions[0].poses.size() || motion.rate_hz != motions[0].rate_hz)
+      throw Error("", "the motions of a group differ in length or rate");
+  }
+  Scene scene = scene_of(character, static_cast<int>(motions.size()));
+  Animation animation(motions[0], scene.buffer);
+  for (std::size_t i = 0; i < motions.size(); ++i)
+    animate_figure(motions[i], static_cast<int>(i), animation);
+  Json animations = Json::array({animation.json("motion", {})});
   return file_of(character.skeleton, {}, std::move(scene), std::move(animations));
 }
 
@@ -371,6 +298,11 @@ void write_glb(const std::string& path, const motion::Physique& character,
 void write_glb(const std::string& path, const motion::Physique& character,
                std::span<const NamedMotion> motions) {
   write_bytes(path, make_glb(character, motions));
+}
+
+void write_group_glb(const std::string& path, const motion::Physique& character,
+                     std::span<const motion::Motion> motions) {
+  write_bytes(path, make_group_glb(character, motions));
 }
 
 }  // namespace flinch::database

@@ -66,6 +66,12 @@ std::vector<std::byte> make_glb(const motion::Physique& character, const motion:
 std::vector<std::byte> make_glb(const motion::Physique& character,
                                 std::span<const NamedMotion> motions);
 
+/// Returns motions that take place together, one per figure of the same character: equally many
+/// poses at the same rate, else throws Error. The nodes of the second figure end in "_2", and so
+/// on; all move in the one animation, "motion".
+std::vector<std::byte> make_group_glb(const motion::Physique& character,
+                                      std::span<const motion::Motion> motions);
+
 /// Text in the JSON of every file that write_glb makes and of no other program's.
 inline constexpr std::string_view kGlbMark = "\"generator\":\"Flinch";
 
@@ -76,5 +82,8 @@ void write_glb(const std::string& path, const motion::Physique& character,
 /// The same for several motions.
 void write_glb(const std::string& path, const motion::Physique& character,
                std::span<const NamedMotion> motions);
+/// The same for a group.
+void write_group_glb(const std::string& path, const motion::Physique& character,
+                     std::span<const motion::Motion> motions);
 
 }  // namespace flinch::database

@@ -28,8 +28,7 @@ struct GraphExit {
 /// other. No edge leads into a response to a push; exits lead from responses back.
 struct MotionGraph {
   /// Without nodes.
-  explicit MotionGraph(const PreparedLibrary& of)
-      : library(&of), metric(of.library->character) {}
+  explicit MotionGraph(const PreparedLibrary& of) : library(&of), metric(of.library->character) {}
 
   const PreparedLibrary* library;
   motion::PoseMetric metric;

@@ -54,12 +54,12 @@ motion::Physique crooked_character(std::mt19937& random) {
 }
 
 void expect_joints(const motion::Skeleton& skeleton, const motion::Pose& pose, const Glb& glb,
-                   double time_s) {
+                   double time_s, const std::string& suffix = "") {
   const motion::JointFrames expected = forward_kinematics(skeleton, pose);
   const std::vector<Affine3d> scene = tests::scene_at(glb, time_s);
   for (const Role role : kRoles) {
-    const auto node =
-        static_cast<std::size_t>(tests::node_named(glb, std::string(motion::name_of(role))));
+    const auto node = static_cast<std::size_t>(
+        tests::node_named(glb, std::string(motion::name_of(role)) + suffix));
     EXPECT_LT(
         (scene[node].translation() - from_ours() * expected.position[role].cast<double>()).norm(),
         1e-5)
@@ -157,6 +157,27 @@ TEST(GltfWriter, SkinMovesWithTheJointsOfThePose) {
       EXPECT_LT((skin[v] - from_ours() * expected.cast<double>()).norm(), 1e-4);
     }
   }
+}
+
+TEST(GltfWriter, EveryFigureOfAGroupPlaysItsOwnMotion) {
+  std::mt19937 random(21);
+  const motion::Physique character = crooked_character(random);
+  std::vector<motion::Motion> motions;
+  for (int k = 0; k < 3; ++k) motions.push_back(random_motion(random, 4));
+  const Glb glb = tests::read_glb(make_group_glb(character, motions));
+  for (std::size_t k = 0; k < motions[0].poses.size(); ++k) {
+    const double time_s = static_cast<double>(k) / 30;
+    expect_joints(character.skeleton, motions[0].poses[k], glb, time_s);
+    expect_joints(character.skeleton, motions[1].poses[k], glb, time_s, "_2");
+    expect_joints(character.skeleton, motions[2].poses[k], glb, time_s, "_3");
+  }
+  ASSERT_EQ(glb.document["skins"].size(), 3U);
+  EXPECT_EQ(glb.document["skins"][2]["skeleton"], tests::node_named(glb, "pelvis_3"));
+  const auto figure = static_cast<std::size_t>(tests::node_named(glb, "figure_3"));
+  EXPECT_EQ(glb.document["nodes"][figure]["skin"], 2);
+  motions[1].poses.pop_back();
+  EXPECT_THAT(error_of([&] { make_group_glb(character, motions); }), HasSubstr("differ in length"));
+  EXPECT_THAT(error_of([&] { make_group_glb(character, {}); }), HasSubstr("no motions"));
 }
 
 TEST(GltfWriter, EachMaterialHasThePartOfTheFigureThatItCovers) {

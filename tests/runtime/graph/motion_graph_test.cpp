@@ -78,7 +78,8 @@ TEST(MotionGraph, JumpsAreToTheNearestMomentOfAClipWithinTheBound) {
     const motion::PoseFeatures from = features_of(graph.nodes[k]);
     for (const std::uint32_t to : graph.jumps_of(k)) {
       ++jumps;
-      const float distance = std::sqrt(motion::squared_distance(from, features_of(graph.nodes[to])));
+      const float distance =
+          std::sqrt(motion::squared_distance(from, features_of(graph.nodes[to])));
       EXPECT_LE(distance, kMaxJump_m + 1e-5F);
       const bool is_same = graph.nodes[k].clip == graph.nodes[to].clip;
       EXPECT_TRUE(!is_same || std::abs(graph.nodes[k].time_s - graph.nodes[to].time_s) >= 1);
