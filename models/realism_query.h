@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <vector>
 
 #include "models/realism.h"
 
@@ -48,34 +50,56 @@ class NearestExamples {
   std::array<float, kRealismNeighbours> quality_{};
 };
 
+/// The examples of a model in the order in which queries read them: those with the same response
+/// stand together, in blocks, so that what a block cannot be nearer than is known at once.
+struct RealismIndex {
+  static constexpr std::size_t kBlock = 8;
+  static constexpr std::size_t kShared = kConfigurationComponents + 3;  ///< character, asked push
+  static constexpr std::size_t kOwn = 4;                                ///< deformation, turn
+
+  /// Of a sound model, which must outlive it. Allocates.
+  explicit RealismIndex(const RealismModel& model);
+
+  const RealismModel* model;
+  std::size_t size;                     ///< number of examples, in whole blocks
+  std::size_t groups;                   ///< number of different responses
+  std::vector<std::uint32_t> group_of;  ///< one per block
+  std::vector<float> responses;         ///< weighted, one component of all groups after the other
+  /// Weighted features, one of all examples after the other.
+  std::vector<float> shared;
+  std::vector<float> own;
+  std::vector<float> taper;
+  std::vector<float> quality;
+  std::vector<float> padding;  ///< 0 for an example, infinite for what fills a block
+};
+
 /// Estimates many pushed motions of one character and one asked push at a time. What they have in
-/// common is compared once; examples are then looked at from the most similar on, in blocks, until
-/// no other can be nearer. The estimates are those of estimate_realism(), but for the order in
-/// which distances are summed.
+/// common is compared once; then only blocks are compared that can hold a nearer example than those
+/// found. The estimates are those of estimate_realism(), but for the order in which distances are
+/// summed.
 class RealismQuery {
  public:
-  /// Floats of memory that a query of this model needs.
-  static std::size_t memory_size(const RealismModel& model);
+  /// Floats of memory that a query needs.
+  static std::size_t memory_size(const RealismIndex& index);
 
-  /// `features` have the character and the asked push; the rest is ignored. `model` and `memory`
+  /// `features` have the character and the asked push; the rest is ignored. `index` and `memory`
   /// (of memory_size()) must outlive this.
-  RealismQuery(const RealismModel& model, const RealismFeatures& features,
+  RealismQuery(const RealismIndex& index, const RealismFeatures& features,
                std::span<float> memory) noexcept;
 
   /// Writes the estimates for the same response, deformation and turn with each of `log_tapers` (at
   /// most kMaxTapers) to `estimates`.
   void estimate(const RealismFeatures& features, std::span<const float> log_tapers,
-                std::span<float> estimates) const noexcept;
+                std::span<float> estimates) noexcept;
 
   static constexpr std::size_t kMaxTapers = 8;
 
  private:
-  const RealismModel* model_;
-  std::size_t padded_;   // number of examples, in whole blocks
-  const float* shared_;  // squared distance by what is common, in the order of the blocks
-  const float* points_;  // the other features in that order, one feature after the other
-  const float* quality_;
-  const float* block_bound_;  // least of `shared_` in each block
+  const RealismIndex* index_;
+  float* shared_;          // squared distance by what is common, of every example
+  float* block_shared_;    // least of a block
+  float* group_distance_;  // squared distance by the response, of every group
+  float* block_bound_;     // what no example of a block is nearer than, squared
 };
 
 }  // namespace flinch::models

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <memory>
 
-#include "models/realism_query.h"
 #include "motion/rotation.h"
 
 namespace flinch::runtime {
@@ -82,7 +81,9 @@ PushModel prepare_push_model(const PushResponses& responses, const models::Reali
     model.components.push_back(
         models::components_of(*realism, std::span(response.configuration.data(), kSize)));
   }
-  model.memory_bytes = sizeof(float) * models::RealismQuery::memory_size(*realism) + kAlignment - 1;
+  model.index.emplace(*realism);
+  model.memory_bytes =
+      sizeof(float) * models::RealismQuery::memory_size(*model.index) + kAlignment - 1;
   return model;
 }
 
@@ -94,10 +95,10 @@ std::size_t search_push(const PushResponses& responses, const PushModel& model,
       *model.realism, std::span(configuration.data(), model.realism->mean.size()));
   void* begin = memory.data();
   std::size_t room = memory.size();
-  const std::size_t floats = models::RealismQuery::memory_size(*model.realism);
+  const std::size_t floats = models::RealismQuery::memory_size(*model.index);
   if (std::align(kAlignment, sizeof(float) * floats, begin, room) == nullptr) return 0;
-  const models::RealismQuery query(*model.realism, realism_features(character, {}, {}, asked),
-                                   std::span(static_cast<float*>(begin), floats));
+  models::RealismQuery query(*model.index, realism_features(character, {}, {}, asked),
+                             std::span(static_cast<float*>(begin), floats));
   const LogTapers logs = log_tapers();
   std::size_t count = 0;
   for (std::size_t i = 0; i < responses.responses.size(); ++i) {

@@ -2,9 +2,10 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <span>
 
-#include "models/realism.h"
+#include "models/realism_query.h"
 #include "runtime/push/push_motion.h"
 #include "runtime/push/push_responses.h"
 
@@ -40,6 +41,7 @@ models::RealismFeatures realism_features(
 /// The responses of a library with the components of their configurations.
 struct PushModel {
   const models::RealismModel* realism = nullptr;  ///< null: pushes cannot be answered
+  std::optional<models::RealismIndex> index;      ///< of it
   std::vector<std::array<float, models::kConfigurationComponents>> components;  ///< per response
   std::size_t memory_bytes = 0;  ///< that a search needs
 };

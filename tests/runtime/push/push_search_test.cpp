@@ -35,10 +35,11 @@ TEST(RealismQuery, EqualsTheComparisonWithEveryExample) {
   for (const std::size_t count : {std::size_t{10}, std::size_t{31}, std::size_t{400}}) {
     const models::RealismModel model = tests::random_realism(static_cast<unsigned>(count), count);
     ASSERT_TRUE(models::is_sound(model));
-    std::vector<float> memory(models::RealismQuery::memory_size(model));
+    const models::RealismIndex index(model);
+    std::vector<float> memory(models::RealismQuery::memory_size(index));
     for (int round = 0; round < 40; ++round) {
       const RealismFeatures base = random_features(random, 2);
-      const models::RealismQuery query(model, base, memory);
+      models::RealismQuery query(index, base, memory);
       for (int candidate = 0; candidate < 5; ++candidate) {
         RealismFeatures features = random_features(random, candidate == 0 ? 9.0F : 2.0F);
         features.character = base.character;
