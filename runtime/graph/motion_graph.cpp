@@ -158,7 +158,7 @@ GraphExit draw_exit(const MotionGraph& graph, std::uint32_t node,
     if (jumps.empty() && !goes_on) return {time_s, node};
     if (goes_on && (jumps.empty() || time_s - entered_s < kMinStay_s)) continue;
     const std::uint64_t choice = random.index(jumps.size() + (goes_on ? 1 : 0));
-    if (choice < jumps.size()) return {time_s, jumps[choice]};
+    if (choice < jumps.size()) return {time_s, jumps[static_cast<std::size_t>(choice)]};
   }
 }
 
