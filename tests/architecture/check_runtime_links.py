@@ -17,7 +17,8 @@ ALLOWED_TARGETS = {"flinch_flags", "flinch_motion", "flinch_features", "flinch_d
                    "flinch_database_rules",
                    "flinch_models", "flinch_sim", "flinch_sim_collision", "flinch_sim_figure",
                    "flinch_sim_contact", "flinch_sim_tree", "flinch_sim_encounter",
-                   "flinch_runtime_response", "flinch_runtime_push", "flinch_runtime",
+                   "flinch_runtime_response", "flinch_runtime_graph", "flinch_runtime_push",
+                   "flinch_runtime",
                    "flinch_reaction", "flinch_lookahead", "flinch_c", "Eigen3::Eigen"}
 ALLOWED_LIBRARIES = {"libstdc++.so", "libm.so", "libgcc_s.so", "libc.so", "ld-linux-x86-64.so",
                      "ld-linux-aarch64.so"}
