@@ -6,6 +6,7 @@
 
 #include "motion/rotation.h"
 #include "runtime/response/foot_plan.h"
+#include "runtime/response/leaving_plan.h"
 #include "runtime/response/prepared_library.h"
 #include "runtime/response/response_plan.h"
 #include "runtime/response/response_pose.h"

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "motion/rotation.h"
+#include "runtime/response/leaving_plan.h"
 #include "runtime/response/prepared_library.h"
 
 namespace flinch::runtime {
@@ -15,6 +16,8 @@ using motion::Side;
 
 constexpr float kToleratedOffset_m = 0.04F;  // offset that a foot may keep during a clip
 constexpr float kToleratedYaw = 0.15F;       // radians
+constexpr float kQuickStep_s = 0.18F;        // of a step out of a walk
+constexpr float kQuickStepHeight = 1.6F;     // of a slower step's
 
 float yaw_between(const FootPose& from, const FootPose& to) {
   return motion::wrapped_to_pi(motion::yaw_of(to.orientation) - motion::yaw_of(from.orientation));
@@ -35,19 +38,43 @@ std::optional<Interval> first_swing(const Response& r, Side side) {
   return interval;
 }
 
-// Where the foot of a clip that has it elsewhere goes there.
+// Where the foot of a clip that has it elsewhere goes there. From a walk or a guard it may be far
+// away: it arrives early in the swing. A walker steps as soon as the other foot stands, since its
+// body goes on over that.
 void plan_change(Response& r, Side side, const FootPose& from, const FootPose& to) {
   FootPlan& plan = r.feet[side];
+  const bool is_far = differ(from, to, kToleratedOffset_m, kToleratedYaw);
+  const bool walked = has_left_a_walk(r);
+  const bool idled = r.state.stance == 0;
   const std::optional<Interval> swing = first_swing(r, side);
   if (swing) plan.correction = *swing;
-  const bool must_step = side != r.support && differ(from, to, kToleratedOffset_m, kToleratedYaw);
+  if (swing && is_far && !idled)
+    plan.correction.end_s = std::min(swing->end_s, swing->begin_s + kQuickStep_s);
+  const bool must_step = side != r.support && is_far;
   if (must_step && !(swing && swing->begin_s < r.begin_s + r.blend_duration_s)) {
-    const float begin_s = std::max(r.begin_s, r.leave_s + kMinShiftDuration_s);
+    const float begin_s = std::max(r.begin_s, ready_to_lift_s(r));
     if (swing && swing->begin_s < begin_s + kStepDuration_s)
       return;  // the clip's own comes soon enough
-    plan.correction = {begin_s, begin_s + kStepDuration_s};
-    plan.correction_lift_m = step_height(from, to);
+    plan.correction = {begin_s, begin_s + (walked ? kQuickStep_s : kStepDuration_s)};
+    plan.correction_lift_m = (walked ? kQuickStepHeight : 1) * step_height(from, to);
   }
+}
+
+// What a foot rolls over when it comes down flat: its ball if its heel is up, else its heel. A foot
+// that is flat does not roll.
+Eigen::Vector3f pivot_of(const motion::Skeleton& skeleton, Side side, const FootPose& foot) {
+  constexpr float kFlat = 0.03F;  // sine of the angle to the ground
+  const motion::FootDimensions dimensions = motion::measure_foot(skeleton, side);
+  const float rise = (foot.orientation * dimensions.forward).z();
+  if (std::abs(rise) < kFlat) return Eigen::Vector3f::Zero();
+  return rise > 0 ? dimensions.heel : skeleton.offset[motion::roles_of(side).toes];
+}
+
+// The foot when it has come down flat over its pivot.
+FootPose rolled_down(const FootPose& foot, const Eigen::Vector3f& pivot) {
+  const Eigen::Quaternionf heading =
+      motion::rotation_about(Eigen::Vector3f::UnitZ(), motion::yaw_of(foot.orientation));
+  return {foot.ankle + foot.orientation * pivot - heading * pivot, heading};
 }
 
 }  // namespace
@@ -71,15 +98,19 @@ void plan_foot(Response& r, Side side, const Start& start) {
   plan = {};
   const FootPose from = source_foot_in(r, side, start.source);
   const FootPose to = foot_of(r.library->skeleton(), start.clip, side);
-  if (differ(from, to, 1e-5F, 1e-4F)) {
-    plan.offset.yaw = yaw_between(to, from);
+  if (r.state.stance != 0) plan.pivot = pivot_of(r.library->skeleton(), side, from);
+  const FootPose stand = plan.pivot.isZero(0) ? from : rolled_down(from, plan.pivot);
+  if (differ(stand, to, 1e-5F, 1e-4F)) {
+    plan.offset.yaw = yaw_between(to, stand);
     plan.offset.translation = horizontal(
-        from.ankle - motion::rotation_about(Eigen::Vector3f::UnitZ(), plan.offset.yaw) * to.ankle);
+        stand.ankle - motion::rotation_about(Eigen::Vector3f::UnitZ(), plan.offset.yaw) * to.ankle);
   }
-  plan_change(r, side, from, to);
+  plan_change(r, side, stand, to);
   const FootPose clip = clip_foot_in(r, side, start.clip, r.begin_s);
-  plan.rise = from.ankle - clip.ankle;
   plan.tilt = from.orientation * clip.orientation.conjugate();
+  plan.rise = from.ankle - clip.ankle;
+  if (!plan.pivot.isZero(0))
+    plan.rise += from.orientation * plan.pivot - clip.orientation * plan.pivot;
 }
 
 std::optional<float> first_lift_s(const Response& r) {

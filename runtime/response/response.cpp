@@ -45,8 +45,37 @@ FootPose step_between(const FootPose& from, const FootPose& to, float u, float l
 // and the weight fades that difference out. Blending the places themselves would drag a foot that
 // the clip lifts over the ground.
 FootPose continuous_foot(const FootPlan& plan, const FootPose& clip, float weight) {
-  return {clip.ankle + (1 - weight) * plan.rise,
-          motion::slerp(plan.tilt, Eigen::Quaternionf::Identity(), weight) * clip.orientation};
+  const Eigen::Quaternionf orientation =
+      motion::slerp(plan.tilt, Eigen::Quaternionf::Identity(), weight) * clip.orientation;
+  return {clip.ankle + (1 - weight) * plan.rise +
+              (clip.orientation * plan.pivot - orientation * plan.pivot),
+          orientation};
+}
+
+bool has_landed(const Landing& landing, float time_s) {
+  return !std::isfinite(landing.interval.end_s) || time_s >= landing.interval.end_s;
+}
+
+// A foot that comes down where it will stand: a cubic curve from where it swung, with its velocity.
+// Along the ground it arrives before it touches.
+FootPose landing_foot(const Landing& landing, const FootPose& stand, float time_s) {
+  constexpr float kArrived = 0.8F;  // of the interval, along the ground
+  constexpr float kLift_m = 0.03F;  // beside its own way
+  if (has_landed(landing, time_s)) return stand;
+  const float u = fraction_of(landing.interval, time_s);
+  const auto left = [](float s) { return 1 - s * s * (3 - 2 * s); };
+  const auto going = [](float s) { return s * (1 - s) * (1 - s); };
+  const float duration_s = landing.interval.end_s - landing.interval.begin_s;
+  const float along = std::min(u / kArrived, 1.0F);
+  FootPose foot = stand;
+  foot.ankle.head<2>() += left(along) * landing.way.head<2>() +
+                          going(along) * kArrived * duration_s * landing.velocity.head<2>();
+  foot.ankle.z() += left(u) * landing.way.z() + going(u) * duration_s * landing.velocity.z() +
+                    16 * kLift_m * u * u * (1 - u) * (1 - u);
+  foot.orientation =
+      motion::slerp(landing.tilt, Eigen::Quaternionf::Identity(), motion::minimum_jerk(along)) *
+      stand.orientation;
+  return foot;
 }
 
 FootPose moved(const FootPose& place, const motion::PlanarMove& move) {
@@ -116,8 +145,8 @@ FootPose above_ground(const Response& r, Side side, FootPose place,
   return place;
 }
 
-// The place of a foot, which does not depend on the pelvis.
-FootPose foot_at(const Response& r, Side side, const Samples& samples) {
+// The place of a foot that has landed, which does not depend on the pelvis.
+FootPose standing_foot_at(const Response& r, Side side, const Samples& samples) {
   const FootPlan& plan = r.feet[side];
   const float t = samples.time_s;
   if (samples.of == Samples::Of::source) return source_foot_in(r, side, samples.from);
@@ -132,12 +161,18 @@ FootPose foot_at(const Response& r, Side side, const Samples& samples) {
   return blend(away, home, motion::minimum_jerk(u));
 }
 
+FootPose foot_at(const Response& r, Side side, const Samples& samples) {
+  return landing_foot(r.landings[side], standing_foot_at(r, side, samples), samples.time_s);
+}
+
 // Whether both feet are exactly where the clip has them.
 bool has_clips_feet(const Response& r, float t) {
-  return std::ranges::none_of(r.feet, [t](const FootPlan& plan) {
-    const bool is_offset = plan.offset.yaw != 0 || !plan.offset.translation.isZero(0);
-    return is_offset && t < plan.correction.end_s;
-  });
+  const auto lands = [t](const Landing& landing) { return !has_landed(landing, t); };
+  return std::ranges::none_of(r.landings, lands) &&
+         std::ranges::none_of(r.feet, [t](const FootPlan& plan) {
+           const bool is_offset = plan.offset.yaw != 0 || !plan.offset.translation.isZero(0);
+           return is_offset && t < plan.correction.end_s;
+         });
 }
 
 // By how much the pelvis must come down for both legs to reach their feet, m: 0 or below. Legs may

@@ -26,8 +26,20 @@ struct FootPlan {
   Interval return_step;         ///< the step back to where the idle clip has the foot
   float return_lift_m = 0;      ///< height of that step
   /// Height (m) and tilt of the foot against the clip's, beside `offset`, when the clip begins; the
-  /// blend into the clip removes them.
+  /// blend into the clip removes them. The foot rolls over `pivot`, in its own frame, m: the ball
+  /// of a foot whose heel is up, the heel of one whose toes are.
+  Eigen::Vector3f pivot = Eigen::Vector3f::Zero();
   Eigen::Vector3f rise = Eigen::Vector3f::Zero();
+  Eigen::Quaternionf tilt = Eigen::Quaternionf::Identity();
+};
+
+/// How a foot that swings when a walk is left comes down: this is added to where it will stand, and
+/// fades out.
+struct Landing {
+  Interval interval;                                   ///< by default never
+  Eigen::Vector3f way = Eigen::Vector3f::Zero();       ///< to where it swings, at the begin, m
+  Eigen::Vector3f velocity = Eigen::Vector3f::Zero();  ///< of the swing, at the begin, m/s
+  /// Turn from the orientation in which it will stand to that of the swing, at the begin.
   Eigen::Quaternionf tilt = Eigen::Quaternionf::Identity();
 };
 
@@ -76,8 +88,9 @@ struct Response {
   features::CharacterState state;  ///< of the character at perception
   /// Until when it goes on in a stance that travels; 0 for others, s after perception.
   float leave_s = 0;
-  features::CharacterState rest;    ///< in which it comes to rest, at leave_s
-  Inertialization inertialization;  ///< by which the character differed from that then
+  features::CharacterState rest;      ///< in which it comes to rest, at leave_s
+  Inertialization inertialization;    ///< by which the character differed from that then
+  motion::PerSide<Landing> landings;  ///< of feet that swing at leave_s
   float first_motion_s = 0;  ///< when the response first differs from going on, s after perception
   float begin_s = 0;         ///< when the clip begins, s after perception
   float playback_rate = 1;   ///< seconds of the clip per second
@@ -94,7 +107,8 @@ struct Response {
   float walk_on_s = -1;  ///< when its walk begins anew, s after perception; negative: it has none
   /// From the stance before the response to that after it, horizontal, m.
   Eigen::Vector3f idle_displacement = Eigen::Vector3f::Zero();
-  motion::Side support = motion::Side::left;  ///< the support foot of the clip's opening
+  motion::Side support = motion::Side::left;  ///< the foot on which the clip is laid
+  bool goes_on_over_support = false;          ///< a walker leaves its walk toward that foot
   motion::PerSide<FootPlan> feet;
   std::array<WeightShift, 3> shifts;  ///< for the clip's first step and at most two on the way back
   motion::Signs arcs_in{};            ///< signs of the blend into the clip, fixed when it begins

@@ -6,6 +6,7 @@
 
 #include "runtime/response/blend_duration.h"
 #include "runtime/response/foot_plan.h"
+#include "runtime/response/leaving_plan.h"
 #include "runtime/response/prepared_library.h"
 #include "runtime/response/response_pose.h"
 #include "runtime/response/return_plan.h"
@@ -80,6 +81,7 @@ Start align(Response& r) {
   r.translation = horizontal(source_foot_in(r, r.support, start.source).ankle -
                              foot_of(r.library->skeleton(), start.clip, r.support).ankle);
   start.clip.root_position += r.translation;
+  land_beside(r, start);
   return start;
 }
 
@@ -95,9 +97,11 @@ void plan_clip(const motion::Annotation& annotation, float time_to_impact_s, flo
     shift_weight(r, 0, r.support, *lift_s, std::max(*lift_s - kShiftDuration_s, r.leave_s),
                  r.end_s);
   };
-  if (lift_s) shift();
+  // The momentum of a walk takes the weight over the foot in front; a shift would hurry it.
+  const bool shifts = lift_s && !r.goes_on_over_support;
+  if (shifts) shift();
   choose_blend_duration(r);
-  const bool is_lifted_meanwhile = lift_s && *lift_s < r.begin_s + r.blend_duration_s;
+  const bool is_lifted_meanwhile = shifts && *lift_s < r.begin_s + r.blend_duration_s;
   if (is_lifted_meanwhile) shift();
 }
 
@@ -134,10 +138,11 @@ Response make_response(const PreparedLibrary& library, const features::Character
   }
   plan_clip(annotation, time_to_impact_s, r.leave_s, r);
   const std::optional<float> lift_s = first_lift_s(r);
-  if (lift_s && *lift_s - r.leave_s < kMinShiftDuration_s && !r.shifts[0].pelvis.isZero(0)) {
-    // There is no time to shift the weight: the clip begins as much later.
+  const float ready_s = ready_to_lift_s(r);
+  if (lift_s && *lift_s < ready_s && (walked || !r.shifts[0].pelvis.isZero(0))) {
+    // There is no time to shift the weight, or to land: the clip begins as much later.
     const float lead_s = (*lift_s - r.begin_s) * r.playback_rate / kMaxPlaybackRate;
-    plan_clip(annotation, time_to_impact_s, r.leave_s + kMinShiftDuration_s - lead_s, r);
+    plan_clip(annotation, time_to_impact_s, ready_s - lead_s, r);
   }
   r.home = walked ? features::later(library.stance_of(state).loop, state, r.leave_s) : state;
   plan_return(r);

@@ -18,7 +18,6 @@ using motion::Side;
 constexpr float kReturnShiftDuration_s = 0.4F;  // of the shift before a step on the way back
 constexpr float kPauseAfterSteps_s = 0.1F;      // after the last step on the way back
 constexpr float kSettleDuration_s = 0.6F;       // from another motion to idle
-constexpr float kStandstill_s = 0.15F;          // from leaving a walk to the clip
 constexpr float kBeforePassing_s = 0.05F;       // of a walk: where it begins anew
 constexpr float kSamePosition_m = 1e-3F;        // offset of a foot that needs no step
 constexpr float kSameYaw = 3e-3F;               // radians
@@ -53,23 +52,6 @@ void plan_walking_on(Response& r, const motion::Pose& away, Side standing) {
 }
 
 }  // namespace
-
-bool walks(const PreparedLibrary& library, const features::CharacterState& state,
-           const Inertialization& inertialization) {
-  return library.stance_of(state).loop.travels() && inertialization.is_zero;
-}
-
-void plan_leaving(Response& r) {
-  constexpr float kVelocityInterval_s = 1.0F / 240;
-  const PreparedLibrary& library = *r.library;
-  r.leave_s = std::max(r.begin_s - kStandstill_s, 0.0F);
-  const motion::Loop& walk = library.stance_of(r.state).loop;
-  const motion::Pose now = features::idle_pose(walk, r.state, r.leave_s);
-  const motion::Pose before = features::idle_pose(walk, r.state, r.leave_s - kVelocityInterval_s);
-  r.rest =
-      rest_state_at(library, now, r.state.stance, features::later(walk, r.state, r.leave_s).facing);
-  r.inertialization = make_inertialization(library, r.rest, before, now, kVelocityInterval_s);
-}
 
 Side weight_bearing_foot(const Response& r, const motion::Pose& pose) {
   constexpr float kClearlyNearer_m = 0.02F;  // m, by which the other must be nearer

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Throws balls that lead a character in each stance of a selector's library, and prints how often
 // it perceives the right target, what its selector's choices protect and what the pose rules do,
-// beside the same balls at the idle character:
+// beside the same balls at the idle character; then what a response costs, and how far feet slide
+// in 400 responses from each stance that has cycles:
 //
 //     stance_study SELECTOR [CASES]
 //
@@ -20,6 +21,7 @@
 #include "runtime/workspace.h"
 #include "tests/bench/measures.h"
 #include "tests/bench/study.h"
+#include "tests/runtime/response/foot_slide.h"
 #include "train/scenario/scenario_sampling.h"
 
 namespace flinch {
@@ -236,6 +238,40 @@ void print_times(const runtime::Library& library) {
   }
 }
 
+void print_slides(const runtime::PreparedLibrary& library) {
+  constexpr int kResponses = 400;
+  std::printf(
+      "\n| stance | slide of its own, mm | of responses: median | 95 %% | worst |\n"
+      "| --- | ---: | ---: | ---: | ---: |\n");
+  for (std::size_t stance = 0; stance < library.stances.size(); ++stance) {
+    const motion::Loop& loop = library.stances[stance].loop;
+    if (!loop.has_cycles()) continue;
+    features::CharacterState state;
+    state.stance = static_cast<int>(stance);
+    const float own_m = tests::longest_slide(library, state, 3 * loop.period_s()).way_m;
+    std::vector<float> slides_m;
+    for (int i = 0; i < kResponses; ++i) {
+      features::Random random(kSeed, features::RandomStream::scenario, static_cast<unsigned>(i));
+      std::size_t clip = 0;
+      do clip = random.index(library.library->clips.size());
+      while (!library.library->clips[clip].annotation);
+      state.idle_time_s = static_cast<float>(random.uniform(0, double{loop.period_s()}));
+      const auto impact_s = static_cast<float>(random.uniform(0.25, 1.2));
+      const runtime::Response response =
+          runtime::make_response(library, state, static_cast<int>(clip), impact_s);
+      slides_m.push_back(
+          tests::longest_slide(response, 0, runtime::duration_s(response) + 1).way_m);
+    }
+    std::ranges::sort(slides_m);
+    const auto at = [&](double share) {
+      return 1e3 * double{slides_m[static_cast<std::size_t>(share * (kResponses - 1))]};
+    };
+    std::printf("| %s | %.1f | %.1f | %.1f | %.1f |\n",
+                library.clip(library.stances[stance].clip).name.c_str(), 1e3 * double{own_m},
+                at(0.5), at(0.95), at(1));
+  }
+}
+
 void run(const bench::StudyArguments& arguments) {
   Study study(arguments.text(0));
   const auto cases = arguments.number_or<int>(1, 50);
@@ -262,6 +298,7 @@ void run(const bench::StudyArguments& arguments) {
   }
   if (moving.cases > 0) print("all but the first", moving);
   print_times(study.library());
+  print_slides(study.library().prepared());
 }
 
 }  // namespace
