@@ -2,6 +2,8 @@
 #include "motion/collision_shape.h"
 
 #include <algorithm>
+#include <array>
+#include <span>
 
 namespace flinch::motion {
 namespace {
@@ -73,7 +75,95 @@ double box_gap(const Eigen::Vector3d& centre, double radius, const CollisionShap
   return (in.distance > 0 ? in.distance : way_out(in, box, face)) - radius;
 }
 
+/// A segment in the axes of an outline's core: the box within which a ball of the outline's radius
+/// is the outline. A capsule's core is a box without width.
+class SegmentBesideCore {
+ public:
+  SegmentBesideCore(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
+                    const CollisionShape& outline)
+      : extents_(outline.kind == Shape::Kind::capsule ? Eigen::Vector3d(0, 0, outline.half_length)
+                                                      : outline.half_extents),
+        from_(outline.orientation.conjugate() * (from - outline.centre)),
+        edge_(outline.orientation.conjugate() * (to - from)) {}
+
+  // Half the derivative of the squared distance, d . (p - nearest(p)), never falls along the
+  // segment, and is linear between the places where p crosses a face's plane.
+  double nearest() const {
+    std::array<double, 8> breaks{};  // ascending; 0 and 1 among them
+    std::size_t count = 1;
+    const auto insert = [&](double share) {
+      std::size_t at = count++;
+      for (; breaks[at - 1] > share; --at) breaks[at] = breaks[at - 1];
+      breaks[at] = share;
+    };
+    for (int axis = 0; axis < 3; ++axis) {
+      for (const double face : {-extents_[axis], extents_[axis]}) {
+        const double share = (face - from_[axis]) / edge_[axis];  // not finite if parallel
+        if (share > 0 && share < 1) insert(share);
+      }
+    }
+    insert(1);
+    // It is 0 where the segment is in the core, but for rounding.
+    const double rounding = 1e-12 * edge_.squaredNorm();
+    const std::span<const double> all = std::span(breaks).first(count);
+    const double first = root(all, [rounding](double x) { return x >= -rounding; });
+    const double last = root(all, [rounding](double x) { return x > rounding; });
+    const double middle = 0.5 * (first + last);
+    return depth_at(middle) > 0 ? deepest(first, last) : middle;
+  }
+
+ private:
+  Eigen::Vector3d at(double share) const { return from_ + share * edge_; }
+  double derivative_at(double share) const {
+    const Eigen::Vector3d point = at(share);
+    return edge_.dot(point - point.cwiseMax(-extents_).cwiseMin(extents_));
+  }
+  double depth_at(double share) const { return (extents_ - at(share).cwiseAbs()).minCoeff(); }
+
+  /// Where the derivative first is such, at most 1.
+  template <class Predicate>
+  double root(std::span<const double> breaks, Predicate is_reached) const {
+    double before = breaks.front();
+    double value_before = derivative_at(before);
+    if (is_reached(value_before)) return before;
+    for (const double share : breaks.subspan(1)) {
+      const double value = derivative_at(share);
+      if (is_reached(value))
+        return value > value_before
+                   ? before + (share - before) *
+                                  std::clamp(-value_before / (value - value_before), 0.0, 1.0)
+                   : before;
+      before = share;
+      value_before = value;
+    }
+    return 1;
+  }
+
+  // The depth is concave along the segment.
+  double deepest(double low, double high) const {
+    constexpr int kThirds = 40;
+    for (int i = 0; i < kThirds; ++i) {
+      const double third = (high - low) / 3;
+      if (depth_at(low + third) < depth_at(high - third)) {
+        low += third;
+      } else {
+        high -= third;
+      }
+    }
+    return 0.5 * (low + high);
+  }
+
+  Eigen::Vector3d extents_;
+  Eigen::Vector3d from_;
+  Eigen::Vector3d edge_;
+};
+
 }  // namespace
+
+double nearest_share(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
+                     const CollisionShape& outline) {
+  return SegmentBesideCore(from, to, outline).nearest();
+}
 
 double CollisionShape::reach() const {
   return kind == Shape::Kind::capsule ? half_length : half_extents.norm();

@@ -36,6 +36,11 @@ struct Clearance {
 /// Returns the gap between a ball and an outline, with the closest point and the normal.
 Clearance clearance(const Eigen::Vector3d& ball_centre, double ball_radius,
                     const CollisionShape& outline);
+/// Returns how far along the segment from `from` to `to`, from 0 to 1, a ball is nearest to an
+/// outline; where the segment passes through a box, the deepest place. In closed form, in the time
+/// of a few clearances.
+double nearest_share(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
+                     const CollisionShape& outline);
 /// Returns only the gap of clearance(), to the same bits, in half the time.
 double gap(const Eigen::Vector3d& ball_centre, double ball_radius, const CollisionShape& outline);
 

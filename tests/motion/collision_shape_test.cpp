@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "tests/motion/random_shapes.h"
 
@@ -40,6 +41,29 @@ TEST(Clearance, GapIsTheRadiusAtWhichTheBallFirstReachesTheShape) {
       EXPECT_FALSE(contains(outline, centre + inside));
     }
   }
+}
+
+// Half of the segments pass through the outline's middle, where the deepest place counts.
+TEST(NearestShare, NoOtherPlaceOfASegmentIsNearer) {
+  tests::RandomShapes random(12);
+  int inside = 0;
+  for (int i = 0; i < 400; ++i) {
+    const CollisionShape outline = random.outline();
+    const Eigen::Vector3d from = random.vector(0.8);
+    const Eigen::Vector3d far = random.vector(0.8);
+    const Eigen::Vector3d to =
+        i % 2 == 0 ? far : Eigen::Vector3d(outline.centre + 1.2 * (outline.centre - from));
+    const double share = nearest_share(from, to, outline);
+    ASSERT_GE(share, 0);
+    ASSERT_LE(share, 1);
+    const double found = gap(from + share * (to - from), 0, outline);
+    double least = std::numeric_limits<double>::infinity();
+    for (int k = 0; k <= 2000; ++k)
+      least = std::min(least, gap(from + k / 2000.0 * (to - from), 0, outline));
+    EXPECT_LE(found, least + 1e-9) << i;
+    inside += found < 0;
+  }
+  EXPECT_GT(inside, 100);
 }
 
 TEST(Clearance, InsideABoxUsesTheNearestFace) {
