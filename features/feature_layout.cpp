@@ -16,12 +16,15 @@ static_assert(sizeof(Geometry) == sizeof(float) * kGeometryCount);
 constexpr auto kPaperCount = static_cast<std::size_t>(kFeatureCount);
 
 constexpr std::size_t kThreatPlace = kPaperCount + static_cast<std::size_t>(kGeometryCount);
-constexpr std::size_t kKindPlace = kThreatPlace + 3;
+/// The axis of a rod at the impact, in the character's frame, and how long it is.
+constexpr std::size_t kRodPlace = kThreatPlace + 3;
+constexpr std::size_t kKindPlace = kRodPlace + 4;
 
-constexpr std::array<std::string_view, 3 + kMaxThreatKinds> kThreatNames{
-    "radius_m", "mass_kg", "log_impulse", "kind_0",  "kind_1", "kind_2", "kind_3",
-    "kind_4",   "kind_5",  "kind_6",      "kind_7",  "kind_8", "kind_9", "kind_10",
-    "kind_11",  "kind_12", "kind_13",     "kind_14", "kind_15"};
+constexpr std::array<std::string_view, kKindPlace - kThreatPlace + kMaxThreatKinds> kThreatNames{
+    "radius_m",     "mass_kg", "log_impulse", "rod_axis_x", "rod_axis_y", "rod_axis_z",
+    "rod_length_m", "kind_0",  "kind_1",      "kind_2",     "kind_3",     "kind_4",
+    "kind_5",       "kind_6",  "kind_7",      "kind_8",     "kind_9",     "kind_10",
+    "kind_11",      "kind_12", "kind_13",     "kind_14",    "kind_15"};
 
 constexpr std::array<std::string_view, kMaxFeatures> kAllNames = [] {
   std::array<std::string_view, kMaxFeatures> names;
@@ -139,8 +142,11 @@ Layout with_kinds(const Layout& layout, std::span<const KnownKind> kinds) {
     names.emplace_back(kThreatNames[1]);
     names.emplace_back(kThreatNames[2]);
   }
+  if (std::ranges::find(kinds, ThreatShape::rod, &KnownKind::shape) != kinds.end())
+    for (std::size_t i = kRodPlace; i < kKindPlace; ++i)
+      names.emplace_back(kThreatNames[i - kThreatPlace]);
   for (std::size_t i = 0; kinds.size() > 1 && i < kinds.size(); ++i)
-    names.emplace_back(kThreatNames[3 + i]);
+    names.emplace_back(kThreatNames[kKindPlace - kThreatPlace + i]);
   return Layout::of(names).value_or(layout);
 }
 
@@ -152,9 +158,26 @@ float threat_component(const Scenario& scenario, std::size_t component) {
   const Threat& threat = scenario.threat;
   if (component == 0) return threat.radius;
   if (component == 1) return threat.mass_kg;
-  const auto speed_mps = double{velocity_at(threat, scenario.time_to_impact_s).norm()};
-  const double impulse_ns = (1 + threat.bounce.restitution) * double{threat.mass_kg} * speed_mps;
+  // Of a rod, where its tip would strike: that depends on nothing but the rod.
+  const Threat then = advanced(threat, scenario.time_to_impact_s);
+  const Eigen::Vector3f tip =
+      then.rod ? Eigen::Vector3f(then.position + then.rod->to_tip_m * then.rod->axis)
+               : then.position;
+  const StrikingPoint strikes = striking_point(then, 0, tip);
+  const auto speed_mps = double{strikes.velocity.norm()};
+  const double impulse_ns = (1 + threat.bounce.restitution) * double{strikes.mass_kg} * speed_mps;
   return impulse_ns > 0 ? static_cast<float>(portable_log(impulse_ns)) : 0.0F;
+}
+
+/// The component of a rod's axis at the impact, seen along the character's facing, or its length; 0
+/// of other threats.
+float rod_component(const Scenario& scenario, std::size_t component) {
+  const Threat then = advanced(scenario.threat, scenario.time_to_impact_s);
+  if (!then.rod) return 0;
+  if (component == 3) return then.rod->to_butt_m + then.rod->to_tip_m + 2 * then.radius;
+  const Eigen::Quaternionf to_character(
+      Eigen::AngleAxisf(-scenario.state.facing, Eigen::Vector3f::UnitZ()));
+  return (to_character * then.rod->axis)[static_cast<Eigen::Index>(component)];
 }
 
 }  // namespace
@@ -172,7 +195,9 @@ FeatureVector arranged(const Layout& layout, const Features& features, const Geo
       value = paper[place];
     } else if (place < kThreatPlace) {
       value = ours[place - kPaperCount];
-    } else if (place < kKindPlace) {
+    } else if (place >= kRodPlace && place < kKindPlace) {
+      value = rod_component(scenario, place - kRodPlace);
+    } else if (place < kRodPlace) {
       value = threat_component(scenario, place - kThreatPlace);
     } else if (place - kKindPlace == static_cast<std::size_t>(threat.kind)) {
       value = 1;

@@ -12,8 +12,9 @@
 namespace flinch::features {
 
 /// Names and order of a feature vector's components; stored with a selector. Any subset of
-/// kFeatureNames, kGeometryNames, "radius_m", "mass_kg" and "kind_0" to "kind_15" (1 for the
-/// threat's kind, 0 for others), each at most once.
+/// kFeatureNames, kGeometryNames, "radius_m", "mass_kg", "log_impulse", of a rod "rod_axis_x",
+/// "rod_axis_y", "rod_axis_z" and "rod_length_m", and "kind_0" to "kind_15" (1 for the threat's
+/// kind, 0 for others), each at most once.
 class Layout {
  public:
   /// Makes an empty layout.
@@ -67,8 +68,8 @@ std::span<const FeatureGroup> feature_groups();
 Layout without(const Layout& layout, const FeatureGroup& group);
 
 /// Returns the layout with the components that tell these kinds of threats apart, their sizes, and
-/// their masses with the impulses that these can give, as far as they differ; unchanged where all
-/// threats are alike.
+/// their masses with the impulses that these can give, as far as they differ, and those of rods
+/// where there are any; unchanged where all threats are alike.
 Layout with_kinds(const Layout& layout, std::span<const KnownKind> kinds);
 
 /// Returns the components of a scenario in the layout's order, 0 beyond its size. The bits are the

@@ -18,7 +18,7 @@ namespace flinch::features {
 /// origin on the ground below the pelvis, X along CharacterState::facing, Z up. They do not change
 /// when the whole world is rotated or moved.
 struct Features {
-  float position_x, position_y, position_z;  ///< of the threat's centre, m
+  float position_x, position_y, position_z;  ///< of the threat's position, m
   float heading_x, heading_y, heading_z;     ///< unit vector of its velocity; 0 if it stands still
   float speed_mps;
   float time_to_impact_s;
@@ -41,8 +41,8 @@ inline constexpr std::array<std::string_view, kFeatureCount> kFeatureNames{
 Features features_of(const Scenario& scenario, const motion::Loop& stance);
 
 /// Largest number of features that a selector may use: these, those of Geometry, radius, mass and
-/// impulse, and one for each kind of threat.
-inline constexpr int kMaxFeatures = kFeatureCount + 17 + 3 + static_cast<int>(kMaxThreatKinds);
+/// impulse, four of rods, and one for each kind of threat.
+inline constexpr int kMaxFeatures = kFeatureCount + 17 + 3 + 4 + static_cast<int>(kMaxThreatKinds);
 
 /// Components in the order of a layout (features/feature_layout.h); 0 beyond its size.
 using FeatureVector = std::array<float, kMaxFeatures>;

@@ -35,7 +35,8 @@ Geometry geometry_of(const Scenario& scenario, const PredictedCharacter& charact
   const Eigen::Quaternionf to_character(
       Eigen::AngleAxisf(-scenario.state.facing, Eigen::Vector3f::UnitZ()));
   const Eigen::Vector3f origin(character.pelvis.x(), character.pelvis.y(), 0);
-  const Threat then = advanced(scenario.threat, scenario.time_to_impact_s);
+  const StrikingPoint then = striking_point(scenario.threat, scenario.time_to_impact_s,
+                                            character.target_centres[scenario.target]);
   const Path path =
       make_path(to_character * (then.position - origin), to_character * then.velocity);
   const auto closest_approach_to = [&](motion::Target target) -> Eigen::Vector3f {

@@ -23,7 +23,8 @@ struct PredictedCharacter {
 /// In the character's frame at the contact: origin on the ground below the predicted pelvis, X
 /// along CharacterState::facing, Z up. They do not change when the whole world is rotated or moved.
 struct Geometry {
-  /// Position of the threat's centre where its path is nearest to the target's centre, m.
+  /// Position of the threat's centre, or of the striking point of a rod (striking_point), where its
+  /// path is nearest to the target's centre, m.
   float contact_x, contact_y, contact_z;
   float approach_x, approach_y, approach_z;  ///< unit vector of its velocity; 0 if it stands still
   float impact_speed_mps;

@@ -49,11 +49,50 @@ bool is_valid_input(const Threat& threat, const CollisionFigure& figure, const M
 // gap - (c + u) s - g s^2 / 2,
 //
 // which is not negative up to its positive root. (Conservative advancement, Mirtich 1996, with the
-// approach speed in place of the total speed.)
+// approach speed in place of the total speed.) The points of a rod that turns do not fly straight:
+// for one, c is the largest speed that any of them has.
 double safe_step(double gap, double closing_mps, double gravity_mps2) {
   const double root = std::sqrt(closing_mps * closing_mps + 2 * gravity_mps2 * gap);
   if (closing_mps > 0) return 2 * gap / (closing_mps + root);
   return gravity_mps2 > 0 ? (root - closing_mps) / gravity_mps2 : kInfinity;
+}
+
+/// How far the axis of a ball, which is a point, or of a rod is from a point, m.
+double distance_to(const Ball& ball, const Eigen::Vector3d& point) {
+  const double along =
+      std::clamp(ball.rod.axis.dot(point - ball.position), -ball.rod.to_butt_m, ball.rod.to_tip_m);
+  return (ball.position + along * ball.rod.axis - point).norm();
+}
+
+// A rod that turns may come near several times: the passage that begins at the touch counts. It is
+// looked at in steps, and the nearest of these is refined by golden sections.
+double time_rod_nearest(const Ball& rod, const Eigen::Vector3d& centre, double start_s,
+                        double horizon_s) {
+  constexpr int kSteps = 24;
+  constexpr double kStep_s = 0.005;
+  constexpr int kSections = 24;
+  const double golden = (std::sqrt(5.0) - 1) / 2;
+  const auto distance_at = [&](double time_s) { return distance_to(rod.at(time_s), centre); };
+  double best_s = start_s;
+  double best = distance_at(start_s);
+  for (int i = 1; i <= kSteps; ++i) {
+    const double time_s = std::min(start_s + i * kStep_s, horizon_s);
+    const double distance = distance_at(time_s);
+    if (distance >= best) break;
+    best = distance;
+    best_s = time_s;
+  }
+  double low_s = std::max(best_s - kStep_s, start_s);
+  double high_s = std::min(best_s + kStep_s, horizon_s);
+  for (int i = 0; i < kSections; ++i) {
+    const double width_s = golden * (high_s - low_s);
+    if (distance_at(high_s - width_s) < distance_at(low_s + width_s)) {
+      high_s = low_s + width_s;
+    } else {
+      low_s = high_s - width_s;
+    }
+  }
+  return 0.5 * (low_s + high_s);
 }
 
 // The ball is nearest to c where f(t) = (x - c) . v changes from negative, it approaches, to
@@ -63,6 +102,7 @@ double safe_step(double gap, double closing_mps, double gravity_mps2) {
 // tangent to follow. Never outside of [0, horizon_s].
 double time_nearest(const Ball& ball, const Eigen::Vector3d& centre, double start_s,
                     double horizon_s) {
+  if (ball.is_rod()) return time_rod_nearest(ball, centre, start_s, horizon_s);
   constexpr int kMaxIterations = 60;  // as bisection needs; Newton's method needs about five
   constexpr double kResolution_s = 1e-12;
   const Eigen::Vector3d fall(0, 0, -ball.gravity_mps2);
@@ -121,10 +161,17 @@ class ImpactSearch {
     const double distance = offset.norm();
     const MotionBounds& bounds = ahead_.bounds();
     const double gap =
-        distance - ball_.radius - static_cast<double>(bounds.radius + figure_.reach_m);
+        distance - ball_.bounding_radius() - static_cast<double>(bounds.radius + figure_.reach_m);
     if (gap < kNearDistance_m) return 0;
-    const double closing_mps = -offset.dot(ball_.velocity_at(time_s)) / distance;
+    const double closing_mps = ball_.is_rod() ? max_rod_speed_mps(time_s)
+                                              : -offset.dot(ball_.velocity_at(time_s)) / distance;
     return safe_step(gap, closing_mps, ball_.gravity_mps2);
+  }
+
+  /// No point of the rod is faster then, but for what gravity adds.
+  double max_rod_speed_mps(double time_s) const {
+    const Ball rod = ball_.at(time_s);
+    return rod.pivot_velocity().norm() + rod.turning_mps();
   }
 
   /// Finds the nearest body. Returns the time in which no body can be touched; NaN for an invalid
@@ -133,15 +180,17 @@ class ImpactSearch {
     const MotionBounds& bounds = ahead_.bounds();
     if (!has_frames_ || bounds.max_speed_mps > 0) frames_ = frames_at(time_s);
     has_frames_ = true;
-    const Eigen::Vector3d centre = ball_.position_at(time_s);
-    const Eigen::Vector3d velocity = ball_.velocity_at(time_s);
-    const double max_closing_mps = static_cast<double>(bounds.max_speed_mps) + velocity.norm();
+    const Ball then = ball_.at(time_s);
+    const bool is_rod = then.is_rod();
+    const double rod_mps = is_rod ? max_rod_speed_mps(time_s) : 0;
+    const double max_closing_mps =
+        static_cast<double>(bounds.max_speed_mps) + (is_rod ? rod_mps : then.velocity.norm());
     nearest_.gap = kInfinity;
     double step_s = kInfinity;
     double sum = 0;
     const auto look_at = [&](Body body) {
-      const motion::Clearance near = clearance(
-          centre, ball_.radius, motion::collision_shape_of(*figure_.model, frames_, body));
+      const motion::Clearance near =
+          clearance(then, motion::collision_shape_of(*figure_.model, frames_, body));
       sum += near.gap;
       if (near.gap < nearest_.gap || (near.gap == nearest_.gap && body < nearest_body_)) {
         nearest_ = near;
@@ -149,8 +198,8 @@ class ImpactSearch {
       }
       // Half of kContactTolerance_m may be skipped too. Without that, a ball that passes close by
       // would take a very large number of steps.
-      const double closing_mps =
-          static_cast<double>(bounds.max_speed_mps) - near.normal.dot(velocity);
+      const double closing_mps = static_cast<double>(bounds.max_speed_mps) +
+                                 (is_rod ? rod_mps : -near.normal.dot(then.velocity));
       step_s = std::min(step_s, safe_step(std::max(near.gap - 0.5 * kContactTolerance_m, 0.0),
                                           closing_mps, ball_.gravity_mps2));
     };
@@ -160,16 +209,17 @@ class ImpactSearch {
     const double max_gap = kContactTolerance_m + max_way_in(step_s, max_closing_mps);
     for (Body body : motion::kBodies) {
       sum += static_cast<double>(frames_.orientation[role_of(body)].squaredNorm());
-      if (body != likely && !is_farther_than(body, centre, max_gap)) look_at(body);
+      if (body != likely && !is_farther_than(body, then, max_gap)) look_at(body);
     }
     return std::isfinite(sum) ? step_s : std::numeric_limits<double>::quiet_NaN();
   }
 
   /// Whether the gap to a body is greater than this, whatever its orientation.
-  bool is_farther_than(Body body, const Eigen::Vector3d& centre, double gap) const {
+  bool is_farther_than(Body body, const Ball& then, double gap) const {
     const Eigen::Vector3d joint = frames_.position[role_of(body)].cast<double>();
-    const double distance = gap + ball_.radius + static_cast<double>(figure_.body_reach_m[body]);
-    return (centre - joint).squaredNorm() > distance * distance;
+    const double distance =
+        gap + then.bounding_radius() + static_cast<double>(figure_.body_reach_m[body]);
+    return (then.position - joint).squaredNorm() > distance * distance;
   }
 
   /// By how much a gap closes at most in this time: the inverse of safe_step.
@@ -201,7 +251,7 @@ class ImpactSearch {
     for (const Target target : motion::kTargets) {
       const Eigen::Vector3d centre = target_centre(*figure_.model, frames_, target).cast<double>();
       const double nearest_s = time_nearest(ball_, centre, touch_s, horizon_s_);
-      double distance = (ball_.position_at(nearest_s) - centre).norm();
+      double distance = distance_to(ball_.at(nearest_s), centre);
       if (target == impact.struck) distance -= kStruckTargetMargin_m;
       if (!(distance < min_distance)) continue;
       min_distance = distance;

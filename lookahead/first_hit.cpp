@@ -66,7 +66,7 @@ double least_impulse_ns(const sim::FigureModel& figure_model, const features::Ba
                         const NearPart& part, double time_s) {
   const features::Ball then = ball.at(time_s);
   const sim::MovingShape shape = part.shape.at(time_s);
-  const motion::Clearance at = clearance(then.position, then.radius, shape);
+  const motion::Clearance at = clearance(then, shape);
   const Vector3d relative = then.velocity - shape.velocity_at(at.point);
   const double closing = -at.normal.dot(relative);
   const double speed = relative.norm();
@@ -93,7 +93,7 @@ std::optional<double> time_of_hit(const NearParts& near, const features::Ball& b
     if (!touch_s) continue;
     const features::Ball then = ball.at(*touch_s);
     const sim::MovingShape shape = part.shape.at(*touch_s);
-    if (hits(then, shape, clearance(then.position, then.radius, shape))) first_s = touch_s;
+    if (hits(then, shape, clearance(then, shape))) first_s = touch_s;
   }
   return first_s;
 }
@@ -114,7 +114,7 @@ FirstHit least_first_hit(ResponseReference& reference, const sim::FigureModel& f
     FirstHit hit{std::numeric_limits<double>::infinity(), begin_s + *hit_s};
     for (const NearPart& part : near.all()) {
       if (part.near_s > *hit_s) continue;
-      const double gap_m = motion::gap(now.at(*hit_s).position, now.radius, part.shape.at(*hit_s));
+      const double gap_m = features::gap_at(now, *hit_s, part.shape.at(*hit_s));
       if (gap_m > kGrazingDistance_m) return {};
       hit.damage_ns =
           std::min(hit.damage_ns,

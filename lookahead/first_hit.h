@@ -19,7 +19,8 @@ struct FirstHit {
 /// Finds the first hit of `ball`, as it is at perception, on the response that `reference` follows,
 /// and the least damage that it does to a figure which is within kMaxLag_m of the response. `frame`
 /// is the first after which the ball may come near. Knows nothing of hits after a bounce, of those
-/// that come late, and of those before which the ball grazes another part. `vulnerability` is v_b.
+/// that come late, and of those before which the ball grazes another part. Not for rods, whose
+/// effective mass depends on the place. `vulnerability` is v_b.
 FirstHit least_first_hit(ResponseReference& reference, const sim::FigureModel& figure_model,
                          const features::Ball& ball, std::size_t frame,
                          const motion::PerBody<double>& vulnerability);

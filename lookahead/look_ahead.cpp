@@ -237,7 +237,9 @@ bool Search::try_candidate(ForeseenCandidate& candidate, const Budget& budget, d
         double{threat.scenario.time_to_impact_s} - double{urgent.delay_s} + kTail_s;
     const features::Ball ball =
         features::ball_of(features::advanced(threat.scenario.threat, urgent.delay_s));
-    const TrialResult result = trial.meet(ball, until_s, costs, max_damage_ns - damage_ns);
+    const motion::PerBody<double>& vulnerability =
+        vulnerability_to(costs, threat.scenario.threat.kind);
+    const TrialResult result = trial.meet(ball, until_s, vulnerability, max_damage_ns - damage_ns);
     damage_ns += result.damage_ns;
     contact_s = std::min(contact_s, result.first_contact_s + double{urgent.delay_s});
     if (result.steps > 0) {

@@ -35,13 +35,21 @@ constexpr std::size_t kNoFrame = static_cast<std::size_t>(-1);
 /// The time in which a ball cannot cover `distance_m` to the reach of a figure that idles for
 /// `idles_s`.
 double time_to_cover(double distance_m, const features::Ball& ball, double idles_s) {
-  const double ball_mps = ball.velocity.norm() + ball.gravity_mps2 * kMaxAhead_s;
+  const double ball_mps =
+      ball.pivot_velocity().norm() + ball.turning_mps() + ball.gravity_mps2 * kMaxAhead_s;
   const double closing_mps = ball_mps + kMaxSwaySpeed_mps;
   const double while_idle_s = distance_m / closing_mps;
   const double time_s = while_idle_s <= idles_s ? while_idle_s
                                                 : idles_s + (distance_m - closing_mps * idles_s) /
                                                                 (ball_mps + kMaxPelvisSpeed_mps);
   return std::clamp(time_s, 0.0, kMaxAhead_s);
+}
+
+double damage_of(const motion::PerBody<double>& impulse,
+                 const motion::PerBody<double>& vulnerability) {
+  double damage_ns = 0;
+  for (const Body body : motion::kBodies) damage_ns += vulnerability[body] * impulse[body];
+  return damage_ns;
 }
 
 int count_of_hit(const motion::PerBody<double>& impulse) {
@@ -88,11 +96,11 @@ ResponseTrial::Clear ResponseTrial::clear_of_parts(const features::Ball& ball, s
   Clear clear;
   for (const Body body : motion::kBodies) {
     const Eigen::Vector3d from_part = ball.position - places[body].position;
-    const double gap = from_part.norm() - figure_model_.radius[body] - ball.radius - distance_m -
-                       kMaxPartSpeed_mps * since_s;
-    const bool leaves = from_part.dot(ball.velocity) >= 0;
-    const double speed =
-        kMaxPartSpeed_mps + ball.gravity_mps2 * kMaxAhead_s + (leaves ? 0 : ball.velocity.norm());
+    const double gap = from_part.norm() - figure_model_.radius[body] - ball.bounding_radius() -
+                       distance_m - kMaxPartSpeed_mps * since_s;
+    const bool leaves = !ball.is_rod() && from_part.dot(ball.velocity) >= 0;
+    const double speed = kMaxPartSpeed_mps + ball.gravity_mps2 * kMaxAhead_s +
+                         (leaves ? 0 : ball.pivot_velocity().norm() + ball.turning_mps());
     clear_s = std::min(clear_s, gap / speed);
     if (gap / speed + since_s < frame_s) clear.threatened |= sim::set_of(body);
   }
@@ -105,7 +113,7 @@ ResponseTrial::Clear ResponseTrial::clear_of_parts(const features::Ball& ball, s
 std::size_t ResponseTrial::clear_frames(const features::Ball& ball, std::size_t frame,
                                         double since_s, double distance_m) {
   const double reach_m = (ball.position - reference_.pelvis_at(frame)).norm() - reach_m_ -
-                         ball.radius - distance_m - kMaxPelvisSpeed_mps * since_s;
+                         ball.bounding_radius() - distance_m - kMaxPelvisSpeed_mps * since_s;
   const double time_s = static_cast<double>(frame) / reference_.rate_hz();
   const double idles_s = std::max(reference_.idles_until_s() - time_s, 0.0);
   const double cover_s = time_to_cover(reach_m, ball, idles_s);
@@ -171,17 +179,17 @@ motion::PerBody<sim::BodyState> ResponseTrial::start_at(double time_s,
 // A hit after the first one depends on a fraction of a millimetre of that, so where there is one,
 // all is simulated again from further back.
 TrialResult ResponseTrial::meet(const features::Ball& ball, double until_s,
-                                const models::ResponseCosts& costs, double max_damage_ns) {
+                                const motion::PerBody<double>& vulnerability,
+                                double max_damage_ns) {
   const auto near = find_near(ball, until_s);
   if (!near) return {};
-  if (std::isfinite(max_damage_ns)) {
-    const FirstHit hit =
-        least_first_hit(reference_, figure_model_, ball, *near, costs.vulnerability);
+  if (std::isfinite(max_damage_ns) && !ball.is_rod()) {
+    const FirstHit hit = least_first_hit(reference_, figure_model_, ball, *near, vulnerability);
     if (hit.damage_ns > max_damage_ns) return {{}, hit.damage_ns, hit.contact_s, 0, true};
   }
   const double near_s = static_cast<double>(*near) / reference_.rate_hz();
   const int near_step = static_cast<int>(near_s / options_.free_step_s + kRounding);
-  const Conditions conditions{ball, until_s, costs, max_damage_ns};
+  const Conditions conditions{ball, until_s, vulnerability, max_damage_ns};
   TrialResult first = run(near_step, std::min(kSettlingSteps, near_step), conditions, true);
   if (first.is_cut || count_of_hit(first.impulse) < 2) return first;
   first.damage_ns *= kSureShareOfSecondHit;
@@ -231,7 +239,7 @@ TrialResult ResponseTrial::run(int near_step, int settling, const Conditions& co
     now = is_whole ? target : reference_.at(encounter_.time_s());
     ++result.steps;
     if (std::isinf(encounter_.first_contact_s())) continue;
-    result.damage_ns = damage_ns(conditions.costs, encounter_.impulse());
+    result.damage_ns = damage_of(encounter_.impulse(), conditions.vulnerability);
     if (first_hit && count_of_hit(encounter_.impulse()) > 1) break;
     if (result.damage_ns > conditions.max_damage_ns) {
       result.is_cut = true;

@@ -6,7 +6,6 @@
 
 #include "lookahead/figure_lag.h"
 #include "lookahead/response_reference.h"
-#include "models/response_costs.h"
 #include "sim/encounter/encounter.h"
 
 namespace flinch::lookahead {
@@ -41,8 +40,9 @@ class ResponseTrial {
 
   /// Simulates `ball`, as it is at perception, until `until_s` after perception. Stops as soon as
   /// the damage exceeds `max_damage_ns`, and does not begin if the first hit must
-  /// (least_first_hit); the result's damage is then a lower bound.
-  TrialResult meet(const features::Ball& ball, double until_s, const models::ResponseCosts& costs,
+  /// (least_first_hit); the result's damage is then a lower bound. `vulnerability` is v_b.
+  TrialResult meet(const features::Ball& ball, double until_s,
+                   const motion::PerBody<double>& vulnerability,
                    double max_damage_ns = std::numeric_limits<double>::infinity());
 
   static constexpr int kSettlingSteps = 2;
@@ -52,7 +52,7 @@ class ResponseTrial {
   struct Conditions {
     const features::Ball& ball;  ///< at perception
     double until_s = 0;
-    const models::ResponseCosts& costs;
+    const motion::PerBody<double>& vulnerability;
     double max_damage_ns = 0;
   };
   struct Clear {

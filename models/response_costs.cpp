@@ -26,10 +26,15 @@ float work_j(const ResponseCosts& costs, int clip, float idle_phase, float time_
   return std::lerp(at(phase), at(next_phase), phase_weight);
 }
 
-double damage_ns(const ResponseCosts& costs, const motion::PerBody<double>& impulse) {
+const motion::PerBody<double>& vulnerability_to(const ResponseCosts& costs, int kind) {
+  const auto own = std::ranges::find(costs.of_kind, kind, &features::KindVulnerability::kind);
+  return own == costs.of_kind.end() ? costs.vulnerability : own->vulnerability;
+}
+
+double damage_ns(const ResponseCosts& costs, int kind, const motion::PerBody<double>& impulse) {
+  const motion::PerBody<double>& vulnerability = vulnerability_to(costs, kind);
   double damage = 0;
-  for (const motion::Body body : motion::kBodies)
-    damage += costs.vulnerability[body] * impulse[body];
+  for (const motion::Body body : motion::kBodies) damage += vulnerability[body] * impulse[body];
   return damage;
 }
 

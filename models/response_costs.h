@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "features/known_kind.h"
 #include "motion/body.h"
 
 namespace flinch::models {
@@ -12,6 +13,8 @@ namespace flinch::models {
 /// simulated hit into a cost at run time, and the measured work of each clip's response.
 struct ResponseCosts {
   motion::PerBody<double> vulnerability;  ///< v_b, at least 0
+  /// v_b of kinds of threats with a table of their own, by rising kind.
+  std::vector<features::KindVulnerability> of_kind;
   /// D* of each kind of threat that the selector knows, positive.
   std::vector<double> reference_damage_ns = std::vector<double>(1, 1.0);
   double reference_work_j = 1;  ///< W*, positive
@@ -31,8 +34,11 @@ struct ResponseCosts {
 /// whole periods; its integral part does not matter.
 float work_j(const ResponseCosts& costs, int clip, float idle_phase, float time_s);
 
-/// damage = sum over the bodies b of v_b I_b, N·s, of these impulses (N·s).
-double damage_ns(const ResponseCosts& costs, const motion::PerBody<double>& impulse);
+/// Returns v_b against a kind of threat.
+const motion::PerBody<double>& vulnerability_to(const ResponseCosts& costs, int kind);
+
+/// damage = sum over the bodies b of v_b I_b, N·s, of these impulses (N·s) of a kind of threat.
+double damage_ns(const ResponseCosts& costs, int kind, const motion::PerBody<double>& impulse);
 
 /// Returns what a joule counts as damage, D*/W*, N·s/J, against a kind of threat. A kind that the
 /// selector does not know counts as the first.

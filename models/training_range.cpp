@@ -16,6 +16,15 @@ void add(std::string_view name, double value, const features::ValueRange& traine
   outside.numbers[outside.count++] = {name, value, trained};
 }
 
+/// The velocity of what strikes, at the impact, near where the character's target is.
+Eigen::Vector3d impact_velocity(const Selector& selector, const features::Scenario& scenario) {
+  const features::CharacterState& state = scenario.state;
+  const Eigen::AngleAxisf turn(state.facing, Eigen::Vector3f::UnitZ());
+  const Eigen::Vector3f centre = turn * selector.target_centres[scenario.target] +
+                                 Eigen::Vector3f(state.position.x(), state.position.y(), 0);
+  return striking_point(scenario.threat, scenario.time_to_impact_s, centre).velocity.cast<double>();
+}
+
 }  // namespace
 
 OutsideTrainings outside_training(const Selector& selector, const features::Scenario& scenario) {
@@ -27,8 +36,7 @@ OutsideTrainings outside_training(const Selector& selector, const features::Scen
     return outside;
   }
   const features::KnownKind& kind = selector.kinds[kind_index];
-  const Eigen::Vector3d velocity =
-      features::velocity_at(threat, scenario.time_to_impact_s).cast<double>();
+  const Eigen::Vector3d velocity = impact_velocity(selector, scenario);
   const double speed_mps = velocity.norm();
   const double elevation =
       speed_mps > 0 ? std::asin(std::clamp(-velocity.z() / speed_mps, -1.0, 1.0)) : 0;
@@ -40,8 +48,14 @@ OutsideTrainings outside_training(const Selector& selector, const features::Scen
   add("elevation_degrees", motion::degrees(elevation), elevations, outside);
   add("time_to_impact_s", double{scenario.time_to_impact_s}, kind.time_to_impact_s, outside);
   // One that starts at perception has perhaps moved before.
-  const bool waits = threat.stroke && threat.stroke->starts_in_s > 0;
-  if (waits) add("reach_m", speed_mps * double{threat.stroke->lasts_s}, kind.reach_m, outside);
+  if (threat.stroke && threat.stroke->starts_in_s > 0) {
+    const float moves_s = threat.rod ? scenario.time_to_impact_s - threat.stroke->starts_in_s
+                                     : threat.stroke->lasts_s;
+    add("reach_m", speed_mps * double{moves_s}, kind.reach_m, outside);
+  }
+  if (threat.rod)
+    add("length_m", double{threat.rod->to_butt_m + threat.rod->to_tip_m + 2 * threat.radius},
+        kind.rod.length_m, outside);
   return outside;
 }
 

@@ -18,7 +18,7 @@ struct OutsideTraining {
 
 /// The numbers of a threat that are outside, in the order of features::KnownKind.
 struct OutsideTrainings {
-  std::array<OutsideTraining, 7> numbers;
+  std::array<OutsideTraining, 8> numbers;
   std::size_t count = 0;  ///< of `numbers`, 0 if none is outside
 
   const OutsideTraining* begin() const { return numbers.data(); }
@@ -26,9 +26,10 @@ struct OutsideTrainings {
 };
 
 /// Returns which numbers of a scenario no scenario that the selector was fitted to could have: the
-/// radius, mass, speed and elevation at the impact, time to impact and reach of its kind, or a kind
-/// that the selector does not know. The selector answers all the same, but nothing is known of how
-/// well. A number is outside if it exceeds a range by a thousandth of the range's larger end.
+/// radius, mass, speed and elevation at the impact, time to impact, reach and length of its kind,
+/// or a kind that the selector does not know. The selector answers all the same, but nothing is
+/// known of how well. A number is outside if it exceeds a range by a thousandth of the range's
+/// larger end.
 OutsideTrainings outside_training(const Selector& selector, const features::Scenario& scenario);
 
 }  // namespace flinch::models

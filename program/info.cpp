@@ -246,6 +246,13 @@ std::string vulnerability_name(const models::ResponseCosts& costs) {
   return shipped.empty() ? "unnamed" : std::string(shipped);
 }
 
+Json vulnerability_document(const motion::PerBody<double>& vulnerability) {
+  Json document;
+  for (const motion::Body body : motion::kBodies)
+    document[std::string(name_of(body))] = vulnerability[body];
+  return document;
+}
+
 Json kinds_document(std::span<const features::KnownKind> kinds) {
   const auto range = [](const features::ValueRange& of) { return Json::array({of.min, of.max}); };
   Json list = Json::array();
@@ -261,7 +268,9 @@ Json kinds_document(std::span<const features::KnownKind> kinds) {
                     {"friction", kind.bounce.friction},
                     {"flight", kind.falls ? "falling" : "straight"},
                     {"shape", name_of(kind.shape)}});
-    if (kind.shape == features::ThreatShape::fist) list.back()["reach_m"] = range(kind.reach_m);
+    if (kind.is_driven()) list.back()["reach_m"] = range(kind.reach_m);
+    if (kind.shape == features::ThreatShape::rod)
+      list.back()["length_m"] = range(kind.rod.length_m);
   }
   return list;
 }
@@ -278,8 +287,11 @@ Json selector_document(const runtime::SelectorFile& file) {
                 {"threats", kinds_document(selector.kinds)}};
   if (selector.costs) {
     document["vulnerability_name"] = vulnerability_name(*selector.costs);
-    for (const motion::Body body : motion::kBodies)
-      document["vulnerability"][std::string(name_of(body))] = selector.costs->vulnerability[body];
+    document["vulnerability"] = vulnerability_document(selector.costs->vulnerability);
+    for (const features::KindVulnerability& own : selector.costs->of_kind) {
+      const std::string& kind = selector.kinds[static_cast<std::size_t>(own.kind)].name;
+      document["vulnerability_to"][kind] = vulnerability_document(own.vulnerability);
+    }
   }
   document.update(
       std::visit([](const auto& model) { return model_document(model); }, selector.model));

@@ -28,6 +28,20 @@ int kind_index(const ThreatOptions& options, const models::Selector& selector) {
       "", "the selector was not trained for --threat " + *options.kind + "; it knows: " + names);
 }
 
+/// A rod in the middle of its kind.
+features::RodDescription usual_rod(const features::RodRanges& kind) {
+  const auto middle = [](const features::ValueRange& range) {
+    return static_cast<float>(0.5 * (range.min + range.max));
+  };
+  return {.length_m = middle(kind.length_m),
+          .balance = static_cast<float>(kind.balance),
+          .strikes_at = middle(kind.strikes_at),
+          .tilt = middle(kind.tilt),
+          .grip_share = middle(kind.grip_share),
+          .grip_mass_kg = static_cast<float>(kind.grip_mass_kg),
+          .spin = middle(kind.spin)};
+}
+
 }  // namespace
 
 std::vector<std::string> target_names() {
@@ -73,10 +87,11 @@ features::ThreatDescription described(const ThreatOptions& options,
   const double mass_kg = given_or_near(options.mass_kg, features::kVolleyballMass_kg, kind.mass_kg);
   threat.target = *motion::target_named(options.target);
   double moves_s = options.time_to_impact_s;
-  if (kind.shape == features::ThreatShape::fist) {
+  if (kind.is_driven()) {
     threat.reach_m = static_cast<float>(kind.reach_m.max);
     moves_s = std::min(moves_s, kind.reach_m.max / speed_mps);
   }
+  if (kind.shape == features::ThreatShape::rod) threat.rod = usual_rod(kind.rod);
   const double min_elevation = rounded_degrees(train::min_feasible_elevation(
       speed_mps, moves_s, radius_m, double{selector.target_centres[threat.target].z()},
       kind.falls));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "reaction/reaction.h"
 
+#include <cmath>
 #include <limits>
 #include <optional>
 
@@ -11,6 +12,7 @@
 namespace flinch::reaction {
 namespace {
 
+constexpr double kMinRodInertia_kgm2 = 1e-7;  // of a rod of 1 g and 1 cm
 // Longest wait for the ball's contact.
 constexpr double kMaxWaitForContact_s = 0.3;
 
@@ -24,11 +26,19 @@ bool is_frame_time(double dt_s) {
   return dt_s > 0 && dt_s <= kMaxReactionFrame_s;
 }
 
+bool is_in_range(const features::RodShape& rod) {
+  const double length = rod.to_butt_m + rod.to_tip_m;
+  return std::abs(rod.axis.norm() - 1) <= 1e-6 && length <= double{features::kMaxRodLength_m} &&
+         rod.inertia_kgm2 >= kMinRodInertia_kgm2 && rod.to_pivot_m >= -length &&
+         rod.to_pivot_m <= length && rod.angular_velocity.norm() * length <= kMaxBallSpeed_mps;
+}
+
 bool is_in_range(const features::Ball& ball) {
   return ball.position.allFinite() && ball.velocity.norm() <= kMaxBallSpeed_mps &&
          ball.radius >= kMinBallRadius_m && ball.radius <= kMaxBallRadius_m &&
          ball.mass_kg >= kMinBallMass_kg && ball.mass_kg <= kMaxBallMass_kg &&
-         ball.gravity_mps2 >= 0 && ball.gravity_mps2 <= 1000;
+         ball.gravity_mps2 >= 0 && ball.gravity_mps2 <= 1000 &&
+         (!ball.is_rod() || is_in_range(ball.rod));
 }
 
 }  // namespace

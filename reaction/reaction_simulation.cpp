@@ -152,6 +152,10 @@ features::Ball ReactionSimulation::ball(const features::Ball& initial_ball) cons
   features::Ball ball = initial_ball;
   const auto flight = encounter_.scene().flight();
   if (!flight) return ball;
+  if (flight->is_rod()) {
+    const features::Ball rod = flight->at(shown_s_ - after_.time_s);
+    return rod.at(std::max(rod.window.from_s, 0.0));  // it waits there
+  }
   const double share = share_of_last_step();
   const sim::BodyState state = between(before_.ball, after_.ball, share);
   ball.position = state.position;

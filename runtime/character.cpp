@@ -390,9 +390,14 @@ Response Character::plan_brace(const Perception& perception, bool startles) cons
   if (!library_->is_loaded()) return {};
   const features::Scenario& scenario = perception.scenario;
   const features::CharacterState state = current_state();
+  const float time_s = scenario.time_to_impact_s;
+  features::Threat threat = scenario.threat;
+  if (threat.rod)
+    threat = striking_ball(threat, time_s,
+                           predict_character(library_->prepared().figure_in(state), state, time_s)
+                               .target_centres[scenario.target]);
   return make_brace(library_->prepared(), state,
-                    {scenario.threat, position_at(scenario.threat, scenario.time_to_impact_s),
-                     scenario.time_to_impact_s, perception.delay_s, startles},
+                    {threat, position_at(threat, time_s), time_s, perception.delay_s, startles},
                     current_inertialization(state));
 }
 

@@ -174,7 +174,18 @@ bool is_part_sound(const models::PairwiseModel& model, std::size_t clip_count,
 bool is_part_sound(const models::ResponseCosts& costs, std::size_t clip_count) {
   constexpr int kMaxCount = 1 << 12;
   const auto is_amount = [](double x) { return std::isfinite(x) && x >= 0; };
-  return std::all_of(costs.vulnerability.begin(), costs.vulnerability.end(), is_amount) &&
+  const auto are_amounts = [&](const motion::PerBody<double>& table) {
+    return std::all_of(table.begin(), table.end(), is_amount);
+  };
+  const auto kinds = static_cast<int>(costs.reference_damage_ns.size());
+  return are_amounts(costs.vulnerability) &&
+         std::ranges::all_of(costs.of_kind,
+                             [&](const features::KindVulnerability& own) {
+                               return own.kind >= 0 && own.kind < kinds &&
+                                      are_amounts(own.vulnerability);
+                             }) &&
+         std::ranges::adjacent_find(costs.of_kind, std::ranges::greater_equal{},
+                                    &features::KindVulnerability::kind) == costs.of_kind.end() &&
          std::ranges::all_of(costs.reference_damage_ns,
                              [&](double x) { return is_amount(x) && x > 0; }) &&
          is_amount(costs.reference_work_j) && costs.reference_work_j > 0 &&

@@ -124,11 +124,16 @@ bool has_bounded_size(const schema::Selector& stored, std::size_t content_size) 
   if (const schema::ResponseCosts* costs = stored.costs()) {
     unfolded.add(costs->vulnerability()).add(costs->work_j()).add(costs->vulnerability_name());
     unfolded.add(costs->reference_damages_ns());
+    if (costs->of_kind() != nullptr) {
+      if (costs->of_kind()->size() > features::kMaxThreatKinds) return false;
+      for (const schema::KindVulnerability* own : *costs->of_kind())
+        unfolded.add(own->vulnerability());
+    }
   }
   if (stored.kinds() != nullptr) {
     if (stored.kinds()->size() > features::kMaxThreatKinds) return false;
     for (const schema::Kind* kind : *stored.kinds())
-      unfolded.add(kind->name()).add(kind->numbers());
+      unfolded.add(kind->name()).add(kind->numbers()).add(kind->rod());
   }
   if (const schema::Realism* realism = stored.realism()) {
     unfolded.add(realism->judge()).add(realism->mean()).add(realism->basis());
@@ -164,6 +169,13 @@ std::optional<models::ResponseCosts> read_costs(const schema::ResponseCosts& sto
   costs.time_step_s = stored.time_step_s();
   if (stored.vulnerability_name() != nullptr)
     costs.vulnerability_name = stored.vulnerability_name()->str();
+  if (stored.of_kind() == nullptr) return costs;
+  for (const schema::KindVulnerability* own : *stored.of_kind()) {
+    if (own->vulnerability()->size() != motion::kBodyCount) return std::nullopt;
+    costs.of_kind.push_back({own->kind(), {}});
+    std::copy(own->vulnerability()->begin(), own->vulnerability()->end(),
+              costs.of_kind.back().vulnerability.begin());
+  }
   return costs;
 }
 
@@ -192,6 +204,11 @@ std::optional<std::vector<features::KnownKind>> read_kinds(
     kinds.push_back(features::kind_of(kind->name()->str(), numbers, kind->falls()));
     kinds.back().shape = static_cast<features::ThreatShape>(kind->shape());
     kinds.back().reach_m = {kind->min_reach_m(), kind->max_reach_m()};
+    if (kind->rod() == nullptr) continue;
+    features::RodNumbers rod{};
+    if (kind->rod()->size() != rod.size()) return std::nullopt;
+    std::copy(kind->rod()->begin(), kind->rod()->end(), rod.begin());
+    kinds.back().rod = features::rod_ranges_of(rod);
   }
   return kinds;
 }

@@ -2,7 +2,7 @@
 
 const kMostForeseen = 16; // FLINCH_MOST_FORESEEN
 const kMostCandidates = 8; // FLINCH_MOST_CANDIDATES
-const kMostOutside = 7; // FLINCH_MOST_OUTSIDE
+const kMostOutside = 8; // FLINCH_MOST_OUTSIDE
 const kAnswers = ["ok", "misses", "unnoticed"];
 
 /** A character: it perceives, answers, can be hit, and returns to idle. */

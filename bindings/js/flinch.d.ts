@@ -13,7 +13,7 @@ type Vector = ArrayLike<number>;
 
 /** A kind of threat that a library was trained for; ranges are smallest and largest. */
 export interface ThreatKind {
-  /** 0 a ball, 1 a blade, 2 a fist. */
+  /** 0 a ball, 1 a blade, 2 a fist, 3 a rod. */
   shape: number;
   name: string;
   radius: Float32Array;
@@ -25,6 +25,8 @@ export interface ThreatKind {
   restitution: number;
   friction: number;
   is_straight: number;
+  /** Of a rod, from end to end; 0 for others. */
+  length_m: Float32Array;
 }
 
 /** A number of a threat that is outside of what the library was trained for. */
@@ -42,9 +44,14 @@ export interface Threat {
   mass_kg: number;
   /** Index in Library.kinds; default 0. */
   kind?: number;
-  /** Of a fist: when its stroke starts and how long it lasts; default 0. */
+  /** Of a fist or a swung rod: when its stroke starts and how long it lasts; default 0. */
   starts_in_s?: number;
   lasts_s?: number;
+  /** Of a rod: unit vector from butt to tip, turn in rad/s, and from `position` to either end. */
+  axis?: Vector;
+  angular_velocity?: Vector;
+  to_butt_m?: number;
+  to_tip_m?: number;
 }
 
 export interface PerceptionLimits {
@@ -134,6 +141,8 @@ export interface Reaction {
   contact_s: number;
   ball_position: Float32Array;
   ball_velocity: Float32Array;
+  /** Of a rod, from butt to tip; 0 for a ball. */
+  ball_axis: Float32Array;
   impulse_ns: Float32Array;
 }
 

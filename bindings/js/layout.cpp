@@ -102,16 +102,17 @@ std::string layout() {
   }
   {
     using S = flinch_threat;
-    structs.push_back(struct_text("flinch_threat", sizeof(S),
-                                  {F(size), F(position), F(velocity), F(radius), F(mass_kg),
-                                   F(kind), F(starts_in_s), F(lasts_s)}));
+    structs.push_back(struct_text(
+        "flinch_threat", sizeof(S),
+        {F(size), F(position), F(velocity), F(radius), F(mass_kg), F(kind), F(starts_in_s),
+         F(lasts_s), F(axis), F(angular_velocity), F(to_butt_m), F(to_tip_m)}));
   }
   {
     using S = flinch_kind;
     structs.push_back(struct_text("flinch_kind", sizeof(S),
                                   {F(size), F(shape), F(name), F(radius), F(mass_kg), F(speed_mps),
                                    F(elevation), F(time_to_impact_s), F(reach_m), F(restitution),
-                                   F(friction), F(is_straight), F(reserved)}));
+                                   F(friction), F(is_straight), F(reserved), F(length_m)}));
   }
   {
     using S = flinch_outside;
@@ -158,9 +159,10 @@ std::string layout() {
   }
   {
     using S = flinch_reaction;
-    structs.push_back(struct_text("flinch_reaction", sizeof(S),
-                                  {F(size), F(phase), F(moved_by), F(clip), F(contact_s),
-                                   F(ball_position), F(ball_velocity), F(impulse_ns)}));
+    structs.push_back(
+        struct_text("flinch_reaction", sizeof(S),
+                    {F(size), F(phase), F(moved_by), F(clip), F(contact_s), F(ball_position),
+                     F(ball_velocity), F(impulse_ns), F(ball_axis)}));
   }
   {
     using S = flinch_skin_mesh;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The memory of a WebAssembly instance, and the structs of flinch.h in it as plain objects.
 
-const kScratchBytes = 65536; // the largest call has 256 threats of 48 bytes
+const kScratchBytes = 65536; // the largest call has 256 threats of 80 bytes
 
 /** An error that Flinch reports: its text, and its number in `status` (see flinch.h). */
 export class FlinchError extends Error {
@@ -58,9 +58,12 @@ export class Memory {
     return address;
   }
 
-  /** Threats for a call; what they leave out of kind and stroke is that of the first kind, thrown. */
+  /** Threats for a call; what they leave out of kind, stroke and rod is that of a ball of the first. */
   makeThreats(threats) {
-    const thrown = { kind: 0, starts_in_s: 0, lasts_s: 0 };
+    const thrown = {
+      kind: 0, starts_in_s: 0, lasts_s: 0,
+      axis: [0, 0, 0], angular_velocity: [0, 0, 0], to_butt_m: 0, to_tip_m: 0,
+    };
     return this.makeStructs("flinch_threat", threats.map((threat) => ({ ...thrown, ...threat })));
   }
 

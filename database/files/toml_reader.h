@@ -39,6 +39,7 @@ class TomlReader {
 
   const toml::table& table() const { return table_; }
   const std::string& path() const { return path_; }
+  const std::string& what() const { return what_; }
   /// Returns "FILE:LINE" of the key, or of the table if there is no such key.
   std::string where(std::string_view key = {}) const;
 

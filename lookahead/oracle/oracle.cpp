@@ -67,7 +67,7 @@ ClipTrial Oracle::try_response(const runtime::Response& response,
   ClipTrial trial;
   trial.clip = response.clip;
   trial.work_j = tracked.work_j;
-  trial.damage_ns = damage_ns(*selector.costs, result.impulse);
+  trial.damage_ns = damage_ns(*selector.costs, threat.kind, result.impulse);
   trial.cost_ns =
       cost_ns(*selector.costs, selector.brawn, threat.kind, trial.damage_ns, trial.work_j);
   trial.first_contact_s = result.first_contact_s + double{delay_s};

@@ -30,6 +30,7 @@ static_assert(FLINCH_MOST_CANDIDATES == Character::kMaxCandidates);
 static_assert(FLINCH_LEGS == static_cast<int>(motion::Target::legs));
 static_assert(FLINCH_RETURNING == static_cast<int>(Phase::returning));
 static_assert(FLINCH_FIST == static_cast<int>(features::ThreatShape::fist));
+static_assert(FLINCH_ROD == static_cast<int>(features::ThreatShape::rod));
 static_assert(FLINCH_WALKING == static_cast<int>(Phase::walking));
 
 }  // namespace
@@ -128,7 +129,10 @@ features::Threat threat_of(const flinch_threat& threat, const models::Selector& 
   result.kind = from.kind;
   result.bounce = kind.bounce;
   result.falls = kind.falls;
-  if (kind.shape == features::ThreatShape::fist) result.stroke = {from.starts_in_s, from.lasts_s};
+  if (kind.is_driven()) result.stroke = {from.starts_in_s, from.lasts_s};
+  if (kind.shape == features::ThreatShape::rod)
+    result.rod = rod_of_kind(kind, Eigen::Vector3f(from.axis),
+                             Eigen::Vector3f(from.angular_velocity), from.to_butt_m, from.to_tip_m);
   return result;
 }
 
@@ -250,7 +254,10 @@ flinch_reaction to_c(const reaction::ReactingCharacter& character) {
   result.clip = character.reaction_clip().value_or(-1);
   result.contact_s = static_cast<float>(reaction.contact_s());
   const features::Ball ball = reaction.ball();
-  write(result.ball_position, ball.position.cast<float>());
+  const features::RodShape& rod = ball.rod;
+  const Eigen::Vector3d middle = ball.position + 0.5 * (rod.to_tip_m - rod.to_butt_m) * rod.axis;
+  write(result.ball_position, middle.cast<float>());
+  if (ball.is_rod()) write(result.ball_axis, rod.axis.cast<float>());
   write(result.ball_velocity, ball.velocity.cast<float>());
   const motion::PerBody<double> impulse = reaction.impulse();
   std::ranges::transform(impulse, result.impulse_ns,
@@ -275,6 +282,7 @@ flinch_kind to_c(const features::KnownKind& kind) {
   result.restitution = static_cast<float>(kind.bounce.restitution);
   result.friction = static_cast<float>(kind.bounce.friction);
   result.is_straight = kind.falls ? 0 : 1;
+  write_range(result.length_m, kind.rod.length_m);
   return result;
 }
 

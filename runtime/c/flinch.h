@@ -204,7 +204,8 @@ FLINCH_API flinch_status flinch_library_clip(const flinch_library* library, int3
 enum {
   FLINCH_BALL = 0,
   FLINCH_BLADE = 1, /* thin; does not bounce */
-  FLINCH_FIST = 2   /* the end of a limb, which is driven along a stroke */
+  FLINCH_FIST = 2,  /* the end of a limb, which is driven along a stroke */
+  FLINCH_ROD = 3    /* a bat or a stick: a capsule that is swung along a stroke or thrown */
 };
 
 /* A kind of threat that a library was trained for, and the ranges of its numbers: [0] the smallest,
@@ -218,11 +219,13 @@ typedef struct flinch_kind {
   float speed_mps[2];        /* at the impact */
   float elevation[2];        /* above the horizontal that it comes from, at the impact, radians */
   float time_to_impact_s[2]; /* from perception */
-  float reach_m[2];          /* that a fist moves before the impact; 0 for others */
+  /* That a fist, or the striking point of a swung rod, moves before the impact; 0 for others. */
+  float reach_m[2];
   float restitution;
   float friction;
   int32_t is_straight; /* 1: it flies straight; 0: it falls */
   int32_t reserved;    /* 0 */
+  float length_m[2];   /* of a rod, from end to end; 0 for others */
 } flinch_kind;
 /* Writes kind number `index`, from 0 to kind_count - 1, to `out`. */
 FLINCH_API flinch_status flinch_library_kind(const flinch_library* library, int32_t index,
@@ -326,15 +329,22 @@ FLINCH_API flinch_status flinch_human_limits(int32_t choices, flinch_perception_
  * all of it. */
 typedef struct flinch_threat {
   uint32_t size;
-  float position[3]; /* of its centre, world, m */
+  float position[3]; /* of its centre, or of a swung rod's grip, world, m */
   float velocity[3]; /* world, m/s */
   float radius;      /* m, at least 0; default 0.105 */
   float mass_kg;     /* at least 0; default 0.27 */
   int32_t kind;      /* of those that the library was trained for; default 0 */
   /* Of a fist, which waits where it is, then moves straight at its velocity, and stops; it touches
-   * nothing before and after. At least 0; default 0. */
+   * nothing before and after. At least 0; default 0. A swung rod turns about its grip while that
+   * moves so. */
   float starts_in_s;
   float lasts_s; /* from its start or, once it moves, from now */
+  /* Of a rod only: its axis from butt to tip, a unit vector; how it turns, across the axis; and
+   * from `position` to its ends, along the axis. Default 0, which is no rod. */
+  float axis[3];             /* world */
+  float angular_velocity[3]; /* world, rad/s */
+  float to_butt_m;           /* at least 0; both together above 0 and at most 5 m */
+  float to_tip_m;            /* at least 0 */
 } flinch_threat;
 
 /* Answers a threat of which only position and velocity are known: predicts whether, when and where
@@ -366,7 +376,7 @@ typedef struct flinch_outside {
   float trained[2]; /* the smallest and the largest */
   int32_t reserved; /* 0 */
 } flinch_outside;
-#define FLINCH_MOST_OUTSIDE 7 /* numbers that can be outside at once */
+#define FLINCH_MOST_OUTSIDE 8 /* numbers that can be outside at once */
 /* Tells whether `threat`, as it was when the character last perceived one, is outside of what the
  * library was trained for: FLINCH_OUTSIDE_TRAINING, or FLINCH_OK. Writes the numbers that are, at
  * most `capacity` of them, and their number to `count`. */
@@ -577,9 +587,10 @@ typedef struct flinch_reaction {
   int32_t moved_by;       /* FLINCH_MOVED_BY_CHARACTER, ... */
   int32_t clip;           /* that continues the motion after the hit; -1: none */
   float contact_s;        /* of the first touch, s after react_to; infinite: none yet */
-  float ball_position[3]; /* world, m */
+  float ball_position[3]; /* of its centre; of a rod, of its middle; world, m */
   float ball_velocity[3]; /* world, m/s */
   float impulse_ns[FLINCH_BODY_COUNT]; /* on each body so far, N s */
+  float ball_axis[3];                  /* of a rod, from butt to tip, unit; 0 for a ball */
 } flinch_reaction;
 /* Writes the above to `out`. */
 FLINCH_API flinch_status flinch_character_reaction(const flinch_character* character,

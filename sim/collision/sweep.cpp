@@ -22,15 +22,16 @@ Eigen::Vector3d MovingShape::velocity_at(const Eigen::Vector3d& point) const {
 }
 
 bool may_be_near(const features::Ball& ball, const MovingShape& shape, double distance_m) {
-  const double max_distance = shape.bounding_radius() + ball.radius + distance_m;
+  const double max_distance = shape.bounding_radius() + ball.bounding_radius() + distance_m;
   return (ball.position - shape.centre).squaredNorm() <= max_distance * max_distance;
 }
 
-// |d gap / dt| <= |v_ball - v_shape| + g T + |w| reach, and the slack grows by at most a T.
+// |d gap / dt| <= |v_ball - v_shape| + g T + |w| reach, and the slack grows by at most a T. A rod
+// adds its own turning.
 std::optional<double> time_of_contact(const features::Ball& ball, const MovingShape& shape,
                                       double horizon_s, double contact_distance_m,
                                       double slack_mps2) {
-  const double rate = (ball.velocity - shape.velocity).norm() +
+  const double rate = (ball.pivot_velocity() - shape.velocity).norm() + ball.turning_mps() +
                       (ball.gravity_mps2 + slack_mps2) * horizon_s +
                       shape.angular_velocity.norm() * shape.reach();
   const double max_distance_m =
@@ -39,8 +40,8 @@ std::optional<double> time_of_contact(const features::Ball& ball, const MovingSh
   double time_s = std::max(ball.window.from_s, 0.0);
   const double end_s = std::min(horizon_s, ball.window.until_s);
   while (time_s <= end_s) {
-    const double gap = motion::gap(ball.position_at(time_s), ball.radius, shape.at(time_s)) -
-                       0.5 * slack_mps2 * time_s * time_s;
+    const double gap =
+        features::gap_at(ball, time_s, shape.at(time_s)) - 0.5 * slack_mps2 * time_s * time_s;
     if (gap <= contact_distance_m) return time_s;
     if (rate <= 0) return std::nullopt;
     // Half of touch_m is skipped too; otherwise a ball that glides past would take very many

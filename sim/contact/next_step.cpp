@@ -15,7 +15,7 @@ std::optional<double> first_contact(const features::Ball& ball, std::span<const 
   std::optional<double> first;
   for (const MovingShape& shape : shapes) {
     if (may_be_near(ball, shape, kContactDistance_m)) {
-      const motion::Clearance near = clearance(ball.position, ball.radius, shape);
+      const motion::Clearance near = clearance(ball, shape);
       if (near.gap <= kContactDistance_m && !hits(ball, shape, near)) continue;
     }
     const auto time_s =
@@ -28,7 +28,7 @@ std::optional<double> first_contact(const features::Ball& ball, std::span<const 
 bool hits_any(const features::Ball& ball, std::span<const MovingShape> shapes) {
   return std::any_of(shapes.begin(), shapes.end(), [&](const MovingShape& shape) {
     return may_be_near(ball, shape, kContactDistance_m) &&
-           hits(ball, shape, clearance(ball.position, ball.radius, shape));
+           hits(ball, shape, clearance(ball, shape));
   });
 }
 
@@ -66,7 +66,7 @@ NextStep next_step(const features::Ball& ball, std::span<const MovingShape> shap
 
 bool hits(const features::Ball& ball, const MovingShape& shape, const motion::Clearance& near) {
   return near.gap <= kContactDistance_m && ball.window.is_open() &&
-         near.normal.dot(ball.velocity - shape.velocity_at(near.point)) < 0;
+         near.normal.dot(ball.velocity_of(near.point) - shape.velocity_at(near.point)) < 0;
 }
 
 }  // namespace flinch::sim

@@ -30,12 +30,12 @@ motion::PerBody<BodyState> StepPath::at(double time_s) const {
   return figure;
 }
 
-// The gap falls by at most (|v_ball - v| + |w| radius + g T) T.
+// The gap falls by at most (|v_ball - v| + |w| radius + g T) T, and by the turning of a rod.
 bool may_reach(const BodyState& part, double radius, const features::Ball& ball, double time_s,
                double distance_m) {
-  const double speed = (ball.velocity - part.velocity).norm() +
+  const double speed = (ball.pivot_velocity() - part.velocity).norm() + ball.turning_mps() +
                        part.angular_velocity.norm() * radius + ball.gravity_mps2 * time_s;
-  const double max_distance = radius + ball.radius + distance_m + speed * time_s;
+  const double max_distance = radius + ball.bounding_radius() + distance_m + speed * time_s;
   return (ball.position - part.position).squaredNorm() <= max_distance * max_distance;
 }
 
@@ -46,16 +46,16 @@ std::optional<double> time_of_touch(const features::Ball& ball, const MovingShap
                                     double radius, const StepPath& path, motion::Body body,
                                     double horizon_s) {
   const BodyState moving = path.moving(body);
-  const double rate = (ball.velocity - moving.velocity).norm() + ball.gravity_mps2 * horizon_s +
-                      moving.angular_velocity.norm() * radius;
+  const double rate = (ball.pivot_velocity() - moving.velocity).norm() + ball.turning_mps() +
+                      ball.gravity_mps2 * horizon_s + moving.angular_velocity.norm() * radius;
   double time_s = std::max(ball.window.from_s, 0.0);
   horizon_s = std::min(horizon_s, ball.window.until_s);
   while (time_s <= horizon_s) {
-    const features::Ball then = ball.at(time_s);
     const MovingShape there = placed_shape(outline, path.at(body, time_s));
-    const double gap = motion::gap(then.position, then.radius, there);
+    const double gap = features::gap_at(ball, time_s, there);
     if (gap <= kContactDistance_m) {
-      const bool touches = hits(then, there, clearance(then.position, then.radius, there));
+      const features::Ball then = ball.at(time_s);
+      const bool touches = hits(then, there, clearance(then, there));
       return touches ? std::optional(time_s) : std::nullopt;
     }
     if (rate <= 0) return std::nullopt;

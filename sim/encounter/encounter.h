@@ -163,7 +163,7 @@ double Encounter<Scene>::find_hits(const features::Ball& flight) {
   for (motion::Body body : motion::kBodies) {
     if (!contains(figure_model_.ball_meets, body)) continue;
     if (!may_be_near(flight, shapes_[body], kContactDistance_m)) continue;
-    const motion::Clearance near = clearance(flight.position, flight.radius, shapes_[body]);
+    const motion::Clearance near = clearance(flight, shapes_[body]);
     if (!hits(flight, shapes_[body], near)) continue;
     scene_.add_hit(body, near);
     if (options_.keeps_places) add_contact_point(near.point, body, body);

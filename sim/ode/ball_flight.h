@@ -15,7 +15,7 @@ class BallFlight {
 
   dBodyID body() const { return body_; }
   features::Ball flight() const;
-  /// Moves the ball, which keeps its spin.
+  /// Moves the ball, which keeps its spin; a rod has that of `ball`.
   void place(const features::Ball& ball);
   /// See bounce_constraint.
   void add_ground_contact(Contacts& contacts, const Eigen::Quaterniond& frame) const;
@@ -23,6 +23,8 @@ class BallFlight {
   void step(OdeWorld& world, double step_s);
 
  private:
+  void set(const features::Ball& ball);
+  void move_rod(const features::Ball& before, double step_s);
   void apply_gravity(double time_s) const;
 
   dBodyID body_;

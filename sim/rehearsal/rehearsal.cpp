@@ -59,8 +59,9 @@ Rehearsal::Track::Track(const FigureModel& figure_model, const SimulationOptions
 
 bool Rehearsal::Track::Sphere::may_reach(const features::Ball& ball, double time_s,
                                          double distance_m) const {
-  const double travel = ball.velocity.norm() * time_s + ball.gravity_mps2 * time_s * time_s / 2;
-  const double max_distance = radius + ball.radius + travel + distance_m;
+  const double speed = ball.pivot_velocity().norm() + ball.turning_mps();
+  const double travel = speed * time_s + ball.gravity_mps2 * time_s * time_s / 2;
+  const double max_distance = radius + ball.bounding_radius() + travel + distance_m;
   return (ball.position - centre).squaredNorm() <= max_distance * max_distance;
 }
 

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "sim/contact/rod_step.h"
+
 namespace flinch::sim {
 namespace {
 
@@ -37,6 +39,7 @@ void TreeScene::restart(const motion::PerBody<BodyState>& start, const features:
   ball_ = *ball;
   ball_state_.position = ball->position;
   ball_state_.velocity = ball->velocity;
+  ball_state_.angular_velocity = ball->rod.angular_velocity;
   ball_inertia_ = moment_of_inertia(*ball);
 }
 
@@ -53,6 +56,7 @@ std::optional<features::Ball> TreeScene::flight() const {
   features::Ball ball = *ball_;
   ball.position = ball_state_.position;
   ball.velocity = ball_state_.velocity;
+  if (ball.is_rod()) ball.rod.angular_velocity = ball_state_.angular_velocity;
   return ball;
 }
 
@@ -60,7 +64,9 @@ void TreeScene::place(const motion::PerBody<BodyState>& figure, const features::
   bodies_ = figure;
   ball_state_.position = ball.position;
   ball_state_.velocity = ball.velocity;
-  if (ball_) ball_->window = ball.window;
+  if (!ball_) return;
+  ball_->window = ball.window;
+  ball_->rod.axis = ball.rod.axis;
 }
 
 void TreeScene::clear_contacts() {
@@ -189,12 +195,22 @@ Twist TreeScene::solve_contacts(double step_s) {
 
 void TreeScene::move_ball(const Twist& impulse, double step_s) {
   if (!ball_) return;
-  move(ball_state_,
-       {ball_state_.velocity + impulse.linear / ball_->mass_kg,
-        ball_state_.angular_velocity + impulse.angular / ball_inertia_},
-       step_s);
+  const features::VelocityChange change =
+      velocity_change(*ball_, ball_inertia_, impulse.linear, impulse.angular);
+  const Twist after{ball_state_.velocity + change.linear,
+                    ball_state_.angular_velocity + change.angular};
+  if (ball_->is_rod()) return move_rod(after, step_s, !change.linear.isZero(0));
+  move(ball_state_, after, step_s);
   ball_->window = ball_->window.at(step_s);
   if (ball_->window.is_over()) ball_state_.velocity.setZero();  // the stroke ends
+}
+
+void TreeScene::move_rod(const Twist& after, double step_s, bool is_struck) {
+  const features::Ball rod = rod_after_step(*flight(), after, step_s, is_struck);
+  ball_ = rod;
+  ball_state_.position = rod.position;
+  ball_state_.velocity = rod.velocity;
+  ball_state_.angular_velocity = rod.rod.angular_velocity;
 }
 
 // As in ODE, bodies move with their new velocities.
@@ -288,6 +304,16 @@ double TreeScene::target_relative_velocity(const Row& row, double step_s) const 
                                        : wanted;
 }
 
+/// The velocity of a row per unit impulse of another, of the ball alone.
+double TreeScene::change_by_ball(const Row& row, const Row& other) const {
+  if (!ball_->is_rod())
+    return row.direction.dot(other.direction) / ball_->mass_kg +
+           row.first_moment.dot(other.first_moment) / ball_inertia_;
+  const features::VelocityChange change =
+      velocity_change(*ball_, ball_inertia_, other.direction, other.first_moment);
+  return row.direction.dot(change.linear) + row.first_moment.dot(change.angular);
+}
+
 // With v the rows' velocities without contact impulses and A_ij the velocity change of row i per
 // unit impulse of row j, A p + softness/h p - (v_wanted - v) is complementary to p.
 TreeScene::Equations TreeScene::make_equations(double step_s) {
@@ -304,10 +330,7 @@ TreeScene::Equations TreeScene::make_equations(double step_s) {
       const auto other_at = static_cast<std::size_t>(i);
       const Row& other = rows_[other_at];
       double change = JointTree::inverse_inertia_product(propagated_[at], propagated_[other_at]);
-      if (hits(row) && hits(other)) {
-        change += row.direction.dot(other.direction) / ball_->mass_kg +
-                  row.first_moment.dot(other.first_moment) / ball_inertia_;
-      }
+      if (hits(row) && hits(other)) change += change_by_ball(row, other);
       matrix(i, j) = change;
       matrix(j, i) = change;
     }

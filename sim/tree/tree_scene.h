@@ -97,6 +97,7 @@ class TreeScene {
   /// Solves the contacts and returns their impulse on the ball.
   Twist solve_contacts(double step_s);
   void move_ball(const Twist& impulse, double step_s);
+  void move_rod(const Twist& after, double step_s, bool is_struck);
   const BodyState& state_of(const ContactBody& contact_body) const;
   /// Velocity of a side of a contact now, and after the step without contact impulses.
   Twist current_velocity(const ContactBody& contact_body) const;
@@ -104,6 +105,7 @@ class TreeScene {
   static double relative_velocity(const Row& row, const Twist& first, const Twist& second);
   void make_rows();
   void propagate_rows();
+  double change_by_ball(const Row& row, const Row& other) const;
   Equations make_equations(double step_s);
   double target_relative_velocity(const Row& row, double step_s) const;
   bool solve_rows(const Equations& equations, Scratch::Vector& solution);
@@ -113,7 +115,8 @@ class TreeScene {
   const FigureModel& figure_model_;
   double gravity_mps2_;
   motion::PerBody<BodyState> bodies_;
-  std::optional<features::Ball> ball_;  ///< as it was thrown; its flight is in ball_state_
+  /// As it was thrown, but for a rod's turn; its flight is in ball_state_.
+  std::optional<features::Ball> ball_;
   BodyState ball_state_;
   double ball_inertia_ = 0;  ///< about any axis, kg m^2
   JointTree tree_;

@@ -171,14 +171,15 @@ void run(const bench::StudyArguments& arguments) {
           runtime::make_response(prepared, scenario.state, measured.clip, time_s);
       const double planned_s = bench::process_cpu_s();
       trial.follow(response, library.rate_hz);
-      const lookahead::TrialResult found = trial.meet(ball, double{time_s} + kTail_s, costs);
+      const lookahead::TrialResult found =
+          trial.meet(ball, double{time_s} + kTail_s, vulnerability_to(costs, kind));
       const double met_s = bench::process_cpu_s();
       study.plan_us.push_back(1e6 * (planned_s - begin_s));
       (found.steps > 0 ? study.hit_us : study.pass_us).push_back(1e6 * (met_s - planned_s));
       study.steps += found.steps;
       Pair pair{observation.number,
                 measured.clip,
-                train::damage_ns(measured.impulse, model.vulnerability),
+                train::damage_ns(measured.impulse, vulnerability_to(model, kind)),
                 found.damage_ns,
                 double{measured.work_j},
                 0,
@@ -190,7 +191,8 @@ void run(const bench::StudyArguments& arguments) {
                 {}};
       if (found.damage_ns > 0) {
         const auto met = [&](double limit_ns) {
-          return trial.meet(ball, double{time_s} + kTail_s, costs, limit_ns);
+          return trial.meet(ball, double{time_s} + kTail_s, vulnerability_to(costs, kind),
+                            limit_ns);
         };
         pair.is_given_up = met(1.01 * found.damage_ns).is_cut;
         pair.is_foretold = met(0.5 * found.damage_ns).steps == 0;

@@ -117,7 +117,8 @@ void run(const bench::StudyArguments& arguments) {
         trial.follow(before.plan(perception, status.candidates[i].candidate.clip),
                      library.clip_library().rate_hz);
         trial.meet(features::ball_of(threat),
-                   double{perception.scenario.time_to_impact_s} + kTail_s, costs);
+                   double{perception.scenario.time_to_impact_s} + kTail_s,
+                   vulnerability_to(costs, threat.kind));
       }
       single.add(begin_s);
     }

@@ -175,7 +175,7 @@ class MainPath(ProgramTest):
         self.simulate()
         table = self.folder / "armour.toml"
         page = pathlib.Path(__file__).resolve().parents[2] / "docs/cost.md"
-        text, = re.findall(r"^```toml\n(.*?)^```$", page.read_text(), re.MULTILINE | re.DOTALL)
+        text, of_bats = re.findall(r"^```toml\n(.*?)^```$", page.read_text(), re.MULTILINE | re.DOTALL)
         table.write_text(text)
         trained = self.document("train", self.store, "--out", self.selector, "--model", "knn",
                                 "--vulnerability", table)
@@ -190,6 +190,9 @@ class MainPath(ProgramTest):
                               table)["cost_model"]
         self.assertEqual(model["vulnerability_name"], "armour")
         self.assertEqual(model["vulnerability"], selector["vulnerability"])
+        table.write_text(text + of_bats)
+        line = self.fail_with(1, "train", self.store, "--out", self.selector, "--vulnerability", table)
+        self.assertIn("[kind.bat] is for a kind of threat that the store does not have", line)
         for name in ("default", "uniform", "blade", "blunt"):
             self.succeed("train", self.store, "--out", self.selector, "--model", "knn",
                          "--vulnerability", name)

@@ -85,15 +85,16 @@ class Threats(StoreTest):
         self.assertIn("not trained for --threat hail; it knows: snowball, icicle", line)
         self.succeed("respond", selector, "--threat", "icicle", "--out", self.folder / "hit.bvh")
 
-    def test_a_punch_and_a_knife_go_from_the_file_to_the_response(self):
+    def test_a_bat_a_punch_and_a_knife_go_from_the_file_to_the_response(self):
         store = self.folder / "store"
         threats = self.file(self.succeed("threats", "--name", "kinds").stdout)
         summary = self.lines(*self.command(store, "--threats", threats, scenarios=120))[-1]
         self.assertGreater(summary["hits"], 0)
         kinds = {kind["name"]: kind for kind in self.document("info", store)["distribution"]["kinds"]}
-        self.assertEqual(len(kinds), 8)
+        self.assertEqual(len(kinds), 9)
         self.assertEqual((kinds["punch"]["shape"], kinds["punch"]["reach_m"]), ("fist", [0.4, 0.7]))
         self.assertEqual(kinds["thrown_knife"]["restitution"], 0)
+        self.assertEqual((kinds["bat"]["length_m"], kinds["bat"]["balance"]), ([0.81, 0.87], 0.66))
         with sqlite3.connect(f"file:{store}?mode=ro", uri=True) as database:
             rows = database.execute(
                 "SELECT shape, time_to_impact_s, stroke_starts_in_s, stroke_lasts_s, "
@@ -103,23 +104,59 @@ class Threats(StoreTest):
         fists = [row for row in rows if row[0] == "fist"]
         self.assertGreater(len(fists), 10)
         for shape, time, starts, lasts, speed_squared, shortest, longest in rows:
+            if shape == "rod":  # it follows through
+                self.assertGreater(starts + lasts, time)
+                continue
             if shape != "fist":
                 self.assertEqual((starts, lasts), (0, 0))
                 continue
             self.assertAlmostEqual(starts + lasts, time, places=5)
             self.assertTrue(shortest - 1e-5 <= lasts * speed_squared ** 0.5 <= longest + 1e-5)
+        self.check_bats(store)
         selector = self.folder / "selector"
-        self.succeed("train", store, "--out", selector, "--model", "knn")
+        armour = self.file('name = "armour"\n[bodies]\n' + "".join(
+            f"{body} = 0.5\n" for body in ("pelvis", "abdomen", "chest", "neck", "head", "upper_arm",
+                                           "forearm", "hand", "thigh", "shin", "foot"))
+            + "[kind.bat]\nhead = 1\n", "armour.toml")
+        self.succeed("train", store, "--out", selector, "--model", "knn", "--vulnerability", armour)
+        info = self.document("info", selector)
+        self.assertIn("rod_axis_x", info["features"])
+        self.assertEqual((info["vulnerability"]["head"], info["vulnerability_to"]["bat"]["head"],
+                          info["vulnerability_to"]["bat"]["chest"]), (0.5, 1, 0.5))
+        armour.write_text(armour.read_text().replace("kind.bat", "kind.bta"))
+        line = self.fail_with(1, "train", store, "--out", selector, "--force", "--vulnerability",
+                              armour)
+        self.assertIn("armour.toml:14: [kind.bta] is for a kind of threat that the store does not "
+                      "have; it has: volleyball", line)
         report = self.document("compare", store, "--models", "knn")
         self.assertLessEqual({row["kind"] for row in report["kinds"]}, set(kinds))
         self.assertIn("knn+8", {row["name"] for row in report["kinds"]})
-        self.assertEqual(len(report["cost_model"]["reference_damage_ns"]), 8)
-        for kind, shape in (("punch", "fist"), ("thrown_knife", "blade")):
+        self.assertEqual(len(report["cost_model"]["reference_damage_ns"]), 9)
+        for kind, shape in (("bat", "rod"), ("punch", "fist"), ("thrown_knife", "blade")):
             options = [selector, "--threat", kind, "--target", "head", "--time-to-impact", 0.5]
             self.assertEqual(self.document("select", *options)["outside_training"], [])
             self.assertTrue(self.document("select", *options, "--look-ahead", 4)["candidates"])
             said = self.succeed("respond", *options, "--out", self.folder / f"{kind}.glb").stdout
             self.assertIn(f"the {shape} hits", said)
+
+    def check_bats(self, store):
+        """The bat's grip and turn give its tip more speed than it is said to strike with."""
+        with sqlite3.connect(f"file:{store}?mode=ro", uri=True) as database:
+            bats = database.execute(
+                "SELECT rod_axis_x, rod_axis_y, rod_axis_z, rod_turn_x, rod_turn_y, rod_turn_z, "
+                "rod_to_butt_m, rod_to_tip_m, min_length_m, max_length_m, radius_m "
+                "FROM observation JOIN kind USING (kind) WHERE shape = 'rod'").fetchall()
+            others, = database.execute(
+                "SELECT count(*) FROM observation JOIN kind USING (kind) WHERE shape != 'rod' AND "
+                "(rod_axis_x != 0 OR rod_to_tip_m != 0)").fetchone()
+        self.assertGreater(len(bats), 5)
+        self.assertEqual(others, 0)
+        for *numbers, butt, tip, shortest, longest, radius in bats:
+            axis, turn = numbers[:3], numbers[3:]
+            self.assertAlmostEqual(sum(x * x for x in axis), 1, places=5)
+            self.assertAlmostEqual(sum(x * y for x, y in zip(axis, turn)), 0, places=3)
+            self.assertEqual(butt, 0)
+            self.assertTrue(shortest - 1e-5 <= tip + 2 * radius <= longest + 1e-5)
 
     def test_what_no_clip_is_made_for_is_told(self):
         self.make_whole()
@@ -158,6 +195,8 @@ class Threats(StoreTest):
             '[[kind]]\nname = "a"\nspeed_mps = [9, 3]\n': ":3: [[kind]] has speed_mps from 9 to 3",
             '[[kind]]\nname = "a"\nweight = 0\n': "only kinds of weight 0",
             '[[kind]]\nspeed_mps = 3\n': "needs name",
+            '[[kind]]\nname = "a"\nshape = "rod"\nlength_m = 6\n': ":4: [[kind]] has length_m 6, which is "
+                                                                "not from 0.05 to 5 m",
             '[[kind\n': ":1: not TOML",
         }
         for text, words in cases.items():

@@ -53,10 +53,11 @@ double whole_cost_ns(const Character& character, std::span<const features::Threa
   trial.follow(perceiving.plan(urgent, clip), trained().clips.rate_hz);
   double damage_ns = 0;
   for (const runtime::Perception& one : perceived) {
-    damage_ns += trial
-                     .meet(features::ball_of(one.scenario.threat),
-                           double{one.scenario.time_to_impact_s} + 0.3, trained().costs())
-                     .damage_ns;
+    damage_ns +=
+        trial
+            .meet(features::ball_of(one.scenario.threat),
+                  double{one.scenario.time_to_impact_s} + 0.3, trained().costs().vulnerability)
+            .damage_ns;
   }
   const float period_s = 2 * trained().library.prepared().idle().duration_s();
   const features::Scenario& scenario = urgent.scenario;

@@ -21,7 +21,7 @@ TrialResult trial_of(ResponseTrial& trial, const features::Scenario& scenario, i
       trained().library.prepared(), scenario.state, clip, scenario.time_to_impact_s);
   trial.follow(response, trained().clips.rate_hz);
   return trial.meet(features::ball_of(scenario.threat), double{scenario.time_to_impact_s} + kTail_s,
-                    trained().costs(), max_damage_ns);
+                    trained().costs().vulnerability, max_damage_ns);
 }
 
 ResponseTrial make_trial() {

@@ -48,7 +48,7 @@ TEST(ResponseCosts, CostIsThatOfTheTrainer) {
   impulse[Body::head] = 3;
   impulse[Body::left_hand] = 5;
   impulse[Body::chest] = 7;
-  const double damage = damage_ns(costs, impulse);
+  const double damage = damage_ns(costs, 0, impulse);
   EXPECT_DOUBLE_EQ(damage, 4);
   EXPECT_DOUBLE_EQ(cost_ns(costs, 0.25, 0, damage, 50), 0.75 * 4 + 0.25 * 50 * 12 / 300);
   EXPECT_DOUBLE_EQ(cost_ns(costs, 0.25, 1, damage, 50), 0.75 * 4 + 0.25 * 50 * 24 / 300);

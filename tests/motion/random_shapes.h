@@ -35,6 +35,31 @@ class RandomShapes {
     return outline;
   }
 
+  /// A rod that flies at the outlines and turns, about its middle or about a grip.
+  features::Ball rod() {
+    features::Threat threat;
+    threat.radius = 0.03F;
+    threat.mass_kg = 1;
+    features::Rod rod;
+    rod.axis = vector(1).normalized().cast<float>();
+    const Eigen::Vector3f turn = (20 * vector(1)).cast<float>();
+    rod.angular_velocity = turn - turn.dot(rod.axis) * rod.axis;
+    if (number(0, 1) < 0.5) {
+      rod.to_butt_m = 0.1F;
+      rod.to_tip_m = 0.7F;
+      rod.to_mass_m = 0.4F;
+      rod.grip_mass_kg = 2;
+      threat.stroke = features::Stroke{0, 10};
+    }
+    threat.rod = rod;
+    const Eigen::Vector3d position = vector(1);
+    threat.position = position.cast<float>();
+    threat.velocity = (20 * (vector(0.3) - position).normalized() + vector(3)).cast<float>();
+    features::Ball ball = features::ball_of(threat);
+    ball.window = {};
+    return ball;
+  }
+
   features::Ball ball() {
     features::Ball ball;
     ball.position = vector(1);

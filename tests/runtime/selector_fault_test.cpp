@@ -60,23 +60,32 @@ TEST(SelectorFault, OfAnyModelIsNotWritten) {
 }
 
 TEST(SelectorFault, OfKindsIsNotWritten) {
-  expect_refused(
-      tests::knn_selector(),
-      {[](Selector& s) { s.kinds.clear(); },
-       [](Selector& s) { s.kinds.resize(features::kMaxThreatKinds + 1); },
-       [](Selector& s) { s.kinds[1].name = ""; }, [](Selector& s) { s.kinds[1].name = "bell\a"; },
-       [](Selector& s) { s.kinds[1].mass_kg.min = kNanDouble; },
-       [](Selector& s) {
-         s.kinds[1].speed_mps = {9, 3};
-       },
-       [](Selector& s) { s.kinds[1].radius_m.max = 1e300; },
-       [](Selector& s) { s.kinds[1].bounce.restitution = 1.5; },
-       [](Selector& s) { s.kinds[1].bounce.friction = -1; },
-       [](Selector& s) { s.kinds[1].shape = static_cast<features::ThreatShape>(3); },
-       [](Selector& s) { s.kinds[1].reach_m = {}; }, [](Selector& s) { s.kinds[1].falls = true; },
-       [](Selector& s) {
-         s.kinds[0].reach_m = {0.5, 1};
-       }});
+  expect_refused(tests::knn_selector(),
+                 {[](Selector& s) { s.kinds.clear(); },
+                  [](Selector& s) { s.kinds.resize(features::kMaxThreatKinds + 1); },
+                  [](Selector& s) { s.kinds[1].name = ""; },
+                  [](Selector& s) { s.kinds[1].name = "bell\a"; },
+                  [](Selector& s) { s.kinds[1].mass_kg.min = kNanDouble; },
+                  [](Selector& s) {
+                    s.kinds[1].speed_mps = {9, 3};
+                  },
+                  [](Selector& s) { s.kinds[1].radius_m.max = 1e300; },
+                  [](Selector& s) { s.kinds[1].bounce.restitution = 1.5; },
+                  [](Selector& s) { s.kinds[1].bounce.friction = -1; },
+                  [](Selector& s) { s.kinds[1].shape = static_cast<features::ThreatShape>(4); },
+                  [](Selector& s) { s.kinds[1].reach_m = {}; },
+                  [](Selector& s) { s.kinds[1].falls = true; },
+                  [](Selector& s) {
+                    s.kinds[0].reach_m = {0.5, 1};
+                  },
+                  [](Selector& s) { s.kinds[0].rod.balance = 0.5; },
+                  [](Selector& s) { s.kinds[2].rod.length_m.max = 5.1; },
+                  [](Selector& s) { s.kinds[2].rod.length_m.min = 1.0 / 20; },
+                  [](Selector& s) { s.kinds[2].rod.strikes_at.max = 1.1; },
+                  [](Selector& s) { s.kinds[2].rod.grip_share.min = -0.1; },
+                  [](Selector& s) { s.kinds[2].rod.balance = kNanDouble; },
+                  [](Selector& s) { s.kinds[2].rod.grip_mass_kg = -1; },
+                  [](Selector& s) { s.kinds[2].reach_m = {}; }});
 }
 
 TEST(SelectorFault, OfCostsIsNotWritten) {
@@ -94,7 +103,11 @@ TEST(SelectorFault, OfCostsIsNotWritten) {
        [](Selector& s) { s.costs->time_count = -3, s.costs->phase_count = -2; },
        [](Selector& s) { s.costs->min_time_s = kNan; },
        [](Selector& s) { s.costs->time_step_s = 0; },
-       [](Selector& s) { s.costs->vulnerability_name = "bell\a"; }});
+       [](Selector& s) { s.costs->vulnerability_name = "bell\a"; },
+       [](Selector& s) { s.costs->of_kind[0].kind = -1; },
+       [](Selector& s) { s.costs->of_kind[0].kind = 2; },
+       [](Selector& s) { s.costs->of_kind[1].kind = 3; },
+       [](Selector& s) { s.costs->of_kind[1].vulnerability[motion::Body::neck] = kNanDouble; }});
 }
 
 TEST(SelectorFault, OfAnSvmIsNotWritten) {

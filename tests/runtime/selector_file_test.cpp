@@ -120,6 +120,7 @@ void expect_same(const Selector& a, const Selector& b) {
   ASSERT_TRUE(a.costs && b.costs);
   EXPECT_EQ(a.costs->vulnerability, b.costs->vulnerability);
   EXPECT_EQ(a.costs->reference_damage_ns, b.costs->reference_damage_ns);
+  EXPECT_EQ(a.costs->of_kind, b.costs->of_kind);
   EXPECT_EQ(a.costs->reference_work_j, b.costs->reference_work_j);
   EXPECT_EQ(a.costs->work_j, b.costs->work_j);
   EXPECT_EQ(a.costs->phase_count, b.costs->phase_count);

@@ -47,13 +47,17 @@ Selector selector_without_model() {
   for (Eigen::Vector3f& centre : selector.target_centres) centre = {0.1F, -0.2F, 1.0F / 3};
   models::ResponseCosts& costs = selector.costs.emplace();
   for (double& vulnerability : costs.vulnerability) vulnerability = 1.0 / 3;
-  costs.reference_damage_ns = {100.0 / 7, 100.0 / 3};
+  costs.reference_damage_ns = {100.0 / 7, 100.0 / 3, 100.0 / 9};
   costs.reference_work_j = 1000.0 / 7;
   costs.phase_count = 2;
   costs.time_count = 3;
   costs.min_time_s = 0.25F;
   costs.time_step_s = 1.0F / 30;
   costs.vulnerability_name = "armour";
+  for (const int kind : {1, 2}) {
+    costs.of_kind.push_back({kind, costs.vulnerability});
+    costs.of_kind.back().vulnerability[motion::Body::head] = 1.0 / (3 + kind);
+  }
   selector.kinds.push_back({.name = "stone",
                             .radius_m = {1.0 / 30, 1.0 / 20},
                             .mass_kg = {1.0 / 7, 1.0 / 3},
@@ -62,6 +66,17 @@ Selector selector_without_model() {
                             .falls = false,
                             .shape = features::ThreatShape::fist,
                             .reach_m = {1.0 / 3, 2.0 / 3}});
+  selector.kinds.push_back({.name = "bat",
+                            .radius_m = {1.0 / 30, 1.0 / 30},
+                            .falls = false,
+                            .shape = features::ThreatShape::rod,
+                            .reach_m = {1.0 / 3, 2.0 / 3},
+                            .rod = {.length_m = {2.0 / 3, 1},
+                                    .strikes_at = {1.0 / 3, 1},
+                                    .tilt = {-1.0 / 3, 1.0 / 7},
+                                    .grip_share = {1.0 / 9, 1.0 / 3},
+                                    .balance = 2.0 / 3,
+                                    .grip_mass_kg = 2}});
   for (std::size_t i = 0; i < 6 * selector.clips.size(); ++i)
     costs.work_j.push_back(static_cast<float>(i) / 3);
   return selector;

@@ -37,7 +37,9 @@ std::vector<BrawnRow> brawn_rows(const TrainTestSplit& split, const CostModel& c
       const std::vector<double> costs =
           costs_of(observation.trials, observation.scenario.threat.kind, model);
       const Trial& chosen = observation.trials[best_trial(observation.trials, costs)];
-      row.mean_damage_ns += share * damage_ns(chosen.impulse, model.vulnerability);
+      row.mean_damage_ns +=
+          share *
+          damage_ns(chosen.impulse, vulnerability_to(model, observation.scenario.threat.kind));
       row.mean_work_j += share * double{chosen.work_j};
       row.kind[kind_of(library, chosen.clip)] += share;
       clips.push_back(chosen.clip);

@@ -43,7 +43,8 @@ EvaluationRow row_of(std::string name, const TrainTestSplit& split, const Evalua
     row.chosen.push_back(chosen.clip);
     row.cost_ns.push_back(evaluation.labels.cost[i][trial]);
     row.damage_ns.push_back(
-        damage_ns(observation.trials[trial].impulse, evaluation.cost_model.vulnerability));
+        damage_ns(observation.trials[trial].impulse,
+                  vulnerability_to(evaluation.cost_model, observation.scenario.threat.kind)));
     row.hit.push_back(chosen.clip == label ? 1 : 0);
     row.hit_in_three.push_back(contains(ranking, label) ? 1 : 0);
     row.vote.push_back(chosen.vote);

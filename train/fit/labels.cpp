@@ -1,17 +1,52 @@
 // SPDX-License-Identifier: MIT
 #include "train/fit/labels.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <limits>
 
+#include "motion/error.h"
+
 namespace flinch::train {
+
+namespace {
+
+/// The tables of a profile against kinds of threats that the store has. Throws Error for others.
+std::vector<features::KindVulnerability> tables_of_kinds(const StoreHeader& header,
+                                                         const VulnerabilityProfile& profile) {
+  std::vector<features::KindVulnerability> tables;
+  for (const VulnerabilityProfile::OfKind& table : profile.of_kind) {
+    const auto kind = std::ranges::find(header.kinds, table.kind, &features::KnownKind::name);
+    if (kind == header.kinds.end()) {
+      std::string names;
+      for (const features::KnownKind& known : header.kinds)
+        names += (names.empty() ? "" : ", ") + known.name;
+      throw Error(table.where, "[kind." + table.kind +
+                                   "] is for a kind of threat that the store does not have; it "
+                                   "has: " +
+                                   names);
+    }
+    tables.push_back({static_cast<int>(kind - header.kinds.begin()), table.vulnerability});
+  }
+  std::ranges::sort(tables, {}, &features::KindVulnerability::kind);
+  return tables;
+}
+
+}  // namespace
 
 CostModel make_cost_model(const StoreHeader& header, const VulnerabilityProfile& profile,
                           double brawn) {
-  std::vector<double> damages_ns;
-  for (const features::KnownKind& kind : header.kinds)
-    damages_ns.push_back(reference_damage_ns(profile.vulnerability, kind));
-  return {profile.vulnerability, brawn, damages_ns, header.reference_work_j, profile.name};
+  CostModel model;
+  model.vulnerability = profile.vulnerability;
+  model.of_kind = tables_of_kinds(header, profile);
+  model.brawn = brawn;
+  model.reference_damage_ns.clear();
+  for (std::size_t kind = 0; kind < header.kinds.size(); ++kind)
+    model.reference_damage_ns.push_back(
+        reference_damage_ns(vulnerability_to(model, static_cast<int>(kind)), header.kinds[kind]));
+  model.reference_work_j = header.reference_work_j;
+  model.vulnerability_name = profile.name;
+  return model;
 }
 
 Labels label(std::span<const Observation> observations, const CostModel& model) {

@@ -67,6 +67,7 @@ models::ResponseCosts response_costs(const StoreHeader& header,
                                      const CostModel& model) {
   models::ResponseCosts costs;
   costs.vulnerability = model.vulnerability;
+  costs.of_kind = model.of_kind;
   costs.reference_damage_ns = model.reference_damage_ns;
   costs.reference_work_j = model.reference_work_j;
   if (model.vulnerability_name != vulnerability_profiles()[0].name)

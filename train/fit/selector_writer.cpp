@@ -102,18 +102,30 @@ Offset<schema::ResponseCosts> store(FlatBufferBuilder& builder,
   const std::vector<double>& damages_ns = costs.reference_damage_ns;
   Offset<flatbuffers::Vector<double>> damages;
   if (damages_ns.size() > 1) damages = builder.CreateVector(damages_ns);
+  std::vector<Offset<schema::KindVulnerability>> own;
+  for (const features::KindVulnerability& table : costs.of_kind)
+    own.push_back(schema::CreateKindVulnerability(
+        builder, table.kind,
+        builder.CreateVector(table.vulnerability.data(), table.vulnerability.size())));
+  Offset<flatbuffers::Vector<Offset<schema::KindVulnerability>>> of_kind;
+  if (!own.empty()) of_kind = builder.CreateVector(own);
   return schema::CreateResponseCosts(
       builder, vulnerability, damages_ns.front(), costs.reference_work_j, work, costs.phase_count,
-      costs.time_count, costs.min_time_s, costs.time_step_s, name, damages);
+      costs.time_count, costs.min_time_s, costs.time_step_s, name, damages, of_kind);
 }
 
 Offset<schema::Kind> store(FlatBufferBuilder& builder, const features::KnownKind& kind) {
   const auto name = builder.CreateString(kind.name);
   const features::KindNumbers of_kind = features::numbers_of(kind);
   const auto numbers = builder.CreateVector(of_kind.data(), of_kind.size());
+  Offset<flatbuffers::Vector<double>> rod;
+  if (kind.shape == features::ThreatShape::rod) {
+    const features::RodNumbers of_rod = features::numbers_of(kind.rod);
+    rod = builder.CreateVector(of_rod.data(), of_rod.size());
+  }
   return schema::CreateKind(builder, name, numbers, kind.falls,
                             static_cast<std::uint8_t>(kind.shape), kind.reach_m.min,
-                            kind.reach_m.max);
+                            kind.reach_m.max, rod);
 }
 
 Offset<schema::Realism> store(FlatBufferBuilder& builder, const models::RealismModel& realism) {

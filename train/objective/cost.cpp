@@ -16,6 +16,11 @@ constexpr double kTieTolerance = 0.01;
 
 }  // namespace
 
+const Vulnerability& vulnerability_to(const CostModel& model, int kind) {
+  const auto own = std::ranges::find(model.of_kind, kind, &features::KindVulnerability::kind);
+  return own == model.of_kind.end() ? model.vulnerability : own->vulnerability;
+}
+
 double reference_damage_ns(const Vulnerability& vulnerability, const features::KnownKind& kind) {
   return *std::max_element(vulnerability.begin(), vulnerability.end()) * largest_impulse_ns(kind);
 }
@@ -29,7 +34,8 @@ double damage_ns(const motion::PerBody<float>& impulse, const Vulnerability& vul
 double cost_of(const Trial& trial, int kind, const CostModel& model) {
   const double reference_ns = model.reference_damage_ns[static_cast<std::size_t>(kind)];
   const double work = double{trial.work_j} * reference_ns / model.reference_work_j;
-  return (1 - model.brawn) * damage_ns(trial.impulse, model.vulnerability) + model.brawn * work;
+  return (1 - model.brawn) * damage_ns(trial.impulse, vulnerability_to(model, kind)) +
+         model.brawn * work;
 }
 
 std::vector<double> costs_of(std::span<const Trial> trials, int kind, const CostModel& model) {

@@ -26,15 +26,23 @@ void put(Json& document, const IntendedUse& use) {
   document["luck"] = use.luck;
 }
 
-Json cost_model_document(const CostModel& model) {
-  Json vulnerability;
+Json document_of(const Vulnerability& vulnerability) {
+  Json document;
   for (const motion::Body body : motion::kBodies)
-    vulnerability[std::string(name_of(body))] = model.vulnerability[body];
-  return {{"brawn", model.brawn},
-          {"reference_damage_ns", model.reference_damage_ns},
-          {"reference_work_j", model.reference_work_j},
-          {"vulnerability_name", model.vulnerability_name},
-          {"vulnerability", vulnerability}};
+    document[std::string(name_of(body))] = vulnerability[body];
+  return document;
+}
+
+Json cost_model_document(const CostModel& model) {
+  Json document{{"brawn", model.brawn},
+                {"reference_damage_ns", model.reference_damage_ns},
+                {"reference_work_j", model.reference_work_j},
+                {"vulnerability_name", model.vulnerability_name},
+                {"vulnerability", document_of(model.vulnerability)}};
+  for (const features::KindVulnerability& own : model.of_kind)
+    document["vulnerability_to"].push_back(
+        {{"kind", own.kind}, {"bodies", document_of(own.vulnerability)}});
+  return document;
 }
 
 /// One object per element; an empty array if there are none.

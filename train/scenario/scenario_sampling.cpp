@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
+#include "features/ball.h"
 #include "features/random.h"
 #include "motion/error.h"
 #include "motion/loop.h"
@@ -61,6 +63,29 @@ double draw_azimuth(const std::vector<ValueRange>& sectors, features::Random& ra
   std::vector<double> widths;
   for (const ValueRange& sector : sectors) widths.push_back(sector.max - sector.min);
   return draw(sectors[draw_index(widths, random)], random);
+}
+
+/// Draws a rod; half of them have their tip on the other side. Nothing for other shapes.
+std::optional<features::RodDescription> draw_rod(const ThreatKind& kind, features::Random& random) {
+  if (kind.shape != features::ThreatShape::rod) return std::nullopt;
+  const features::RodRanges& ranges = kind.rod;
+  features::RodDescription rod;
+  rod.length_m = static_cast<float>(draw(ranges.length_m, random));
+  rod.balance = static_cast<float>(ranges.balance);
+  rod.strikes_at = static_cast<float>(draw(ranges.strikes_at, random));
+  const double tilt = draw(ranges.tilt, random);
+  rod.tilt = static_cast<float>(random.index(2) == 0 ? tilt : std::numbers::pi - tilt);
+  rod.grip_share = static_cast<float>(draw(ranges.grip_share, random));
+  rod.grip_mass_kg = static_cast<float>(ranges.grip_mass_kg);
+  rod.spin = static_cast<float>(draw(ranges.spin, random));
+  return rod;
+}
+
+/// Whether all of a rod stays above the ground until it strikes.
+bool stays_above_ground(const features::Scenario& scenario) {
+  if (!scenario.threat.rod) return true;
+  const features::Ball rod = features::ball_of(scenario.threat);
+  return rod.window.until_s >= double{scenario.time_to_impact_s};
 }
 
 /// The least time to impact of all kinds.
@@ -201,9 +226,9 @@ features::Scenario sample_scenario(const database::ClipLibrary& library,
   description.bounce = kind.bounce;
   description.falls = kind.falls;
   description.kind = static_cast<int>(kind_index);
-  const bool is_fist = kind.shape == features::ThreatShape::fist;
   const double reach_m = draw(kind.reach_m, random);
-  if (is_fist) description.reach_m = static_cast<float>(reach_m);
+  if (kind.is_driven()) description.reach_m = static_cast<float>(reach_m);
+  description.rod = draw_rod(kind, random);
   const Eigen::Vector3f offset = point_in_ball(kind.aim_radius_m, random);
 
   for (int draws = 0; draws < kMaxDraws; ++draws) {
@@ -212,7 +237,7 @@ features::Scenario sample_scenario(const database::ClipLibrary& library,
     scenario.time_to_impact_s = time_to_impact_s(distribution, cell.time);
     scenario.state = character_state_at(distribution, idle, cell);
     const double time = double{scenario.time_to_impact_s};
-    const double moves_s = is_fist ? std::min(time, reach_m / speed) : time;
+    const double moves_s = kind.is_driven() ? std::min(time, reach_m / speed) : time;
     const motion::Pose ahead = features::idle_pose(idle, scenario.state, scenario.time_to_impact_s);
     const Eigen::Vector3f aim =
         target_centres(library.character.skeleton, body_model, ahead)[scenario.target] + offset;
@@ -223,7 +248,7 @@ features::Scenario sample_scenario(const database::ClipLibrary& library,
     description.time_to_impact_s = scenario.time_to_impact_s;
     description.elevation = static_cast<float>(draw({least, kind.elevation.max}, random));
     scenario.threat = features::threat_from_description(description, aim, scenario.state.facing);
-    return scenario;
+    if (stays_above_ground(scenario)) return scenario;
   }
   throw Error("", "no " + kind.name +
                       " of the distribution stays above the ground; raise its speed or "

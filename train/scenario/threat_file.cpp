@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <optional>
 #include <utility>
 
@@ -40,6 +41,10 @@ constexpr Bounds kAzimuth{-360, 360, " degrees"};
 constexpr Bounds kElevation{-89, 89, " degrees"};
 constexpr Bounds kTime{0.05, 10, " s"};
 constexpr Bounds kReach{0.05, 5, " m"};
+constexpr Bounds kLength{0.05, double{features::kMaxRodLength_m}, " m"};
+constexpr Bounds kShare{0, 1, ""};
+constexpr Bounds kGripMass{0, 100, " kg"};
+constexpr Bounds kSpin{0, 20, " turns per second"};
 constexpr Bounds kAimRadius{0, 1, " m"};
 constexpr Bounds kWeight{0, 1e6, ""};
 constexpr Bounds kRestitution{0, 1, ""};
@@ -153,35 +158,89 @@ features::ThreatShape shape(const TomlReader& reader) {
   const std::optional<std::string> name = reader.text("shape");
   if (!name) return features::ThreatShape::ball;
   if (const auto known = features::threat_shape_named(*name)) return *known;
-  reader.fail("shape", "has an unknown shape \"" + *name + "\"; known are: ball, blade, fist");
+  reader.fail("shape", "has an unknown shape \"" + *name + "\"; known are: ball, blade, fist, rod");
 }
 
-/// Reads what depends on the shape: how it bounces and flies, and its reach.
+ValueRange tilt(const TomlReader& reader) {
+  constexpr std::string_view kKey = "tilt_degrees";
+  return in_radians(range(reader, kKey, {-45, 45}, kAzimuth));
+}
+
+/// Reads what makes a kind one of rods.
+features::RodRanges rod_ranges(const TomlReader& reader, const ThreatKind& kind) {
+  const bool is_swung = reader.has("reach_m");
+  features::RodRanges rod;
+  if (!reader.has("length_m")) reader.fail({}, "needs length_m, how long the rod is");
+  rod.length_m = range(reader, "length_m", {}, kLength);
+  if (rod.length_m.min <= 2 * kind.radius_m.max)
+    reader.fail("length_m", "has a rod that is not longer than it is thick, " +
+                                shown(2 * kind.radius_m.max) + " m");
+  const double nearest = is_swung ? 0.05 : 0;
+  rod.strikes_at = range(reader, "strikes_at", {0.8, 0.8}, {nearest, 1, ""});
+  rod.tilt = tilt(reader);
+  rod.balance = number(reader, "balance", 0.5, kShare);
+  if (is_swung) {
+    rod.grip_share = range(reader, "grip_share", {0.2, 0.2}, kShare);
+    rod.grip_mass_kg = number(reader, "grip_mass_kg", 0, kGripMass);
+  } else {
+    const ValueRange turns = range(reader, "spin_per_s", {}, kSpin);
+    rod.spin = {2 * std::numbers::pi * turns.min, 2 * std::numbers::pi * turns.max};
+  }
+  return rod;
+}
+
+/// A key that only some shapes have.
+struct KeyOfShape {
+  std::string_view key;
+  bool is_of_kind;
+  std::string_view owner;  ///< "only a rod has it"
+};
+
+void require_keys_of_shape(const TomlReader& reader, const ThreatKind& kind) {
+  const bool is_rod = kind.shape == features::ThreatShape::rod;
+  const bool is_swung = is_rod && reader.has("reach_m");
+  const bool is_fist = kind.shape == features::ThreatShape::fist;
+  for (const KeyOfShape& it :
+       {KeyOfShape{"reach_m", is_fist || is_rod, "a fist and a swung rod have"},
+        KeyOfShape{"length_m", is_rod, "a rod has"}, KeyOfShape{"strikes_at", is_rod, "a rod has"},
+        KeyOfShape{"balance", is_rod, "a rod has"}, KeyOfShape{"tilt_degrees", is_rod, "a rod has"},
+        KeyOfShape{"grip_share", is_swung, "a swung rod has, one with reach_m"},
+        KeyOfShape{"grip_mass_kg", is_swung, "a swung rod has, one with reach_m"},
+        KeyOfShape{"spin_per_s", is_rod && !is_swung, "a thrown rod has, one without reach_m"}}) {
+    if (reader.has(it.key) && !it.is_of_kind)
+      reader.fail(it.key, "has " + std::string(it.key) + ", which only " + std::string(it.owner));
+  }
+}
+
+/// Reads what depends on the shape: how it bounces and flies, its reach, and what rods have.
 void read_by_shape(const TomlReader& reader, ThreatKind& kind) {
   using features::ThreatShape;
   kind.shape = shape(reader);
+  require_keys_of_shape(reader, kind);
+  const bool is_driven = reader.has("reach_m");
+  if (kind.shape == ThreatShape::fist && !is_driven)
+    reader.fail({}, "needs reach_m, how far the fist moves before the impact");
   if (kind.shape != ThreatShape::ball) kind.bounce.restitution = 0;
-  if (kind.shape == ThreatShape::fist) kind.falls = false;
+  if (is_driven) kind.falls = false;
   kind.bounce.restitution = number(reader, "restitution", kind.bounce.restitution, kRestitution);
   kind.bounce.friction = number(reader, "friction", kind.bounce.friction, kFriction);
   kind.falls = falls(reader, kind.falls);
   if (kind.shape == ThreatShape::blade && kind.bounce.restitution > 0)
     reader.fail("restitution", "has a blade that bounces; a blade's restitution is 0");
-  if (kind.shape == ThreatShape::fist && kind.falls)
-    reader.fail("flight", "has a fist that falls; a fist's flight is \"straight\"");
-  if (kind.shape != ThreatShape::fist) {
-    if (reader.has("reach_m")) reader.fail("reach_m", "has reach_m, which only a fist has");
-    return;
-  }
-  if (!reader.has("reach_m"))
-    reader.fail({}, "needs reach_m, how far the fist moves before the impact");
-  kind.reach_m = range(reader, "reach_m", {}, kReach);
+  if (is_driven && kind.falls)
+    reader.fail("flight", "has a " + std::string(name_of(kind.shape)) +
+                              " that falls; what is driven has the flight \"straight\"");
+  if (is_driven) kind.reach_m = range(reader, "reach_m", {}, kReach);
+  if (kind.shape == ThreatShape::rod) kind.rod = rod_ranges(reader, kind);
 }
 
 ThreatKind kind_of(const TomlReader& reader) {
-  reader.expect_keys({"name", "weight", "radius_m", "mass_kg", "speed_mps", "azimuth_degrees",
-                      "elevation_degrees", "time_to_impact_s", "targets", "aim_radius_m",
-                      "restitution", "friction", "flight", "shape", "reach_m"});
+  reader.expect_keys({"name",         "weight",          "radius_m",          "mass_kg",
+                      "speed_mps",    "azimuth_degrees", "elevation_degrees", "time_to_impact_s",
+                      "targets",      "aim_radius_m",    "restitution",       "friction",
+                      "flight",       "shape",           "reach_m",           "length_m",
+                      "strikes_at",   "balance",         "tilt_degrees",      "grip_share",
+                      "grip_mass_kg", "spin_per_s"});
   ThreatKind kind;
   kind.name = reader.needed_text("name");
   if (const char* fault = database::fault_of_name(kind.name)) reader.fail("name", fault);

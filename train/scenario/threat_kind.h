@@ -16,7 +16,7 @@ using features::ValueRange;
 struct ThreatKind : features::KnownKind {
   double weight = 1;  ///< share of scenarios, relative to the other kinds
   /// Sectors that it comes from, counter-clockwise from the facing; together they are uniform.
-  std::vector<ValueRange> azimuth{{-std::numbers::pi, std::numbers::pi}};
+  std::vector<ValueRange> azimuth = std::vector(1, ValueRange{-std::numbers::pi, std::numbers::pi});
   motion::PerTarget<double> target_weight{1, 1, 1, 1};  ///< how often each target is aimed at
   /// Threats aim at a point drawn uniformly from a ball of this radius about the target's centre.
   /// This is about the half-width of a head or a thigh, so that some threats graze and some miss.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <numbers>
 #include <optional>
 #include <span>
 
@@ -47,6 +48,21 @@ Json degrees_of(const ValueRange& radians) {
   return {motion::degrees(radians.min), motion::degrees(radians.max)};
 }
 
+void add_rod(const ThreatKind& kind, Json& document) {
+  const features::RodRanges& rod = kind.rod;
+  document["length_m"] = document_of(rod.length_m);
+  document["strikes_at"] = document_of(rod.strikes_at);
+  document["tilt_degrees"] = degrees_of(rod.tilt);
+  document["balance"] = rod.balance;
+  if (kind.is_driven()) {
+    document["grip_share"] = document_of(rod.grip_share);
+    document["grip_mass_kg"] = rod.grip_mass_kg;
+  } else {
+    document["spin_per_s"] = document_of(
+        ValueRange{rod.spin.min / (2 * std::numbers::pi), rod.spin.max / (2 * std::numbers::pi)});
+  }
+}
+
 Json document_of(const ThreatKind& kind) {
   Json azimuth = Json::array();
   for (const ValueRange& sector : kind.azimuth) azimuth.push_back(degrees_of(sector));
@@ -67,7 +83,8 @@ Json document_of(const ThreatKind& kind) {
                 {"friction", kind.bounce.friction},
                 {"flight", kind.falls ? "falling" : "straight"}};
   if (kind.shape != features::ThreatShape::ball) document["shape"] = name_of(kind.shape);
-  if (kind.shape == features::ThreatShape::fist) document["reach_m"] = document_of(kind.reach_m);
+  if (kind.is_driven()) document["reach_m"] = document_of(kind.reach_m);
+  if (kind.shape == features::ThreatShape::rod) add_rod(kind, document);
   return document;
 }
 

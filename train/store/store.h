@@ -17,7 +17,7 @@
 namespace flinch::train {
 
 /// Version of the stores that are written. 4 has kinds of threats, 5 their shapes.
-inline constexpr int kStoreFormatVersion = 5;
+inline constexpr int kStoreFormatVersion = 6;
 /// The oldest version that is read. Its threats are of one kind. A writer continues none but its
 /// own.
 inline constexpr int kMinStoreFormatVersion = 3;

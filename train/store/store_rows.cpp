@@ -15,18 +15,39 @@ namespace flinch::train {
 
 namespace {
 
-/// The numbers of a scenario, one per column after `number` and `target`. Version 4 lacks the last
-/// two, and version 3 the kind too.
-constexpr std::array<const char*, 16> kScenarioColumns{
-    "time_to_impact_s",  "threat_x",          "threat_y",         "threat_z", "threat_velocity_x",
-    "threat_velocity_y", "threat_velocity_z", "radius_m",         "mass_kg",  "idle_time_s",
-    "character_x",       "character_y",       "character_facing", "kind",     "stroke_starts_in_s",
-    "stroke_lasts_s"};
+/// The numbers of a scenario, one per column after `number` and `target`. Version 5 lacks those of
+/// rods, version 4 those of strokes too, and version 3 also the kind.
+constexpr std::array<const char*, 24> kScenarioColumns{"time_to_impact_s",
+                                                       "threat_x",
+                                                       "threat_y",
+                                                       "threat_z",
+                                                       "threat_velocity_x",
+                                                       "threat_velocity_y",
+                                                       "threat_velocity_z",
+                                                       "radius_m",
+                                                       "mass_kg",
+                                                       "idle_time_s",
+                                                       "character_x",
+                                                       "character_y",
+                                                       "character_facing",
+                                                       "kind",
+                                                       "stroke_starts_in_s",
+                                                       "stroke_lasts_s",
+                                                       "rod_axis_x",
+                                                       "rod_axis_y",
+                                                       "rod_axis_z",
+                                                       "rod_turn_x",
+                                                       "rod_turn_y",
+                                                       "rod_turn_z",
+                                                       "rod_to_butt_m",
+                                                       "rod_to_tip_m"};
 constexpr std::size_t kKindColumn = 13;
+constexpr std::size_t kRodColumn = kKindColumn + 3;
 using ScenarioNumbers = std::array<double, kScenarioColumns.size()>;
 
 std::size_t scenario_column_count(int version) {
-  if (version >= 5) return kScenarioColumns.size();
+  if (version >= 6) return kScenarioColumns.size();
+  if (version == 5) return kRodColumn;
   return kKindColumn + (version < 4 ? 0 : 1);
 }
 
@@ -38,6 +59,8 @@ ScenarioNumbers numbers_of(const features::Scenario& scenario) {
   const features::Threat& threat = scenario.threat;
   const features::CharacterState& state = scenario.state;
   const features::Stroke stroke = threat.stroke.value_or(features::Stroke{});
+  const features::Rod none{Eigen::Vector3f::Zero(), Eigen::Vector3f::Zero(), 0, 0, 0, 0};
+  const features::Rod rod = threat.rod.value_or(none);
   const std::array<float, kScenarioColumns.size()> numbers{scenario.time_to_impact_s,
                                                            threat.position.x(),
                                                            threat.position.y(),
@@ -53,7 +76,15 @@ ScenarioNumbers numbers_of(const features::Scenario& scenario) {
                                                            state.facing,
                                                            static_cast<float>(threat.kind),
                                                            stroke.starts_in_s,
-                                                           stroke.lasts_s};
+                                                           stroke.lasts_s,
+                                                           rod.axis.x(),
+                                                           rod.axis.y(),
+                                                           rod.axis.z(),
+                                                           rod.angular_velocity.x(),
+                                                           rod.angular_velocity.y(),
+                                                           rod.angular_velocity.z(),
+                                                           rod.to_butt_m,
+                                                           rod.to_tip_m};
   ScenarioNumbers exact{};
   std::ranges::copy(numbers, exact.begin());
   return exact;
@@ -67,12 +98,16 @@ features::Scenario scenario_of(const ScenarioNumbers& numbers, motion::Target ta
   features::Scenario scenario;
   scenario.target = target;
   scenario.time_to_impact_s = n[0];
-  const auto kind = static_cast<std::size_t>(n[kKindColumn]);
-  scenario.threat = {
-      {n[1], n[2], n[3]},       {n[4], n[5], n[6]},    n[7], n[8], header.kinds[kind].bounce,
-      header.kinds[kind].falls, static_cast<int>(kind)};
-  if (header.kinds[kind].shape == features::ThreatShape::fist)
-    scenario.threat.stroke = {n[kKindColumn + 1], n[kKindColumn + 2]};
+  const auto index = static_cast<std::size_t>(n[kKindColumn]);
+  const features::KnownKind& kind = header.kinds[index];
+  scenario.threat = {{n[1], n[2], n[3]}, {n[4], n[5], n[6]},     n[7], n[8], kind.bounce,
+                     kind.falls,         static_cast<int>(index)};
+  if (kind.is_driven()) scenario.threat.stroke = {n[kKindColumn + 1], n[kKindColumn + 2]};
+  if (kind.shape == features::ThreatShape::rod) {
+    const float* at = &n[kRodColumn];
+    scenario.threat.rod =
+        features::rod_of_kind(kind, {at[0], at[1], at[2]}, {at[3], at[4], at[5]}, at[6], at[7]);
+  }
   scenario.state = {n[9], {n[10], n[11]}, n[12]};
   return scenario;
 }

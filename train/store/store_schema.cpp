@@ -37,6 +37,19 @@ std::string number_columns(const std::string& rest = "") {
   return text;
 }
 
+/// The numbers of a kind of rods, one per column at the end of the table; all 0 for other shapes.
+constexpr std::array<const char*, 12> kRodColumns{
+    "min_length_m", "max_length_m", "min_strikes_at", "max_strikes_at",
+    "min_tilt",     "max_tilt",     "min_grip_share", "max_grip_share",
+    "min_spin",     "max_spin",     "balance",        "grip_mass_kg"};
+static_assert(kRodColumns.size() == features::RodNumbers{}.size());
+
+std::string rod_columns(const std::string& rest = "") {
+  std::string text;
+  for (const char* column : kRodColumns) text += std::string(", ") + column + rest;
+  return text;
+}
+
 /// A table of a store, as SQLite keeps its text.
 struct StoreTable {
   std::string_view name;
@@ -60,9 +73,10 @@ std::vector<StoreTable> store_tables(int version) {
        "checksum INTEGER NOT NULL)"},
       {"observation", observation_table_sql(version)},
   };
-  const std::string shape =
+  std::string shape =
       version < 5 ? ""
                   : ", shape TEXT NOT NULL, min_reach_m REAL NOT NULL, max_reach_m REAL NOT NULL";
+  if (version >= 6) shape += rod_columns(" REAL NOT NULL");
   if (version >= 4)
     tables.push_back({"kind", "CREATE TABLE kind(kind INTEGER PRIMARY KEY, name TEXT NOT NULL" +
                                   number_columns(" REAL NOT NULL") + ", falls INTEGER NOT NULL" +
@@ -72,18 +86,19 @@ std::vector<StoreTable> store_tables(int version) {
 
 void write_kinds(Database& database, const StoreHeader& header) {
   std::string marks = "?, ?, ?, ?, ?, ?";
-  for (std::size_t i = 0; i < kKindColumns.size(); ++i) marks += ", ?";
-  Statement insert =
-      database.prepare("INSERT INTO kind(kind, name" + number_columns() +
-                       ", falls, shape, min_reach_m, max_reach_m) VALUES(" + marks + ")");
+  for (std::size_t i = 0; i < kKindColumns.size() + kRodColumns.size(); ++i) marks += ", ?";
+  Statement insert = database.prepare("INSERT INTO kind(kind, name" + number_columns() +
+                                      ", falls, shape, min_reach_m, max_reach_m" + rod_columns() +
+                                      ") VALUES(" + marks + ")");
   for (std::size_t i = 0; i < header.kinds.size(); ++i) {
     insert.bind(static_cast<std::int64_t>(i)).bind(header.kinds[i].name);
     for (const double number : numbers_of(header.kinds[i])) insert.bind(number);
     insert.bind(std::int64_t{header.kinds[i].falls})
         .bind(std::string(name_of(header.kinds[i].shape)))
         .bind(header.kinds[i].reach_m.min)
-        .bind(header.kinds[i].reach_m.max)
-        .run();
+        .bind(header.kinds[i].reach_m.max);
+    for (const double number : numbers_of(header.kinds[i].rod)) insert.bind(number);
+    insert.run();
   }
 }
 
@@ -91,9 +106,10 @@ void read_kinds(Database& database, StoreHeader& header) {
   if (header.format_version < 4) return;
   header.kinds.clear();
   const bool has_shapes = header.format_version >= 5;
+  const bool has_rods = header.format_version >= 6;
   Statement row = database.prepare("SELECT kind, name, falls" + number_columns() +
                                    (has_shapes ? ", shape, min_reach_m, max_reach_m" : "") +
-                                   " FROM kind ORDER BY kind");
+                                   (has_rods ? rod_columns() : "") + " FROM kind ORDER BY kind");
   while (row.step()) {
     features::KindNumbers numbers{};
     for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = row.real(3 + static_cast<int>(i));
@@ -104,6 +120,10 @@ void read_kinds(Database& database, StoreHeader& header) {
       if (!shape) throw Error(database.path(), kDamagedStore);
       kind.shape = *shape;
       kind.reach_m = {row.real(kShapeColumn + 1), row.real(kShapeColumn + 2)};
+      features::RodNumbers rod{};
+      for (std::size_t i = 0; has_rods && i < rod.size(); ++i)
+        rod[i] = row.real(kShapeColumn + 3 + static_cast<int>(i));
+      kind.rod = features::rod_ranges_of(rod);
     }
     if (row.integer(0) != static_cast<std::int64_t>(header.kinds.size()) ||
         header.kinds.size() == features::kMaxThreatKinds || !features::is_sound(kind) ||

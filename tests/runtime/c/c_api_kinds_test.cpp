@@ -24,6 +24,12 @@ class CApiKinds : public tests::CApi {
     punch.mass_kg = {1, 5};
     punch.reach_m = {0.4, 0.7};
     made.selector.kinds.push_back(punch);
+    features::KnownKind bat = punch;
+    bat.name = "bat";
+    bat.shape = features::ThreatShape::rod;
+    bat.radius_m = {0.03, 0.03};
+    bat.rod = {.length_m = {0.8, 0.9}, .strikes_at = {0.7, 0.9}, .balance = 0.6, .grip_mass_kg = 2};
+    made.selector.kinds.push_back(bat);
     library = tests::load(made.file());
     ASSERT_EQ(flinch_workspace_create(library, &workspace), FLINCH_OK);
     ASSERT_EQ(flinch_character_create(library, &character), FLINCH_OK);
@@ -45,10 +51,41 @@ class CApiKinds : public tests::CApi {
   }
 };
 
+TEST_F(CApiKinds, ASwungRodIsPerceivedByItsTurn) {
+  // Its grip stays beside the head; in 0.1 s its tip turns a quarter of a circle, to the head.
+  flinch_threat bat = punch(0.4F);
+  bat.kind = 2;
+  bat.radius = 0.03F;
+  const float grip[3] = {0, 0.7F, 1.6F};
+  std::copy_n(grip, 3, bat.position);
+  std::fill_n(bat.velocity, 3, 0.0F);
+  bat.axis[0] = 1;
+  bat.angular_velocity[2] = -15.7F;
+  bat.to_tip_m = 0.8F;
+  bat.lasts_s = 0.15F;
+  ASSERT_EQ(perceive(bat), FLINCH_OK);
+  EXPECT_GT(state().time_to_impact_s, 0.4F);
+  EXPECT_LE(state().time_to_impact_s, 0.51F);
+  EXPECT_EQ(state().target, FLINCH_HEAD);
+  flinch_threat away = bat;
+  away.angular_velocity[2] = 15.7F;
+  EXPECT_EQ(perceive(away), FLINCH_MISSES);
+  flinch_threat unsound = bat;
+  unsound.axis[0] = 0;
+  EXPECT_EQ(perceive(unsound), FLINCH_BAD_THREAT);
+  unsound = bat;
+  unsound.to_tip_m = 5.1F;
+  EXPECT_EQ(perceive(unsound), FLINCH_BAD_THREAT);
+  auto kind = sized<flinch_kind>();
+  ASSERT_EQ(flinch_library_kind(library, 2, &kind), FLINCH_OK);
+  EXPECT_EQ(kind.shape, FLINCH_ROD);
+  EXPECT_EQ(kind.length_m[1], 0.9F);
+}
+
 TEST_F(CApiKinds, AreThoseThatTheSelectorWasTrainedFor) {
   auto info = sized<flinch_library_info>();
   ASSERT_EQ(flinch_library_describe(library, &info), FLINCH_OK);
-  ASSERT_EQ(info.kind_count, 2);
+  ASSERT_EQ(info.kind_count, 3);
   auto kind = sized<flinch_kind>();
   ASSERT_EQ(flinch_library_kind(library, 0, &kind), FLINCH_OK);
   EXPECT_EQ(std::string(kind.name), "volleyball");
@@ -61,7 +98,7 @@ TEST_F(CApiKinds, AreThoseThatTheSelectorWasTrainedFor) {
   EXPECT_EQ(kind.is_straight, 1);
   EXPECT_EQ(kind.reach_m[1], 0.7F);
   EXPECT_EQ(kind.speed_mps[0], 6);
-  for (const std::int32_t bad : {-1, 2})
+  for (const std::int32_t bad : {-1, 3})
     EXPECT_EQ(flinch_library_kind(library, bad, &kind), FLINCH_BAD_INDEX);
   kind.size = 8;
   EXPECT_EQ(flinch_library_kind(library, 0, &kind), FLINCH_BAD_SIZE);
@@ -76,7 +113,7 @@ TEST_F(CApiKinds, AFistIsPerceivedByItsStroke) {
   short_of_it.lasts_s = 0.03F;
   EXPECT_EQ(perceive(short_of_it), FLINCH_MISSES);
   flinch_threat unknown = soon;
-  for (const std::int32_t bad : {-1, 2}) {
+  for (const std::int32_t bad : {-1, 3}) {
     unknown.kind = bad;
     EXPECT_EQ(perceive(unknown), FLINCH_BAD_THREAT);
   }

@@ -26,13 +26,13 @@ class RandomScene : public tests::RandomShapes {
 };
 
 // Compares with the path sampled so finely that a gap changes by less than a tenth of the contact
-// distance between samples.
+// distance between samples; that of a rod is the least along its axis.
 TEST(TimeOfContact, MatchesFineSampling) {
   RandomScene random(5);
   int touched = 0;
   int missed = 0;
-  for (int i = 0; i < 400; ++i) {
-    const features::Ball ball = random.ball();
+  for (int i = 0; i < 600; ++i) {
+    const features::Ball ball = i < 400 ? random.ball() : random.rod();
     const MovingShape shape = random.shape();
     const auto found = time_of_contact(ball, shape, kHorizon_s, kTestContactDistance_m, 0);
     constexpr int kSamples = 20000;
@@ -40,7 +40,7 @@ TEST(TimeOfContact, MatchesFineSampling) {
     double least = std::numeric_limits<double>::infinity();
     for (int k = 0; k <= kSamples && !sampled; ++k) {
       const double time_s = kHorizon_s * k / kSamples;
-      const double gap = clearance(ball.position_at(time_s), ball.radius, shape.at(time_s)).gap;
+      const double gap = clearance(ball.at(time_s), shape.at(time_s)).gap;
       least = std::min(least, gap);
       if (gap <= 0.5 * kTestContactDistance_m) sampled = time_s;
     }
@@ -48,8 +48,7 @@ TEST(TimeOfContact, MatchesFineSampling) {
       ASSERT_TRUE(found) << "missed a touch at " << *sampled;
       EXPECT_LE(*found, *sampled);
       // At the time found, the surfaces do touch.
-      EXPECT_LE(clearance(ball.position_at(*found), ball.radius, shape.at(*found)).gap,
-                kTestContactDistance_m);
+      EXPECT_LE(clearance(ball.at(*found), shape.at(*found)).gap, kTestContactDistance_m);
       ++touched;
     } else if (least > 1.1 * kTestContactDistance_m) {
       EXPECT_FALSE(found);

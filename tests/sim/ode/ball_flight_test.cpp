@@ -43,8 +43,7 @@ class FreeSphere {
       const MovingShape shape = outline();
       contacts_.clear();
       const NextStep ahead = next_step(ball_.flight(), {&shape, 1}, options_);
-      const motion::Clearance near =
-          clearance(ball_.flight().position, ball_.flight().radius, shape);
+      const motion::Clearance near = clearance(ball_.flight(), shape);
       if (hits(ball_.flight(), shape, near)) {
         contacts_.add_hit(ball_.body(), body_, Body::head, near, ball_.flight().bounce);
       }
@@ -158,6 +157,121 @@ TEST(BallFlight, ImpulseOfAFistMatchesTheClosedFormAndEndsWithItsStroke) {
     missed.run(1);
     EXPECT_EQ(missed.impulse(), 0);
   }
+}
+
+/// A rod that lies along Y when it is at `x_m`, and meets a sphere at `strikes_m` of its axis
+/// there.
+struct RodScene {
+  features::Threat threat;
+  double strikes_m = 0;
+  double speed_mps = 0;  ///< of that point
+
+  static RodScene of(double turn, float grip_mass_kg) {
+    RodScene scene;
+    features::Rod rod;
+    rod.to_butt_m = 0.2F;
+    rod.to_tip_m = 0.8F;
+    scene.threat.radius = 0.03F;
+    scene.threat.mass_kg = 0.9F;
+    scene.threat.falls = false;
+    scene.threat.bounce = {0.2, 0};
+    const bool is_swung = grip_mass_kg > 0;
+    if (is_swung) {
+      rod.to_mass_m = 0.45F;
+      rod.grip_mass_kg = grip_mass_kg;
+      scene.threat.stroke = features::Stroke{0, 1};
+    }
+    constexpr float kTime_s = 0.1F;
+    const auto angle = static_cast<float>(turn) * kTime_s;
+    rod.axis = {std::sin(angle), std::cos(angle), 0};  // turns to Y, counter-clockwise
+    rod.angular_velocity = {0, 0, static_cast<float>(turn)};
+    scene.threat.rod = rod;
+    scene.threat.velocity = {-6, 0, 0};
+    scene.threat.position = {6 * kTime_s, 0, static_cast<float>(kAboveGround_m)};
+    scene.strikes_m = 0.6;
+    scene.speed_mps = 6 + turn * scene.strikes_m;
+    return scene;
+  }
+
+  /// Returns the impulse on a sphere of that mass, which the rod meets when it lies along Y.
+  double impulse_on(double sphere_kg) const {
+    BodyState sphere;
+    sphere.position = {-0.1 - 0.03, strikes_m, 0};
+    FreeSphere scene(features::ball_of(threat), sphere, 0.1, sphere_kg, weightless());
+    scene.run(0.2);
+    return scene.impulse();
+  }
+};
+
+// J = (1 + e) v / (1/M + 1/m + r^2 / I), with I = m L^2 / 12 of the whole length and r from the
+// rod's middle.
+TEST(BallFlight, ImpulseOfAThrownRodHasItsEffectiveMass) {
+  for (const double turn : {0.0, 5.0, -4.0}) {
+    RodScene scene = RodScene::of(turn, 0);
+    scene.threat.rod->to_butt_m = 0.5F;
+    scene.threat.rod->to_tip_m = 0.5F;
+    scene.strikes_m = 0.4;
+    const double speed = 6 + turn * 0.4;
+    const double inertia = 0.9 * 1.06 * 1.06 / 12;
+    for (const double sphere_kg : {0.5, 4.4, 1e6}) {
+      const double expected = 1.2 * speed / (1 / sphere_kg + 1 / 0.9 + 0.4 * 0.4 / inertia);
+      EXPECT_NEAR(scene.impulse_on(sphere_kg), expected, 0.005 * expected)
+          << turn << ' ' << sphere_kg;
+    }
+  }
+}
+
+// A rod that is held as by a rock turns about its grip: J = (1 + e) v / (1/M + s^2 / I), with
+// I = m L^2 / 12 + m x^2 about the grip and s from there. One held by hands of mass h is hit as a
+// rod and a mass point that are one body, whose inertia follows from the parallel axes.
+TEST(BallFlight, ImpulseOfASwungRodHasTheEffectiveMassOfItsGrip) {
+  const double own = 0.9 * 1.06 * 1.06 / 12;
+  for (const double turn : {3.0, 20.0}) {
+    const RodScene rock = RodScene::of(turn, 1e5F);
+    const double about_grip = own + 0.9 * 0.45 * 0.45;
+    const double expected = 1.2 * rock.speed_mps / (1 / 4.4 + 0.6 * 0.6 / about_grip);
+    EXPECT_NEAR(rock.impulse_on(4.4), expected, 0.005 * expected) << turn;
+    const RodScene hands = RodScene::of(turn, 2);
+    const double middle = 0.9 * 0.45 / 2.9;
+    const double inertia = own + 0.9 * (0.45 - middle) * (0.45 - middle) + 2 * middle * middle;
+    const double mobility = 1 / 4.4 + 1 / 2.9 + (0.6 - middle) * (0.6 - middle) / inertia;
+    EXPECT_NEAR(hands.impulse_on(4.4), 1.2 * hands.speed_mps / mobility, 0.005 * expected) << turn;
+  }
+}
+
+// ODE's own ball joint to a body that is driven on, in place of the formula for a common body: the
+// grip of a rod that is held as by a rock.
+TEST(BallFlight, ASwungRodIsHitAsOneThatOdeHoldsByAJoint) {
+  const RodScene scene = RodScene::of(12, 1e5F);
+  OdeWorld world;
+  dBodyID rod = dBodyCreate(world.id());
+  dBodyID hand = dBodyCreate(world.id());
+  const double own = 0.9 * 1.06 * 1.06 / 12;
+  dMass mass;
+  dMassSetParameters(&mass, 0.9, 0, 0, 0, own, own, own, 0, 0, 0);
+  dBodySetMass(rod, &mass);
+  dBodySetKinematic(hand);
+  BodyState state;  // when it lies along Y
+  state.position = {0, 0.45, 20};
+  state.velocity = {-6 - 12 * 0.45, 0, 0};
+  state.angular_velocity = {0, 0, 12};
+  set_state(rod, state);
+  dBodySetPosition(hand, 0, 0, 20);
+  dBodySetLinearVel(hand, -6, 0, 0);
+  dJointID grip = dJointCreateBall(world.id(), nullptr);
+  dJointAttach(grip, rod, hand);
+  dJointSetBallAnchor(grip, 0, 0, 20);
+  dBodyID sphere = dBodyCreate(world.id());
+  dMassSetSphereTotal(&mass, 4.4, 0.1);
+  dBodySetMass(sphere, &mass);
+  dBodySetPosition(sphere, -0.13, 0.6, 20);
+  for (dBodyID body : {rod, sphere}) dBodySetGravityMode(body, 0);
+  Contacts contacts(world.id());
+  contacts.add_hit(rod, sphere, Body::head,
+                   {0, Eigen::Vector3d(-0.03, 0.6, 20), Eigen::Vector3d::UnitX()}, {0.2, 0});
+  world.step(1e-4);
+  const double held = contacts.impulses(1e-4)[0].impulse_ns;
+  EXPECT_NEAR(scene.impulse_on(4.4), held, 0.01 * held);
 }
 
 TEST(BallFlight, ImpulseOnAMovingSphereFollowsFromTheRelativeVelocity) {

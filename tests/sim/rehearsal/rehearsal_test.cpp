@@ -128,6 +128,59 @@ TEST_F(RehearsalTest, ImpulsesOfFistsAndBladesMatchTheFullSimulation) {
   EXPECT_LE(other, 2);
 }
 
+/// The same balls as rods: every second one is swung at the figure about a grip, the others are
+/// thrown and spin. Those of the last third are over before they could hit.
+std::vector<scenes::Hit> drawn_out(std::vector<scenes::Hit> hits) {
+  std::mt19937 generator(3);
+  std::uniform_real_distribution<double> number(-1, 1);
+  for (std::size_t i = 0; i < hits.size(); ++i) {
+    const features::Ball then = hits[i].ball.at(0.5);  // near the figure
+    const double x = number(generator);
+    const double y = number(generator);
+    const double z = number(generator);
+    const bool is_swung = i % 2 == 0;
+    const Eigen::Vector3f along = then.velocity.normalized().cast<float>();
+    features::ThreatDescription description;
+    description.azimuth = std::atan2(-along.y(), -along.x());
+    description.elevation = std::asin(-along.z());
+    description.speed_mps = static_cast<float>(then.velocity.norm());
+    description.radius = 0.03F;
+    description.mass_kg = 0.9F;
+    description.bounce = {0, 0.4};
+    description.falls = !is_swung;
+    if (is_swung) description.reach_m = 1.2F;
+    description.rod = features::RodDescription{.length_m = 0.8F,
+                                               .balance = is_swung ? 0.66F : 0.5F,
+                                               .strikes_at = 0.7F + 0.2F * static_cast<float>(x),
+                                               .tilt = 3 * static_cast<float>(y),
+                                               .grip_share = is_swung ? 0.2F : 0,
+                                               .grip_mass_kg = is_swung ? 2.0F : 0,
+                                               .spin = is_swung ? 0 : 12 * static_cast<float>(z)};
+    hits[i].ball = features::ball_of(
+        features::threat_from_description(description, then.position.cast<float>(), 0));
+    if (i % 3 == 2) hits[i].ball.window.until_s = std::min(hits[i].ball.window.until_s, 0.3);
+  }
+  return hits;
+}
+
+TEST_F(RehearsalTest, ImpulsesOfRodsMatchTheFullSimulation) {
+  const auto rehearsed = rehearsals();
+  int hits = 0;
+  int other = 0;
+  for (const scenes::Hit& hit : drawn_out(balls(90, 13))) {
+    const auto slow = reference_.simulate(motions_[hit.motion].motion, &hit.ball, 1);
+    const auto fast = simulator_.simulate(rehearsed[hit.motion], hit.ball);
+    EXPECT_EQ(total_impulse(slow) > 0, total_impulse(fast) > 0);
+    if (total_impulse(slow) == 0) continue;
+    ++hits;
+    EXPECT_NEAR(slow.first_contact_s, fast.first_contact_s, 1e-6);
+    EXPECT_EQ(fast.solver_messages, 0);
+    if (change(slow, fast) > 0.005) ++other;
+  }
+  EXPECT_GT(hits, 25);
+  EXPECT_LE(other, 1);
+}
+
 // The ball falls before the shins, bounces off the ground and hits them on its way up.
 TEST_F(RehearsalTest, FindsHitsAfterABounceOffTheGround) {
   const Rehearsal standing = simulator_.rehearse(motions_[0].motion, 0, 1);

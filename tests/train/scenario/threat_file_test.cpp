@@ -90,6 +90,31 @@ TEST(ThreatFile, AFistHasAReachAndFliesStraightAndABladeDoesNotBounce) {
   EXPECT_EQ(blade.bounce.restitution, 0);
 }
 
+TEST(ThreatFile, ARodIsSwungIfItHasAReachAndThrownIfNot) {
+  const ThreatKind bat = only_kind(
+      "[[kind]]\nname = \"bat\"\nshape = \"rod\"\nlength_m = [0.8, 0.9]\nradius_m = 0.03\n"
+      "reach_m = 1\nbalance = 0.66\nstrikes_at = [0.7, 0.9]\ntilt_degrees = [-90, 90]\n"
+      "grip_share = 0.25\ngrip_mass_kg = 2\n");
+  EXPECT_EQ(bat.shape, features::ThreatShape::rod);
+  EXPECT_TRUE(bat.is_driven());
+  EXPECT_FALSE(bat.falls);
+  EXPECT_EQ(bat.bounce.restitution, 0);
+  EXPECT_EQ(bat.rod, (features::RodRanges{.length_m = {0.8, 0.9},
+                                          .strikes_at = {0.7, 0.9},
+                                          .tilt = {-std::numbers::pi / 2, std::numbers::pi / 2},
+                                          .grip_share = {0.25, 0.25},
+                                          .balance = 0.66,
+                                          .grip_mass_kg = 2}));
+  const ThreatKind stick =
+      only_kind("[[kind]]\nname = \"stick\"\nshape = \"rod\"\nlength_m = 5\nspin_per_s = [1, 2]\n");
+  EXPECT_FALSE(stick.is_driven());
+  EXPECT_TRUE(stick.falls);
+  EXPECT_EQ(stick.rod.length_m, (ValueRange{5, 5}));
+  EXPECT_NEAR(stick.rod.spin.max, 4 * std::numbers::pi, 1e-12);
+  EXPECT_TRUE(features::is_sound(bat));
+  EXPECT_TRUE(features::is_sound(stick));
+}
+
 TEST(ThreatFile, WhatIsWrongIsSaidWithItsLine) {
   const auto refusal = [](const std::string& line) {
     return tests::error_of(
@@ -119,7 +144,22 @@ TEST(ThreatFile, WhatIsWrongIsSaidWithItsLine) {
   EXPECT_THAT(refusal("targets = { head = 0 }"), HasSubstr("above 0"));
   EXPECT_THAT(refusal("restitution = 1.1"), HasSubstr("not from 0 to 1"));
   EXPECT_THAT(refusal("flight = \"curved\""), HasSubstr("known are: falling, straight"));
-  EXPECT_THAT(refusal("shape = \"net\""), HasSubstr("known are: ball, blade, fist"));
+  EXPECT_THAT(refusal("shape = \"net\""), HasSubstr("known are: ball, blade, fist, rod"));
+  EXPECT_EQ(refusal("shape = \"rod\"\nlength_m = 5.5"),
+            "a.toml:4: [[kind]] has length_m 5.5, which is not from 0.05 to 5 m");
+  EXPECT_THAT(refusal("shape = \"rod\""), HasSubstr("needs length_m"));
+  EXPECT_THAT(refusal("shape = \"rod\"\nradius_m = 0.1\nlength_m = [0.2, 1]"),
+              HasSubstr("a.toml:5: [[kind]] has a rod that is not longer than it is thick, 0.2 m"));
+  EXPECT_THAT(refusal("length_m = 1"),
+              HasSubstr("a.toml:3: [[kind]] has length_m, which only a rod has"));
+  const std::string rod = "shape = \"rod\"\nlength_m = 1\n";
+  EXPECT_THAT(refusal(rod + "grip_share = 0.2"), HasSubstr("only a swung rod has"));
+  EXPECT_THAT(refusal(rod + "reach_m = 1\nspin_per_s = 1"), HasSubstr("only a thrown rod has"));
+  EXPECT_THAT(refusal(rod + "strikes_at = 1.1"), HasSubstr("not from 0 to 1"));
+  EXPECT_THAT(refusal(rod + "balance = -0.1"), HasSubstr("not from 0 to 1"));
+  EXPECT_THAT(refusal(rod + "spin_per_s = 21"), HasSubstr("not from 0 to 20 turns per second"));
+  EXPECT_THAT(refusal(rod + "reach_m = 1\nflight = \"falling\""),
+              HasSubstr("has a rod that falls"));
   EXPECT_EQ(refusal("shape = \"blade\"\nrestitution = 0.1"),
             "a.toml:4: [[kind]] has a blade that bounces; a blade's restitution is 0");
   EXPECT_THAT(refusal("shape = \"fist\""), HasSubstr("needs reach_m"));

@@ -115,36 +115,66 @@ TEST(Store, AnExtendedStoreHasTheSameBytes) {
 TEST(Store, KeepsTheKindOfEachThreat) {
   const TemporaryFolder folder;
   StoreHeader header = made_up_header();
-  header.kinds = {{.name = "stone",
-                   .radius_m = {0.125, 0.25},
-                   .mass_kg = {0.5, 0.75},
-                   .speed_mps = {1, 2},
-                   .elevation = {-0.5, 0.5},
-                   .time_to_impact_s = {0.25, 0.75},
-                   .bounce = {0.25, 0.75},
-                   .falls = false},
-                  {.name = "ball", .bounce = {0.5, 0.125}},
-                  {.name = "jab",
-                   .falls = false,
-                   .shape = features::ThreatShape::fist,
-                   .reach_m = {0.5, 0.75}}};
-  std::vector<Observation> observations = made_up_observations(header, 0, 4);
+  header.kinds = {
+      {.name = "stone",
+       .radius_m = {0.125, 0.25},
+       .mass_kg = {0.5, 0.75},
+       .speed_mps = {1, 2},
+       .elevation = {-0.5, 0.5},
+       .time_to_impact_s = {0.25, 0.75},
+       .bounce = {0.25, 0.75},
+       .falls = false},
+      {.name = "ball", .bounce = {0.5, 0.125}},
+      {.name = "jab", .falls = false, .shape = features::ThreatShape::fist, .reach_m = {0.5, 0.75}},
+      {.name = "bat",
+       .radius_m = {0.03, 0.03},
+       .falls = false,
+       .shape = features::ThreatShape::rod,
+       .reach_m = {0.5, 0.75},
+       .rod = {.length_m = {0.75, 1},
+               .strikes_at = {0.5, 1},
+               .tilt = {-0.5, 0.25},
+               .grip_share = {0.125, 0.25},
+               .balance = 0.625,
+               .grip_mass_kg = 2}},
+      {.name = "stick",
+       .radius_m = {0.03, 0.03},
+       .shape = features::ThreatShape::rod,
+       .rod = {.length_m = {0.75, 1}, .spin = {1, 2}, .balance = 0.5}}};
+  std::vector<Observation> observations = made_up_observations(header, 0, 6);
   observations[1].scenario.threat.kind = observations[2].scenario.threat.kind = 1;
   observations[3].scenario.threat.kind = 2;
   observations[3].scenario.threat.stroke = {0.25F, 0.0625F};
-  StoreWriter writer(folder / "a", header, {0, 4});
+  features::Threat& bat = observations[4].scenario.threat;
+  bat.kind = 3;
+  bat.stroke = {0.5F, 0.25F};
+  bat.rod = features::Rod{{0, 0.8F, 0.6F}, {4, 0, 0}, 0, 0.75F, 0.46875F, 2};
+  features::Threat& stick = observations[5].scenario.threat;
+  stick.kind = 4;
+  stick.rod = features::Rod{{0, 1, 0}, {0, 0, 3}, 0.375F, 0.375F, 0, 0};
+  StoreWriter writer(folder / "a", header, {0, 6});
   writer.append(observations);
   writer.finish();
   const Store store = read_store(folder / "a");
   EXPECT_EQ(store.header.kinds, header.kinds);
-  for (std::size_t i = 0; i < 4; ++i) {
+  for (std::size_t i = 0; i < 6; ++i) {
     const features::Threat& threat = store.observations[i].scenario.threat;
-    const std::size_t kind = std::array{0U, 1U, 1U, 2U}[i];
+    const std::size_t kind = std::array{0U, 1U, 1U, 2U, 3U, 4U}[i];
+    ASSERT_EQ(threat.rod.has_value(), kind >= 3);
+    if (threat.rod) {
+      const features::Rod& rod = *observations[i].scenario.threat.rod;
+      EXPECT_EQ(threat.rod->axis, rod.axis);
+      EXPECT_EQ(threat.rod->angular_velocity, rod.angular_velocity);
+      EXPECT_EQ(threat.rod->to_butt_m, rod.to_butt_m);
+      EXPECT_EQ(threat.rod->to_tip_m, rod.to_tip_m);
+      EXPECT_EQ(threat.rod->to_mass_m, rod.to_mass_m);
+      EXPECT_EQ(threat.rod->grip_mass_kg, rod.grip_mass_kg);
+    }
     EXPECT_EQ(threat.kind, static_cast<int>(kind));
     EXPECT_EQ(threat.bounce, header.kinds[kind].bounce);
     EXPECT_EQ(threat.falls, header.kinds[kind].falls);
-    ASSERT_EQ(threat.stroke.has_value(), kind == 2);
-    if (!threat.stroke) continue;
+    ASSERT_EQ(threat.stroke.has_value(), kind == 2 || kind == 3);
+    if (kind != 2) continue;
     EXPECT_EQ(threat.stroke->starts_in_s, 0.25F);
     EXPECT_EQ(threat.stroke->lasts_s, 0.0625F);
   }
