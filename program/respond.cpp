@@ -92,8 +92,12 @@ void write_filmstrip(const runtime::Library& library, const ResponseRecording& r
   motion::Clip clip;
   clip.name = clip_name(library, recording.clip);
   clip.motion = recording.motion;
-  for (motion::Pose& pose : clip.motion.poses) {
-    if (walks) pose.root_position.head<2>().setZero();
+  database::BallTrack threat = recording.ball;
+  for (std::size_t k = 0; walks && k < clip.motion.poses.size(); ++k) {
+    Eigen::Vector3f& root = clip.motion.poses[k].root_position;
+    const Eigen::Vector3f moved(root.x(), root.y(), 0);
+    root -= moved;
+    if (threat.positions[k]) *threat.positions[k] -= moved;
   }
   clip.annotation =
       motion::Annotation{.target = *motion::target_named(options.threat.target),
@@ -101,8 +105,8 @@ void write_filmstrip(const runtime::Library& library, const ResponseRecording& r
                          .peak_s = recording.impact_s,
                          .end_s = recording.motion.duration_s()};
   database::write_file_atomically(
-      options.out,
-      database::filmstrip_svg(motion::make_figure(library.clip_library().character), clip));
+      options.out, database::filmstrip_svg(motion::make_figure(library.clip_library().character),
+                                           clip, &threat));
 }
 
 database::MotionFacts facts_of(const runtime::Library& library,

@@ -114,7 +114,10 @@ class Recorder {
   Recorder(reaction::ReactingCharacter& character, const RecordedScene& scene, float rate_hz)
       : character_(character), scene_(scene), dt_s_(1 / rate_hz) {
     recording_.motion.rate_hz = rate_hz;
-    recording_.ball.radius = scene.threats.front().threat.radius;
+    const features::Threat& first = scene.threats.front().threat;
+    recording_.ball.radius = first.radius;
+    if (first.rod)
+      recording_.ball.half_length = 0.5F * (first.rod->to_butt_m + first.rod->to_tip_m);
     recording_.impact_s = scene.threats.front().time_to_impact_s;
     recording_.clip = character.character().clip();
     recording_.hits.resize(scene.threats.size());
@@ -170,17 +173,34 @@ class Recorder {
   // The ball that physics moves or, before and after, the next one to hit.
   void record_frame(float time_s) {
     recording_.motion.poses.push_back(character_.pose());
-    std::optional<Eigen::Vector3f> ball;
     const bool is_physical = character_.pose_source() == reaction::PoseSource::physics;
     if (is_physical) {
-      ball = character_.reaction().ball().position.cast<float>();
+      record(character_.reaction().ball());
     } else if (begun_ < scene_.threats.size()) {
-      ball = features::position_at(scene_.threats[begun_].threat, time_s);
+      record(features::ball_of(shown(scene_.threats[begun_].threat, time_s)));
     } else if (scene_.ending == Ending::none) {
-      ball = features::position_at(scene_.threats.back().threat, time_s);
+      record(features::ball_of(shown(scene_.threats.back().threat, time_s)));
+    } else {
+      recording_.ball.positions.push_back(std::nullopt);
+      if (recording_.ball.half_length > 0) record_axis(recording_.ball.axes.back());
     }
-    recording_.ball.positions.push_back(ball);
   }
+
+  /// The threat as it is seen then: where one that waits is, not where it would have come from.
+  static features::Threat shown(const features::Threat& threat, float time_s) {
+    features::Threat then = features::advanced(threat, time_s);
+    if (then.stroke) then.stroke->starts_in_s = 0;
+    return then;
+  }
+
+  void record(const features::Ball& ball) {
+    const features::RodShape& rod = ball.rod;
+    const Eigen::Vector3d middle = ball.position + 0.5 * (rod.to_tip_m - rod.to_butt_m) * rod.axis;
+    recording_.ball.positions.emplace_back(middle.cast<float>());
+    if (recording_.ball.half_length > 0) record_axis(rod.axis.cast<float>());
+  }
+
+  void record_axis(const Eigen::Vector3f& axis) { recording_.ball.axes.push_back(axis); }
 
   reaction::ReactingCharacter& character_;
   const RecordedScene& scene_;

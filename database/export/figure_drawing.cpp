@@ -120,6 +120,16 @@ std::string figure_drawing(const motion::Figure& figure, const JointFrames& fram
   return drawing;
 }
 
+std::string threat_drawing(const Eigen::Vector3f& from, const Eigen::Vector3f& to, float radius,
+                           const DrawingView& view) {
+  const Eigen::Vector2f a = on_paper(view, from);
+  const Eigen::Vector2f b = on_paper(view, to);
+  if (std::abs(a.x() + b.x()) > 2 * kMaxThreatDistance_m * kDrawingScale) return "";
+  // A line of no length is drawn as a dot by its round ends.
+  return svg_text("<path d='M%.0f %.0fL%.2f %.2f' stroke='#e08010' stroke-width='%.1f'/>", a.x(),
+                  a.y(), b.x() + 0.01F, b.y(), 2 * radius * kDrawingScale);
+}
+
 std::string threat_arrow(const Eigen::Vector3f& target, float direction, const DrawingView& view) {
   const Eigen::Vector3f from(std::cos(direction), std::sin(direction), 0);
   const Eigen::Vector2f tail = on_paper(view, target + 0.7F * from);

@@ -39,6 +39,12 @@ std::string figure_drawing(const motion::Figure& figure, const motion::JointFram
 /// definitions, see kArrowMarker.
 std::string threat_arrow(const Eigen::Vector3f& target, float direction, const DrawingView& view);
 
+/// Draws a threat as a line as thick as it is, from one end to the other; nothing where it is more
+/// than kMaxThreatDistance_m of paper from the world's origin.
+std::string threat_drawing(const Eigen::Vector3f& from, const Eigen::Vector3f& to, float radius,
+                           const DrawingView& view);
+inline constexpr float kMaxThreatDistance_m = 0.75F;  ///< to the side
+
 /// The definitions that threat_arrow needs, once in each document.
 inline constexpr const char* kArrowMarker =
     "<defs><marker id='a' orient='auto' viewBox='0 0 6 6' refX='5' refY='3' markerWidth='5' "

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "database/export/filmstrip.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "database/export/figure_drawing.h"
 
@@ -29,9 +31,24 @@ std::array<float, kInstants> instants_of(const motion::Clip& clip) {
   return times;
 }
 
+/// The threat at a time, if it is visible and in the figure's column.
+std::string threat_at(const BallTrack& threat, const motion::Clip& clip, float time_s,
+                      const DrawingView& view) {
+  const auto last = static_cast<float>(threat.positions.size() - 1);
+  const auto pose =
+      static_cast<std::size_t>(std::lround(std::clamp(time_s * clip.motion.rate_hz, 0.0F, last)));
+  const std::optional<Eigen::Vector3f>& centre = threat.positions[pose];
+  if (!centre) return "";
+  const Eigen::Vector3f half = threat.axes.empty()
+                                   ? Eigen::Vector3f(Eigen::Vector3f::Zero())
+                                   : Eigen::Vector3f(threat.half_length * threat.axes[pose]);
+  return threat_drawing(*centre - half, *centre + half, threat.radius, view);
+}
+
 }  // namespace
 
-std::string filmstrip_svg(const motion::Figure& figure, const motion::Clip& clip) {
+std::string filmstrip_svg(const motion::Figure& figure, const motion::Clip& clip,
+                          const BallTrack* threat) {
   std::string svg = svg_text(
       "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 %.0f %.0f' font-family='sans-serif' "
       "font-size='11'>",
@@ -51,6 +68,7 @@ std::string filmstrip_svg(const motion::Figure& figure, const motion::Clip& clip
           svg_text("<g transform='translate(%.0f %.0f)' stroke-linecap='round' fill='none'>", x, y);
       svg += "<path d='M-70 1H70' stroke='#bbb'/>";
       svg += figure_drawing(figure, frames, kViews[row]);
+      if (threat) svg += threat_at(*threat, clip, times[column], kViews[row]);
       if (clip.annotation) {
         svg += threat_arrow(motion::target_centre(figure.bodies, first, clip.annotation->target),
                             clip.annotation->direction, kViews[row]);

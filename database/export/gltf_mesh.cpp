@@ -103,8 +103,8 @@ Json figure_mesh(const motion::Physique& character, GltfBuffer& buffer) {
   return {{"name", "figure"}, {"primitives", std::move(primitives)}};
 }
 
-Json ball_mesh(float radius, GltfBuffer& buffer) {
-  const Mesh sphere = rounded_solid(Vector3f::Zero(), radius, kBallSegments);
+Json ball_mesh(float radius, float half_length, GltfBuffer& buffer) {
+  const Mesh sphere = rounded_solid({half_length, 0, 0}, radius, kBallSegments);
   const Json attributes = surface(sphere.positions, sphere.normals, buffer);
   return {{"name", "ball"},
           {"primitives",

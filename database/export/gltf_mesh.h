@@ -24,8 +24,8 @@ nlohmann::ordered_json ball_material();
 /// A character's skinned surface in glTF's axes, bound in the rest pose: one primitive per
 /// covering; all share the vertices.
 nlohmann::ordered_json figure_mesh(const motion::Physique& character, GltfBuffer& buffer);
-/// A ball.
-nlohmann::ordered_json ball_mesh(float radius, GltfBuffer& buffer);
+/// A ball, or a rod along X whose axis has this half length, m.
+nlohmann::ordered_json ball_mesh(float radius, float half_length, GltfBuffer& buffer);
 
 /// The accessor of transforms from the mesh, in the rest pose, to each joint's frame, whose axes
 /// are parallel to the world's there.

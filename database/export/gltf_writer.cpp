@@ -101,11 +101,11 @@ class Animation {
 };
 
 // x y z w; each unit and in the hemisphere of the previous one.
-std::vector<float> rotation_keys(const motion::Motion& motion, Role joint) {
+std::vector<float> rotation_keys(std::size_t count, auto rotation_at) {
   std::vector<float> keys;
   Eigen::Vector4d before = Quaternionf::Identity().coeffs().cast<double>();
-  for (const motion::Pose& pose : motion.poses) {
-    Eigen::Vector4d key = to_y_up(pose.rotation[joint]).coeffs().cast<double>().normalized();
+  for (std::size_t k = 0; k < count; ++k) {
+    Eigen::Vector4d key = to_y_up(Quaternionf(rotation_at(k))).coeffs().cast<double>().normalized();
     if (key.dot(before) < 0) key = -key;
     for (const double number : key) keys.push_back(static_cast<float>(number));
     before = key;
@@ -118,8 +118,9 @@ void animate_figure(const motion::Motion& motion, int figure, Animation& animati
   for (const motion::Pose& pose : motion.poses) pelvis.push_back(to_y_up(pose.root_position));
   animation.add(node_of(Role::pelvis, figure), "translation", floats_of(pelvis), GltfElement::vec3);
   for (const Role joint : kRoles) {
-    animation.add(node_of(joint, figure), "rotation", rotation_keys(motion, joint),
-                  GltfElement::vec4);
+    const auto keys = rotation_keys(motion.poses.size(),
+                                    [&](std::size_t k) { return motion.poses[k].rotation[joint]; });
+    animation.add(node_of(joint, figure), "rotation", keys, GltfElement::vec4);
   }
 }
 
@@ -145,6 +146,11 @@ void animate_ball(const BallTrack& ball, const std::vector<Vector3f>& places,
   }
   animation.add(kBallNode, "translation", floats_of(places), GltfElement::vec3);
   animation.add(kBallNode, "scale", floats_of(scales), GltfElement::vec3, "STEP");
+  if (ball.axes.empty()) return;
+  const auto keys = rotation_keys(ball.axes.size(), [&](std::size_t k) {
+    return Quaternionf::FromTwoVectors(Vector3f::UnitX(), ball.axes[k]);
+  });
+  animation.add(kBallNode, "rotation", keys, GltfElement::vec4);
 }
 
 void check(const BallTrack& ball, std::size_t pose_count) {
@@ -156,6 +162,9 @@ void check(const BallTrack& ball, std::size_t pose_count) {
                         " positions, the motion " + std::to_string(pose_count) +
                         " poses: give one per pose");
   }
+  if (!ball.axes.empty() && ball.axes.size() != pose_count)
+    throw Error("", "the rod has " + std::to_string(ball.axes.size()) + " axes, the motion " +
+                        std::to_string(pose_count) + " poses: give one per pose");
   for (std::size_t k = 0; k < pose_count; ++k) {
     if (ball.positions[k] && !ball.positions[k]->allFinite()) {
       throw Error("", "position " + std::to_string(k) + " of the ball is not finite");
@@ -250,7 +259,7 @@ std::vector<std::byte> make_glb(const motion::Physique& character, const motion:
   Animation animation(motion, scene.buffer);
   animate_figure(motion, 0, animation);
   if (ball) {
-    scene.meshes.push_back(ball_mesh(ball->radius, scene.buffer));
+    scene.meshes.push_back(ball_mesh(ball->radius, ball->half_length, scene.buffer));
     scene.materials.push_back(ball_material());
     scene.roots.push_back(int{kBallNode});
     animate_ball(*ball, places, animation);

@@ -8,19 +8,11 @@
 #include <string_view>
 #include <vector>
 
-#include "features/threat.h"
+#include "database/export/ball_track.h"
 #include "motion/body.h"
 #include "motion/clip.h"
 
 namespace flinch::database {
-
-/// A ball that is exported with a motion.
-struct BallTrack {
-  float radius = static_cast<float>(features::kVolleyballRadius_m);  ///< m
-  /// Position of its centre for each pose of the motion, world, m; nothing where the ball is not
-  /// visible. It is then scaled to 0 and stays where it was last visible, or will first be visible.
-  std::vector<std::optional<Eigen::Vector3f>> positions;
-};
 
 /// What is known about a motion. Times are in seconds from its first pose. What is absent or empty
 /// is not known and not written.
@@ -50,13 +42,13 @@ struct NamedMotion {
 ///
 /// The one animation, "motion", has one linear key per pose: the pelvis' translation; each joint's
 /// rotation (quaternions in one hemisphere from key to key, so that no joint takes the longer arc);
-/// the ball's translation; and, as steps, the ball's scale, 1 if visible or 0. Its `extras` hold
-/// the facts: `clip`; of the annotation `target`, `direction_degrees`, `degree`, `onset_s`,
-/// `peak_s` and `end_s`; `impact_s`, `contact_s`, `hit_body` and `impulse_ns`.
+/// the ball's translation, and of a rod its rotation; and, as steps, its scale, 1 if visible or 0.
+/// Its `extras` hold the facts: `clip`; of the annotation `target`, `direction_degrees`, `degree`,
+/// `onset_s`, `peak_s` and `end_s`; `impact_s`, `contact_s`, `hit_body` and `impulse_ns`.
 ///
 /// The same input gives the same bytes. Throws Error when the motion cannot be written (see
 /// export_check.h), when the ball's radius is not above 0, when its positions are not finite, or
-/// when there are not as many of them as poses.
+/// when there are not as many of them, or of a rod's axes, as poses.
 std::vector<std::byte> make_glb(const motion::Physique& character, const motion::Motion& motion,
                                 const std::optional<BallTrack>& ball = std::nullopt,
                                 const MotionFacts& facts = {});
