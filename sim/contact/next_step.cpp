@@ -64,6 +64,28 @@ NextStep next_step(const features::Ball& ball, std::span<const MovingShape> shap
   return ahead;
 }
 
+double resting_step(const features::Ball& ball, const motion::PerBody<MovingShape>& shapes,
+                    BodySet meets, const SimulationOptions& options) {
+  if (ball.bounce.restitution > kMaxRestingBounce) return options.contact_step_s;
+  double step_s = std::max(options.resting_step_s, options.contact_step_s);
+  for (const motion::Body body : motion::kBodies) {
+    if (!contains(meets, body)) continue;
+    const MovingShape& shape = shapes[body];
+    if (may_be_near(ball, shape, kContactDistance_m)) {
+      const motion::Clearance near = clearance(ball, shape);
+      if (hits(ball, shape, near)) {
+        const double closing =
+            -near.normal.dot(ball.velocity_of(near.point) - shape.velocity_at(near.point));
+        if (closing > kMinBounceSpeed_mps) return options.contact_step_s;
+        continue;
+      }
+    }
+    if (const auto touch_s = time_of_contact(ball, shape, step_s, kContactDistance_m, 0))
+      step_s = std::max(*touch_s, options.contact_step_s);
+  }
+  return step_s;
+}
+
 bool hits(const features::Ball& ball, const MovingShape& shape, const motion::Clearance& near) {
   return near.gap <= kContactDistance_m && ball.window.is_open() &&
          near.normal.dot(ball.velocity_of(near.point) - shape.velocity_at(near.point)) < 0;

@@ -3,6 +3,7 @@
 
 #include <span>
 
+#include "sim/body_set.h"
 #include "sim/collision/sweep.h"
 #include "sim/simulation_options.h"
 
@@ -15,6 +16,9 @@ inline constexpr double kNearContactDistance_m = 2e-3;
 /// Acceleration that the motors may add to the constant velocity which the sweep assumes. The hand
 /// of a fast block has half of it.
 inline constexpr double kMaxAcceleration_mps2 = 400;
+
+/// What bounces more than this leaves what it hits, and has no resting contact.
+inline constexpr double kMaxRestingBounce = 0.3;
 
 /// The shortest step that a contact may require, s.
 inline constexpr double kMinStep_s = 1e-5;
@@ -30,6 +34,13 @@ struct NextStep {
 /// exact time of impact where that comes first. Ignores shapes that already separate from the ball.
 NextStep next_step(const features::Ball& ball, std::span<const MovingShape> shapes,
                    const SimulationOptions& options);
+
+/// How long a ball that rests on some of the shapes may be moved at once: until it may touch
+/// another, at most `resting_step_s` and at least `contact_step_s`. Returns the latter where it
+/// does not rest: it bounces, or closes on one of the shapes that it `hits` by more than
+/// kMinBounceSpeed_mps.
+double resting_step(const features::Ball& ball, const motion::PerBody<MovingShape>& shapes,
+                    BodySet meets, const SimulationOptions& options);
 
 /// Whether a ball at `near` of a shape touches it and does not separate from it.
 bool hits(const features::Ball& ball, const MovingShape& shape, const motion::Clearance& near);

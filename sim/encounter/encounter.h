@@ -174,7 +174,7 @@ double Encounter<Scene>::find_hits(const features::Ball& flight) {
   is_ball_on_ground_ = ahead.on_ground;
   if (is_ball_on_ground_) scene_.add_bounce();
   if (!searches_on_path()) return ahead.step_s;
-  if (is_blow_) return options_.contact_step_s;
+  if (is_blow_) return resting_step(flight, shapes_, figure_model_.ball_meets, options_);
   return is_ball_on_ground_ ? ahead.step_s : options_.free_step_s;  // a bounce is on the path too
 }
 

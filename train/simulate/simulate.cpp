@@ -13,6 +13,7 @@
 #include "database/library/file_header.h"
 #include "motion/error.h"
 #include "motion/rotation.h"
+#include "sim/contact/next_step.h"
 #include "train/simulate/scenario_scheduler.h"
 #include "train/simulate/worker_pool.h"
 #include "train/store/file_opening.h"
@@ -88,14 +89,20 @@ Json document_of(const ThreatKind& kind) {
   return document;
 }
 
+/// Says how long the steps of resting contacts are where there may be any: all other threats have
+/// the results of the laws before these.
 std::string describe(const SimulationPlan& plan) {
-  return nlohmann::ordered_json{{"law_version", sim::kLawVersion},
-                                {"free_step_s", plan.options.free_step_s},
-                                {"contact_step_s", plan.options.contact_step_s},
-                                {"gravity_mps2", plan.options.gravity_mps2},
-                                {"tail_s", plan.tail_s},
-                                {"unabridged", plan.unabridged}}
-      .dump();
+  Json document{{"law_version", sim::kLawVersion},
+                {"free_step_s", plan.options.free_step_s},
+                {"contact_step_s", plan.options.contact_step_s},
+                {"gravity_mps2", plan.options.gravity_mps2},
+                {"tail_s", plan.tail_s},
+                {"unabridged", plan.unabridged}};
+  const bool may_rest = std::ranges::any_of(plan.distribution.kinds, [](const ThreatKind& kind) {
+    return kind.bounce.restitution <= sim::kMaxRestingBounce;
+  });
+  if (may_rest) document["resting_step_s"] = plan.options.resting_step_s;
+  return document.dump();
 }
 
 /// Returns about how much memory all rehearsed responses take. Each second of a response takes as
