@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The page: what is shown, and what changes it.
-import type { Flinch } from "flinch";
+import type { Flinch, ThreatKind } from "flinch";
 import { connectAim } from "./aim";
 import { showCaption, showCaptions } from "./captions";
 import { atRest, choose, choosersOf, loadSelector, type Chooser, type Conditions, type Selector } from "./chooser";
@@ -162,7 +162,12 @@ export class App {
 
   get conditions(): Conditions {
     const { thrown, delay } = this.view;
-    return { threat: threatOf(thrown), delay, brawn: this.brawn };
+    return { threat: threatOf(thrown, this.kinds), delay, brawn: this.brawn };
+  }
+
+  /** What the first selector was trained for. */
+  private get kinds(): readonly ThreatKind[] {
+    return this.selectors[0]?.library.kinds ?? [];
   }
 
   /** How costs are weighed: as the first selector was trained, unless the visitor says otherwise. */

@@ -40,7 +40,7 @@ export function linkOf(view: View): string {
     view: view.mode,
     from: [thrown.azimuth, thrown.from_height].map(rounded).join(","),
     aim: thrown.aim.map(rounded).join(","),
-    ball: [thrown.speed, thrown.time, thrown.radius, thrown.mass].map(rounded).join(","),
+    ball: [thrown.speed, thrown.time, thrown.radius, thrown.mass, thrown.kind].map(rounded).join(","),
     who: String(view.figure),
     clip: String(view.clip),
     brawn: rounded(view.brawn),
@@ -71,7 +71,7 @@ export function viewOf(link: string, choosers: number, clips: number): View {
     return Number.isFinite(value) ? clamp(value!, [low, high]) : fallback;
   };
   const [azimuth, from_height] = numbers("from", 2) as [number, number];
-  const [speed, time, radius, mass] = numbers("ball", 4) as [number, number, number, number];
+  const [speed, time, radius, mass, kind] = numbers("ball", 5) as [number, number, number, number, number];
   const [turn, elevation, distance] = numbers("camera", 3) as [number, number, number];
   const camera: View["camera"] = [...kDefaultView.camera];
   if (Number.isFinite(turn)) camera[0] = turn % 360;
@@ -88,6 +88,7 @@ export function viewOf(link: string, choosers: number, clips: number): View {
       time,
       radius,
       mass,
+      kind,
     }),
     figure: Math.floor(number("who", 0, 0, Math.max(choosers - 1, 0))),
     clip: Math.floor(number("clip", 0, 0, Math.max(clips - 1, 0))),

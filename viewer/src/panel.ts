@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 // The settings.
+import type { ThreatKind } from "flinch";
 import type { Chooser } from "./chooser";
 import type { ClipEditor } from "./clip_editor";
 import { button, byId, element, slider } from "./dom";
+import { usual } from "./kinds";
 import type { View } from "./link";
 import type { RoseColours } from "./rose";
-import { kRanges, type Throw } from "./throw";
+import { allowed, kRanges, type Throw } from "./throw";
 
 export interface PanelActs {
   thrown: () => void;
@@ -30,6 +32,7 @@ export class Panel {
   roseColours: RoseColours = "kind";
   showsOverlay = false;
   private view!: View;
+  private kinds: readonly ThreatKind[] = [];
   private readonly sliders: [Slid, ReturnType<typeof slider>][];
   private readonly brawn: ReturnType<typeof slider>;
   private readonly delay: ReturnType<typeof slider>;
@@ -37,6 +40,7 @@ export class Panel {
   private readonly about = element("p", { className: "quiet" });
   private readonly why = element("div", { id: "why" });
   private readonly ball = element("div");
+  private readonly kind = element("select", { className: "choice", ariaLabel: "Kind of threat" });
   private readonly overlay = element("label", { className: "quiet" });
   private readonly throwing = element("div"); // all that is about throws
   private readonly rose = element("select", { className: "choice", ariaLabel: "Colours of the rose" });
@@ -59,6 +63,11 @@ export class Panel {
       { label: "Reaction delay", unit: "ms", range: [0, 0.4], step: 10, digits: 0, scale: 1000 },
       (delay) => this.acts.set({ delay }),
     );
+    this.kind.onchange = () => {
+      const kind = this.kind.selectedIndex;
+      const own = usual(this.kinds[kind]!);
+      this.acts.set({ thrown: allowed({ ...this.view.thrown, ...own, kind }) });
+    };
     this.who.onchange = () => this.acts.set({ figure: this.who.selectedIndex });
     this.rose.append(
       element("option", { value: "kind", textContent: "Colour: kind of clip" }),
@@ -81,7 +90,8 @@ export class Panel {
     const file = element("input", { type: "file", accept: ".flinch", multiple: true, hidden: true });
     file.onchange = () => this.acts.files(file.files ?? []);
     this.ball.append(
-      element("h2", { textContent: "The ball" }),
+      element("h2", { textContent: "The threat" }),
+      this.kind,
       ...this.sliders.map(([, made]) => made.root),
     );
     this.throwing.append(
@@ -127,6 +137,13 @@ export class Panel {
 
   show(view: View, choosers: readonly Chooser[], brawn: number): void {
     this.view = view;
+    this.kinds = choosers[0]?.selector.library.kinds ?? [];
+    this.kind.replaceChildren(
+      ...this.kinds.map(({ name }) => element("option", { textContent: name.replaceAll("_", " ") })),
+    );
+    this.kind.selectedIndex = Math.min(view.thrown.kind, this.kinds.length - 1);
+    // The other views throw balls of their own.
+    this.kind.hidden = this.kinds.length < 2 || !["one", "compare"].includes(view.mode);
     for (const [key, made] of this.sliders) made.set(view.thrown[key]);
     this.brawn.set(brawn);
     this.delay.set(view.delay);

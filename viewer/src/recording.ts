@@ -11,6 +11,13 @@ export interface Ball {
   id: number; // the same from frame to frame
   position: [number, number, number];
   radius: number;
+  rod?: Rod; // drawn out along its axis
+}
+
+/** A rod: unit axis, and half of the distance of its round ends. */
+export interface Rod {
+  axis: [number, number, number];
+  half_length: number;
 }
 
 export interface Frame {

@@ -3,6 +3,7 @@
 import {
   AmbientLight,
   BufferGeometry,
+  CapsuleGeometry,
   CircleGeometry,
   Color,
   DirectionalLight,
@@ -25,11 +26,12 @@ import {
 } from "three";
 import { Figure } from "./figure";
 import type { OverlayLine } from "./overlay";
-import type { Frame, Recording } from "./recording";
+import type { Ball, Frame, Recording } from "./recording";
 import { Trail } from "./trail";
 
 const kMostBalls = 3;
 const kShift = 0.1; // of a cell's height
+const kAlongRod = new Vector3(0, 1, 0); // of three.js's capsule
 
 export interface Palette {
   ground: number;
@@ -55,7 +57,9 @@ export class Stage {
   private readonly sun = new DirectionalLight(0xffffff, 2.4);
   private readonly ground: Mesh<CircleGeometry, MeshStandardMaterial>;
   private readonly shadow: Mesh<CircleGeometry, ShadowMaterial>;
-  private readonly balls: Mesh<SphereGeometry, MeshStandardMaterial>[];
+  private readonly balls: Mesh<BufferGeometry, MeshStandardMaterial>[];
+  private readonly sphere = new SphereGeometry(1, 32, 20);
+  private rod: CapsuleGeometry | null = null; // of the last length
   private readonly trails: Trail[] = []; // of the cells
   private readonly trailMaterial = new LineBasicMaterial();
   private readonly aim = new Line(new BufferGeometry(), new LineBasicMaterial());
@@ -76,9 +80,8 @@ export class Stage {
     this.shadow = new Mesh(new CircleGeometry(30, 64), new ShadowMaterial({ opacity: 0.22 }));
     this.shadow.receiveShadow = true;
     this.shadow.position.z = 0.002;
-    const sphere = new SphereGeometry(1, 32, 20);
     const leather = new MeshStandardMaterial({ roughness: 0.5 });
-    this.balls = Array.from({ length: kMostBalls }, () => new Mesh(sphere, leather));
+    this.balls = Array.from({ length: kMostBalls }, () => new Mesh<BufferGeometry, MeshStandardMaterial>(this.sphere, leather));
     for (const ball of this.balls) ball.castShadow = true;
     this.sun.position.set(3, 2.5, 6);
     this.sun.castShadow = true;
@@ -249,6 +252,21 @@ export class Stage {
     else trail.line.visible = false;
   }
 
+  /** Gives a ball's mesh the shape of a sphere or, along its axis, of a rod. */
+  private shape(mesh: Mesh, { rod, radius }: Ball): void {
+    if (!rod) {
+      mesh.geometry = this.sphere;
+      return;
+    }
+    const length = (2 * rod.half_length) / radius;
+    if (this.rod?.parameters.length !== length) {
+      this.rod?.dispose();
+      this.rod = new CapsuleGeometry(1, length, 8, 24);
+    }
+    mesh.geometry = this.rod;
+    mesh.quaternion.setFromUnitVectors(kAlongRod, this.next.fromArray(rod.axis));
+  }
+
   private drawBalls(from: Frame, to: Frame, share: number): void {
     this.balls.forEach((mesh, i) => {
       const ball = from.balls[from.balls.length - 1 - i]; // the latest first
@@ -256,6 +274,7 @@ export class Stage {
       if (!ball) return;
       const next = to.balls.find(({ id }) => id === ball.id) ?? ball;
       mesh.scale.setScalar(ball.radius);
+      this.shape(mesh, ball);
       mesh.position.fromArray(ball.position).lerp(this.next.fromArray(next.position), share);
     });
   }

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // One character's answer to one throw.
-import type { Character, Threat, Trial } from "flinch";
+import type { Character, Threat, ThreatKind, Trial } from "flinch";
 import { atRest, choose, prepared, type Chooser, type Conditions } from "./chooser";
-import { fly, kRate, Recording, type FlyingBall } from "./recording";
+import { advanced, isSpecial, type FullThreat } from "./kinds";
+import { fly, kRate, Recording, type FlyingBall, type Rod } from "./recording";
 
 const kDuration = 3.2; // s: the flight, the answer and the way back
 // Physics takes the body this long before the contact that a simulation foresees.
@@ -13,6 +14,8 @@ export class Take extends Recording {
   readonly trial: Trial | null; // none if the throw misses
   private readonly character: Character;
   private readonly ball: FlyingBall;
+  private readonly kind: ThreatKind | undefined;
+  private rod: Rod | undefined;
   private isMet = false;
   private foreseen: number | null | undefined; // contact_s_at_rest, once it is known
   private answersAt: number | null = null; // when a clip of ours begins to be answered with
@@ -31,6 +34,8 @@ export class Take extends Recording {
     this.trial = selector.oracle.tryClip(atRest(selector, delay), threat, this.clip);
     if (kind === "oracle" || kind === "nearest") this.answersAt = delay;
     this.ball = { position: Array.from(threat.position), velocity: Array.from(threat.velocity) };
+    this.kind = selector.library.kinds[threat.kind ?? 0];
+    if (isSpecial(this.kind)) this.placeBall(this.kind, 0);
     this.record();
   }
 
@@ -60,10 +65,12 @@ export class Take extends Recording {
     const contact = this.trial?.contact_s ?? Infinity;
     if (!this.isMet && now + 1 / kRate > contact - kAhead) {
       this.isMet = true;
-      this.character.reactTo({ ...threat, ...this.ball });
+      this.character.reactTo(
+        isSpecial(this.kind) ? advanced(threat as FullThreat, this.kind, now) : { ...threat, ...this.ball },
+      );
     }
     this.character.update(1 / kRate);
-    this.moveBall(1 / kRate);
+    this.moveBall(now, 1 / kRate);
     this.record();
   }
 
@@ -82,21 +89,38 @@ export class Take extends Recording {
     return watching.state().time_to_impact_s;
   }
 
-  private moveBall(dt: number): void {
+  private moveBall(now: number, dt: number): void {
     const reaction = this.character.reaction();
     if (this.isMet && reaction.moved_by === 1) {
       this.ball.position.splice(0, 3, ...reaction.ball_position);
       this.ball.velocity.splice(0, 3, ...reaction.ball_velocity);
+      const [x, y, z] = reaction.ball_axis as unknown as [number, number, number];
+      if (this.rod) this.rod = { ...this.rod, axis: [x, y, z] };
+    } else if (isSpecial(this.kind)) {
+      if (!this.isMet) this.placeBall(this.kind, now + dt);
     } else {
       fly(this.ball, this.threat.radius, dt);
     }
+  }
+
+  /** Where a threat that does not just fly is then: of a rod its middle. */
+  private placeBall(kind: ThreatKind, time: number): void {
+    const { position, velocity, axis, to_butt_m, to_tip_m } = advanced(
+      this.threat as FullThreat,
+      kind,
+      time,
+    );
+    const middle = (to_tip_m - to_butt_m) / 2;
+    this.ball.position.splice(0, 3, ...position.map((x, i) => x + middle * axis[i]!));
+    this.ball.velocity.splice(0, 3, ...velocity);
+    if (to_butt_m + to_tip_m > 0) this.rod = { axis, half_length: (to_butt_m + to_tip_m) / 2 };
   }
 
   private record(): void {
     const [x, y, z] = this.ball.position as [number, number, number];
     this.frames.push({
       joints: this.character.jointFrames(),
-      balls: [{ id: 0, position: [x, y, z], radius: this.threat.radius }],
+      balls: [{ id: 0, position: [x, y, z], radius: this.threat.radius, ...(this.rod && { rod: this.rod }) }],
       impulses: this.character.reaction().impulse_ns,
     });
   }

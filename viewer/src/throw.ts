@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A throw as the visitor sets it, and the threat that it is.
-import type { Threat } from "flinch";
+import type { Threat, ThreatKind } from "flinch";
+import { isSpecial, threatOfKind } from "./kinds";
 
 export const kGravity = 9.81;
 
@@ -13,6 +14,7 @@ export interface Throw {
   time: number; // to the impact
   radius: number;
   mass: number;
+  kind: number; // of those that the selector knows
 }
 
 export const kDefaultThrow: Throw = {
@@ -23,6 +25,7 @@ export const kDefaultThrow: Throw = {
   time: 0.6,
   radius: 0.105,
   mass: 0.27,
+  kind: 0,
 };
 
 /** What sliders and links may ask for. */
@@ -51,11 +54,15 @@ export function allowed(wanted: Throw): Throw {
     if (Number.isFinite(wanted[key])) result[key] = clamp(wanted[key], kRanges[key]);
   for (let i = 0; i < 3; ++i)
     if (Number.isFinite(wanted.aim[i])) result.aim[i] = clamp(wanted.aim[i]!, kAimRange[i]!);
+  if (wanted.kind > 0) result.kind = Math.floor(Math.min(wanted.kind, 15));
   return result;
 }
 
-/** Position and velocity at the moment of the throw: from + v t - g t^2 / 2 = aim. */
-export function threatOf(one: Throw): Threat {
+/** Position and velocity at the moment of the throw: from + v t - g t^2 / 2 = aim. Without `kinds`, or
+ * where there is no such kind, a ball is thrown. */
+export function threatOf(one: Throw, kinds: readonly ThreatKind[] = []): Threat {
+  const kind = kinds[one.kind];
+  if (isSpecial(kind)) return threatOfKind(one, kind);
   const angle = (one.azimuth * Math.PI) / 180;
   const towards = [-Math.cos(angle), -Math.sin(angle)];
   const distance = one.speed * one.time;
@@ -66,6 +73,7 @@ export function threatOf(one: Throw): Threat {
     velocity: [towards[0]! * one.speed, towards[1]! * one.speed, rise],
     radius: one.radius,
     mass_kg: one.mass,
+    kind: kind ? one.kind : 0,
   };
 }
 
@@ -92,5 +100,6 @@ export function randomThrow(random: () => number): Throw {
     time: within(0.35, 1),
     radius,
     mass: within(0.15, 0.6),
+    kind: 0,
   });
 }
