@@ -12,6 +12,7 @@ import { createServer } from "node:http";
 import { createRequire } from "node:module";
 import { tmpdir } from "node:os";
 import { pathToFileURL } from "node:url";
+import { gzipSync } from "node:zlib";
 
 const [program, viewer, packageFolder, selector_file, shots, ...shown_selectors] = process.argv.slice(2);
 const { chromium } = createRequire(`${viewer}/package.json`)("playwright-core");
@@ -83,6 +84,9 @@ async function scriptPerFrame(what, count, most_ms) {
   console.log(`  script of ${what}: ${median(by_clock_ms).toFixed(2)} ms a frame by the clock (median), ${cpu_ms.toFixed(2)} ms of CPU (mean)`);
   assert.ok(cpu_ms <= most_ms, `${what} take ${cpu_ms} ms a frame, more than ${most_ms}`);
 }
+/** The number of the first chooser of a kind. */
+const chooser = (wanted) =>
+  page.evaluate((name) => globalThis.flinchPage.choosers.findIndex(({ kind }) => kind === name), wanted);
 const throwNow = () => page.locator("#panel").getByRole("button", { name: "Throw", exact: true }).click();
 const median = (values) => [...values].sort((a, b) => a - b)[values.length >> 1];
 
@@ -291,7 +295,7 @@ const tests = {
     });
     console.log(`  release to first frame: selector ${times.selector.toFixed(0)} ms, look-ahead ${times.ahead.toFixed(0)} ms`);
     // One that is hit, so that physics and the glow are in it.
-    await show(`${kThrow}&who=${await page.evaluate(() => globalThis.flinchPage.choosers.findIndex(({ kind }) => kind === "idle"))}`);
+    await show(`${kThrow}&who=${await chooser("idle")}`);
     await scriptPerFrame("one figure", 36, 2);
   },
 
@@ -438,6 +442,26 @@ const tests = {
     await made.waitForFunction(() => /cannot run WebAssembly/.test(document.getElementById("message")?.textContent));
     assert.equal(await made.locator("#message").isVisible(), true);
     await context.close();
+  },
+
+  async "compressed as servers do, the page has at most 0.55 MB, and 3 MB with a selector"() {
+    const html = await readFile(page_file, "utf8");
+    const size_mb = (text) => gzipSync(text).length / 1e6;
+    const own = html.replace(/<script[^>]* data-selector[^]*?<\/script>/g, "");
+    assert.ok(own.length < html.length - selector.length, "the page has no selector");
+    console.log(`  ${size_mb(own).toFixed(2)} MB, with a selector ${size_mb(html).toFixed(2)} MB`);
+    assert.ok(size_mb(own) <= 0.55 && size_mb(html) <= 3);
+  },
+
+  async "the impulses of where it hits add up"() {
+    await show(`${kThrow}&who=${await chooser("idle")}`);
+    await page.waitForFunction(() => document.querySelectorAll("#why .bars > b").length === 2);
+    const numbers = await page.locator("#why .bars > :nth-child(3n)").allTextContents();
+    const impulses = numbers.map((text) => Number(/^([\d.]+) N s$/.exec(text)[1]));
+    const together = impulses.pop();
+    assert.ok(impulses.length > 0 && together > 1, numbers);
+    const sum = impulses.reduce((a, b) => a + b, 0);
+    assert.ok(Math.abs(sum - together) < 0.006 * numbers.length, `${numbers}`);
   },
 
   async "a tournament fills up, and the oracle has all that is possible"() {

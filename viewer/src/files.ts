@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the page carries: flinch.wasm and selectors, in base64.
+// What the page carries, in base64: flinch.wasm, compressed, and selectors.
 import type { SelectorFile } from "./worker";
 
 function bytesOf(element: Element): Uint8Array {
@@ -9,12 +9,17 @@ function bytesOf(element: Element): Uint8Array {
   return bytes;
 }
 
-export function embeddedModule(): Promise<WebAssembly.Module> {
+function unzipped(bytes: Uint8Array): Promise<ArrayBuffer> {
+  const stream = new Blob([bytes as BlobPart]).stream().pipeThrough(new DecompressionStream("gzip"));
+  return new Response(stream).arrayBuffer();
+}
+
+export async function embeddedModule(): Promise<WebAssembly.Module> {
   const element = document.getElementById("flinch-wasm");
   if (!element) throw new Error("This page was built without flinch.wasm: build it again with scripts/page.");
   if (typeof WebAssembly === "undefined")
     throw new Error("This browser cannot run WebAssembly, or it is switched off: the page needs it.");
-  return WebAssembly.compile(bytesOf(element) as BufferSource).catch((error: Error) => {
+  return WebAssembly.compile(await unzipped(bytesOf(element))).catch((error: Error) => {
     throw new Error(`This browser does not run WebAssembly here: ${error.message}`);
   });
 }
