@@ -135,13 +135,19 @@ Samples::Of motions_at(const Response& r, float t) {
   return t <= r.end_s ? Samples::Of::clip : Samples::Of::clip_and_home;
 }
 
+// By how much a foot must come up to be at most so deep in the ground, m: 0 or more.
+float rise_to_ground(const Response& r, Side side, const FootPose& place,
+                     const Eigen::Quaternionf& toes, float max_depth_m) {
+  const float lowest = min_height(r.library->soles[side], place, toes,
+                                  r.library->skeleton().offset[motion::roles_of(side).toes]);
+  return std::max(-max_depth_m - lowest, 0.0F);
+}
+
 // Keeps a foot above the ground: between a clip and a source that differ much it may dip.
 FootPose above_ground(const Response& r, Side side, FootPose place,
                       const Eigen::Quaternionf& toes) {
-  constexpr float kMaxDepth_m = -0.001F;  // m
-  const float lowest = min_height(r.library->soles[side], place, toes,
-                                  r.library->skeleton().offset[motion::roles_of(side).toes]);
-  place.ankle.z() += std::max(kMaxDepth_m - lowest, 0.0F);
+  constexpr float kMaxDepth_m = 0.001F;
+  place.ankle.z() += rise_to_ground(r, side, place, toes, kMaxDepth_m);
   return place;
 }
 
@@ -217,7 +223,7 @@ Eigen::Vector3f roll_over_sole(const Response& r, Side side, const FootPose& foo
 // foot may be where the hip and the ankle cannot follow. Then it comes as near as they allow, above
 // the ground, which needs a new solution; each comes nearer. `frames` belong to `pose`, which is as
 // it was blended: joints may be as far beyond their limits as it has them.
-void move_leg(const Response& r, Side side, const JointFrames& frames, const FootPose& foot,
+bool move_leg(const Response& r, Side side, const JointFrames& frames, const FootPose& foot,
               Pose& pose) {
   constexpr int kRounds = 4;
   const motion::Limb leg = motion::leg_of(side);
@@ -228,15 +234,34 @@ void move_leg(const Response& r, Side side, const JointFrames& frames, const Foo
   for (int round = 0; round < kRounds; ++round) {
     const bool hip_moves = clamp_joint(*limits.hip, blended_hip, pose);
     const bool ankle_moves = clamp_joint(*limits.ankle, blended_ankle, pose);
-    if (!hip_moves && !ankle_moves) return;
+    if (!hip_moves && !ankle_moves) return true;
     FootPose near = foot_of(r.library->skeleton(), pose, side);
     if (!ankle_moves) near.orientation = foot.orientation;
     if (!hip_moves) near.ankle = foot.ankle + roll_over_sole(r, side, foot, near.orientation);
     near = above_ground(r, side, near, pose.rotation[motion::roles_of(side).toes]);
     motion::move_limb_end(frames, leg, near.ankle, near.orientation, pose);
   }
-  clamp_joint(*limits.hip, blended_hip, pose);
-  clamp_joint(*limits.ankle, blended_ankle, pose);
+  const bool hip_moves = clamp_joint(*limits.hip, blended_hip, pose);
+  const bool ankle_moves = clamp_joint(*limits.ankle, blended_ankle, pose);
+  return !hip_moves && !ankle_moves;
+}
+
+// The pelvis comes down for feet that are far. A leg whose hip or ankle cannot follow may then have
+// its foot deep in the ground: the pelvis comes up again as much, and the other leg goes to its
+// foot from there.
+void raise_soles(const Response& r, const motion::PerSide<FootPose>& feet, JointFrames& frames,
+                 Pose& pose) {
+  constexpr float kMaxDepth_m = 0.005F;
+  motion::PerSide<float> rise{};
+  for (Side side : motion::kSides)
+    rise[side] = rise_to_ground(r, side, foot_of(r.library->skeleton(), pose, side),
+                                pose.rotation[motion::roles_of(side).toes], kMaxDepth_m);
+  const Side lower = rise[Side::left] > rise[Side::right] ? Side::left : Side::right;
+  if (rise[lower] <= 0) return;
+  const Eigen::Vector3f move = rise[lower] * Eigen::Vector3f::UnitZ();
+  pose.root_position += move;
+  for (Role role : kLegRoles) frames.position[role] += move;
+  move_leg(r, motion::other(lower), frames, feet[motion::other(lower)], pose);
 }
 
 }  // namespace
@@ -384,9 +409,9 @@ void place_feet(const Response& r, const Legs& legs, const Eigen::Vector3f& shif
   pose.root_position += move;
   JointFrames frames = legs.frames;
   for (Role role : kLegRoles) frames.position[role] += move;
-  for (Side side : motion::kSides) {
-    move_leg(r, side, frames, legs.feet[side], pose);
-  }
+  bool reach = true;
+  for (Side side : motion::kSides) reach &= move_leg(r, side, frames, legs.feet[side], pose);
+  if (!reach) raise_soles(r, legs.feet, frames, pose);
 }
 
 Pose pose_at(const Response& response, float time_s) noexcept {

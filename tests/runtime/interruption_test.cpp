@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <random>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -24,11 +25,6 @@ using tests::uniform;
 
 constexpr float kFrame_s = 1.0F / 60;
 
-const Library& authored_selector() {
-  static const Library kLibrary = tests::loaded_selector(60, tests::ModelKind::knn);
-  return kLibrary;
-}
-
 /// The joint that exceeds its limits most, and by how much, radians.
 std::pair<float, std::string_view> max_excess(const motion::JointFrames& frames) {
   std::pair<float, std::string_view> max;
@@ -39,8 +35,8 @@ std::pair<float, std::string_view> max_excess(const motion::JointFrames& frames)
   return max;
 }
 
-float min_sole_height(const motion::JointFrames& frames) {
-  const motion::PerSide<Sole>& soles = authored_selector().prepared().soles;
+float min_sole_height(const Library& library, const motion::JointFrames& frames) {
+  const motion::PerSide<Sole>& soles = library.prepared().soles;
   return std::min(min_height(soles[motion::Side::left], frames, motion::Side::left),
                   min_height(soles[motion::Side::right], frames, motion::Side::right));
 }
@@ -69,37 +65,81 @@ features::Threat random_ball(std::mt19937& random, const Eigen::Vector2f& positi
   return features::threat_from_description(approach, goal, 0);
 }
 
-// A ball every 0.1 to 0.6 s, for half an hour: hardly any response is ever finished.
-TEST(Interruption, JointsStayWithinTheirLimitsAndFeetAboveTheGround) {
-  const motion::Skeleton& skeleton = authored_selector().prepared().skeleton();
-  Workspace workspace;
-  ASSERT_EQ(workspace.reserve_memory(authored_selector().selection_bytes()),
-            database::LoadStatus::ok);
-  std::mt19937 random(3);
-  Character character(authored_selector());
+/// What a character that is interrupted again and again did at worst.
+struct Worst {
+  float excess = 0;  // of a joint beyond its limits, radians
+  std::string where;
+  float depth_m = 0;        // of a sole under the ground
+  float velocity_step = 0;  // of a joint, from one frame to the next, rad/s
+};
+
+/// Interrupts a character every 0.1 to 0.6 s for `frame_count` frames: `interrupt` gives it
+/// something else to do.
+template <class Interrupt>
+Worst interrupted(const Library& library, std::mt19937& random, int frame_count,
+                  Interrupt interrupt) {
+  Character character(library);
+  Worst worst;
   motion::Pose before = character.pose();
   motion::Pose now = before;
-  float max_step = 0;
-  int answered = 0;
-  int frames_left = samples(100000);
+  int frames_left = frame_count;
   while (frames_left > 0) {
-    const features::Threat ball = random_ball(random, character.state().position);
-    answered += character.perceive(ball, workspace) == Status::ok ? 1 : 0;
+    interrupt(character);
     const int length = static_cast<int>(uniform(random, 0.1F, 0.6F) / kFrame_s);
     for (int i = 0; i < length; ++i, --frames_left) {
-      ASSERT_EQ(character.update(kFrame_s), Status::ok);
+      if (character.update(kFrame_s) != Status::ok) worst.excess = 10;
       const motion::Pose pose = character.pose();
-      const motion::JointFrames frames = forward_kinematics(skeleton, pose);
+      const motion::JointFrames frames = forward_kinematics(library.prepared().skeleton(), pose);
       const auto [excess, joint] = max_excess(frames);
-      EXPECT_LE(excess, 0.05F) << joint << " in clip " << character.clip() << ", frame " << i;
-      EXPECT_GE(min_sole_height(frames), -0.015F) << "clip " << character.clip() << ", frame " << i;
-      max_step = std::max(max_step, max_velocity_step(before, now, pose));
+      const float depth_m = -min_sole_height(library, frames);
+      if (excess > worst.excess || depth_m > worst.depth_m)
+        worst.where += std::string(joint) + " in clip " + std::to_string(character.clip()) + "; ";
+      worst.excess = std::max(worst.excess, excess);
+      worst.depth_m = std::max(worst.depth_m, depth_m);
+      worst.velocity_step = std::max(worst.velocity_step, max_velocity_step(before, now, pose));
       before = now;
       now = pose;
     }
   }
-  EXPECT_LT(max_step, 60);
-  EXPECT_GT(answered, samples(3000));
+  return worst;
+}
+
+void expect_human(const Worst& worst) {
+  EXPECT_LE(worst.excess, 0.05F) << worst.where;
+  EXPECT_LE(worst.depth_m, 0.006F) << worst.where;
+  EXPECT_LT(worst.velocity_step, 65);
+}
+
+// A ball every 0.1 to 0.6 s, for half an hour each: hardly any response is ever finished. Selectors
+// that were fitted to other observations choose other clips one after the other.
+TEST(Interruption, BallsLeaveJointsWithinTheirLimitsAndFeetAboveTheGround) {
+  for (std::uint64_t seed : {1, 3, 4}) {
+    SCOPED_TRACE("selector " + std::to_string(seed));
+    const Library library = tests::loaded_selector(60, tests::ModelKind::knn, seed);
+    Workspace workspace;
+    ASSERT_EQ(workspace.reserve_memory(library.selection_bytes()), database::LoadStatus::ok);
+    std::mt19937 random(3);
+    int answered = 0;
+    expect_human(interrupted(library, random, samples(100000), [&](Character& character) {
+      const features::Threat ball = random_ball(random, character.state().position);
+      answered += character.perceive(ball, workspace) == Status::ok ? 1 : 0;
+    }));
+    EXPECT_GT(answered, samples(3000));
+  }
+}
+
+// Any clip after any other, as a game that chooses by itself may ask.
+TEST(Interruption, AnyClipLeavesJointsWithinTheirLimitsAndFeetAboveTheGround) {
+  const Library library = tests::loaded_selector(60, tests::ModelKind::knn);
+  const std::vector<motion::Clip>& clips = library.clip_library().clips;
+  std::mt19937 random(3);
+  int answered = 0;
+  expect_human(interrupted(library, random, samples(200000), [&](Character& character) {
+    const auto clip = static_cast<int>(random() % clips.size());
+    const float left_s = uniform(random, 0.25F, 1.2F);
+    answered += character.respond(clip, left_s) == Status::ok ? 1 : 0;
+  }));
+  EXPECT_GT(answered, samples(9000));
 }
 
 }  // namespace

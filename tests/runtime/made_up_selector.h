@@ -46,8 +46,9 @@ struct MadeUpSelector {
 
 enum class ModelKind : std::uint8_t { svm, knn, knn_cost, network, pairwise };
 
+/// Another `seed` makes up other observations.
 inline MadeUpSelector made_up_selector(const database::ClipLibrary& library, int observation_count,
-                                       ModelKind model) {
+                                       ModelKind model, std::uint64_t seed = 1) {
   MadeUpSelector made{database::library_bytes(library), {}};
   models::Selector& selector = made.selector;
   selector.library_hash =
@@ -61,7 +62,7 @@ inline MadeUpSelector made_up_selector(const database::ClipLibrary& library, int
   const auto class_count =
       static_cast<int>(library.clips.size() - database::stance_clips(library).size());
   models::TrainingSet set =
-      models::random_clouds(1, observation_count, class_count, features::kFeatureCount);
+      models::random_clouds(seed, observation_count, class_count, features::kFeatureCount);
   for (int& label : set.label) label = 1 + label / 2;
   set.masks = {models::ClipMask(library.clips.size(), true)};
   switch (model) {
