@@ -240,14 +240,24 @@ const tests = {
     await show(kThrow);
     const damaged = Buffer.from(selector);
     damaged[damaged.length >> 1] ^= 1;
+    const newer = Buffer.from(selector);
+    ++newer[7]; // the version
     for (const [buffer, text] of [
       [damaged, /damaged/],
+      [newer, /another version/],
       [selector.subarray(0, 1000), /cut short/],
       [Buffer.from("HIERARCHY"), /not a selector/],
     ]) {
       await page.locator("input[type=file]").setInputFiles({ name: "bad.flinch", mimeType: "", buffer });
       await page.waitForFunction((t) => new RegExp(t).test(document.getElementById("message").textContent), text.source);
     }
+    // Dropped onto the page, here one that is too large.
+    await page.evaluate(() => {
+      const dropped = new DataTransfer();
+      dropped.items.add(new File([new Uint8Array(64 * 1024 * 1024 + 1)], "large.flinch"));
+      document.body.dispatchEvent(new DragEvent("drop", { dataTransfer: dropped, bubbles: true }));
+    });
+    await page.waitForFunction(() => document.getElementById("message").textContent === "large.flinch is larger than 64 MiB.");
     const before = await page.evaluate(() => globalThis.flinchPage.choosers.length);
     await page.locator("input[type=file]").setInputFiles({ name: "again.flinch", mimeType: "", buffer: selector });
     await page.waitForFunction((n) => globalThis.flinchPage.choosers.length > n, before);
