@@ -13,6 +13,8 @@ local function declarations(header)
 end
 
 local Flinch = {}
+-- LuaJIT may close a library before it runs the finalizers that call it.
+local loaded = {}
 
 -- Loads the library at `library` ("libflinch.so") with the declarations of the header at `header`.
 -- What it returns has every function of flinch.h without "flinch_"; one that fails raises an error
@@ -23,6 +25,7 @@ function Flinch.load(library, header)
   file:close()
   ffi.cdef(text)
   local C = ffi.load(library)
+  loaded[#loaded + 1] = C
   local flinch = { C = C }
 
   -- A struct of flinch.h, such as new("flinch_threat", {radius = 0.1}), with its size set.
