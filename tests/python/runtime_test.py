@@ -145,7 +145,11 @@ class Runtime(unittest.TestCase):
         pose = self.library.clip_pose(self.library.idle_clip, 0)
         character = flinch.Character(self.library)
         numpy.testing.assert_allclose(pose.rotation, character.pose().rotation, atol=1e-5)
-        self.refuses(-5, self.library.clip_pose, 9999, 0)
+        last = len(self.library.clips) - 1
+        duration_s = self.library.clips[last]["duration_s"]
+        numpy.testing.assert_array_equal(numbers(self.library.clip_pose(last, duration_s)),
+                                         numbers(self.library.clip_pose(last, 99)))
+        self.refuses(-5, self.library.clip_pose, last + 1, 0)
 
     def test_perception_can_be_imperfect(self):
         self.character.limit_perception(seed=3, chance_to_fail=1)
