@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <functional>
 #include <limits>
 #include <map>
 #include <string>
@@ -134,15 +135,15 @@ void print_rows(const std::vector<Row>& rows, std::size_t budget) {
 }  // namespace
 
 void print_search(const PoseTrial& trial, std::size_t budget, std::size_t seeds, int threads) {
+  using Run = std::function<Curve(std::uint64_t seed)>;
   std::vector<Row> rows;
-  const auto add = [&](const std::string& name, const auto& run) {
-    Row row{name, {}};
-    for (std::uint64_t seed = 1; seed <= seeds; ++seed) row.curves.push_back(run(seed));
-    rows.push_back(std::move(row));
-    std::fprintf(stderr, "%s\n", name.c_str());
+  std::vector<Run> runs;
+  const auto add = [&](const std::string& name, Run run) {
+    rows.push_back({name, {}});
+    runs.push_back(std::move(run));
   };
   const auto add_genetic = [&](const std::string& name, GeneticOptions options) {
-    add(name, [&](std::uint64_t seed) {
+    add(name, [&trial, options, budget, threads](std::uint64_t seed) mutable {
       options.seed = seed;
       return run_genetic(trial, options, budget, threads);
     });
@@ -150,7 +151,7 @@ void print_search(const PoseTrial& trial, std::size_t budget, std::size_t seeds,
   for (const MutationScheme scheme : kMutationSchemes)
     add_genetic("scheme " + std::string(name_of(scheme)) + ", 400, tournament 4",
                 {.mutation = scheme});
-  for (const std::size_t population : {100, 200, 300, 400, 500, 600, 700, 800})
+  for (const std::size_t population : {100, 200, 400, 800})
     for (const std::size_t tournament : {4, 8}) {
       if (population == 400 && tournament == 4) continue;
       add_genetic(
@@ -159,8 +160,15 @@ void print_search(const PoseTrial& trial, std::size_t budget, std::size_t seeds,
     }
   for (const int population : {13, 100})  // 13 is the default for 20 dimensions
     add("CMA-ES, " + std::to_string(population),
-        [&](std::uint64_t seed) { return run_cma_es(trial, population, seed, budget, threads); });
-  print_rows(rows, budget);
+        [&trial, population, budget, threads](std::uint64_t seed) {
+          return run_cma_es(trial, population, seed, budget, threads);
+        });
+  for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+    for (std::size_t i = 0; i < rows.size(); ++i) rows[i].curves.push_back(runs[i](seed));
+    std::printf("after %llu of %zu seeds\n", static_cast<unsigned long long>(seed), seeds);
+    print_rows(rows, budget);
+    std::fflush(stdout);
+  }
 }
 
 }  // namespace flinch::evolve
