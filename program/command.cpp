@@ -4,11 +4,21 @@
 #include <filesystem>
 
 #include "database/files/file_kind.h"
+#include "evolve/label/pain_labels.h"
 #include "features/feature_layout.h"
 #include "motion/error.h"
 #include "train/fit/training.h"
 
 namespace flinch::program {
+namespace {
+
+constexpr const char* kThesisPain = "thesis";
+
+evolve::PainMap pain_map_of(const std::string& name) {
+  return name == kThesisPain ? evolve::thesis_pain() : evolve::read_pain(name);
+}
+
+}  // namespace
 
 Option json_option(bool& json) {
   return {"--json", "print one JSON document and nothing else", &json};
@@ -56,12 +66,32 @@ std::vector<Option> cost_options(CostOptions& options) {
            &options.vulnerability, OneOfOrFile{names, ".toml"}}};
 }
 
+std::vector<Option> label_options(CostOptions& options) {
+  return join({cost_options(options),
+               {{"--pain",
+                 "in place of --vulnerability, how much an impulse hurts at each place: the map of "
+                 "Rose (2006), or a file; the store needs simulate's --places",
+                 &options.pain, OneOfOrFile{{kThesisPain}, ".toml"}}}});
+}
+
 std::string vulnerability_file(const CostOptions& options) {
+  if (options.pain) return database::names_toml_file(*options.pain) ? *options.pain : "";
   return database::names_toml_file(options.vulnerability) ? options.vulnerability : "";
 }
 
 train::VulnerabilityProfile vulnerability_of(const CostOptions& options) {
+  if (options.pain) {
+    if (options.vulnerability != CostOptions{}.vulnerability)
+      throw Error("", "--pain and --vulnerability both say what hurts; give one of them");
+    return evolve::largest_pain(pain_map_of(*options.pain), "pain");
+  }
   return train::find_vulnerability(options.vulnerability);
+}
+
+train::Store read_labelled_store(const std::string& path, const CostOptions& options) {
+  train::Store store = train::read_store(path);
+  if (options.pain) evolve::relabel_by_pain(pain_map_of(*options.pain), store, path);
+  return store;
 }
 
 }  // namespace flinch::program

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -8,6 +9,7 @@
 #include "program/document.h"
 #include "program/options.h"
 #include "train/objective/cost.h"
+#include "train/store/store.h"
 
 namespace flinch::program {
 
@@ -54,11 +56,17 @@ std::vector<std::string> method_names();
 struct CostOptions {
   double brawn = train::CostModel{}.brawn;
   std::string vulnerability{train::vulnerability_profiles()[0].name};  ///< or a file
+  std::optional<std::string> pain;  ///< name of a pain map, or a file: in place of `vulnerability`
 };
 std::vector<Option> cost_options(CostOptions& options);
+/// The same, and --pain: for commands that label stores.
+std::vector<Option> label_options(CostOptions& options);
 /// Returns the file that the options name, or an empty path.
 std::string vulnerability_file(const CostOptions& options);
-/// Returns the vulnerability table that the options name. Throws Error.
+/// Returns the vulnerability table that the options name; with a pain map, that of
+/// evolve::largest_pain. Throws Error.
 train::VulnerabilityProfile vulnerability_of(const CostOptions& options);
+/// Reads a store whose damage, by this table, is what the options name.
+train::Store read_labelled_store(const std::string& path, const CostOptions& options);
 
 }  // namespace flinch::program

@@ -57,6 +57,9 @@ train::ComparisonPlan plan_of(const CompareOptions& options) {
   plan.curves = options.curves;
   plan.transfer = options.transfer;
   plan.ablation = options.ablation;
+  plan.read = [&options](const std::string& path) {
+    return read_labelled_store(path, options.cost);
+  };
   plan.clock = now_s;
   if (options.curves || options.transfer || options.ablation)  // which take long
     plan.progress = [](const std::string& what) { std::cerr << "fitting " << what << '\n'; };
@@ -135,7 +138,7 @@ Command compare_command() {
             {"--curves", "also fit to fewer scenarios", &options->curves},
             {"--transfer", "also fit for other brawns", &options->transfer},
             {"--ablation", "also fit with other features", &options->ablation}},
-           cost_options(options->cost),
+           label_options(options->cost),
            {force_option(options->force), json_option(options->json)}}),
       .notes =
           "Protection is 0 for standing still and 1 for the exhaustive choice; intervals are\n"

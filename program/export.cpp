@@ -50,7 +50,7 @@ void export_data(const ExportOptions& options) {
       {options.source, options.scaling, vulnerability_file(options.cost)},
       overwrite_of(options.force));
   const train::VulnerabilityProfile vulnerability = vulnerability_of(options.cost);
-  train::Store store = train::read_store(options.source);
+  train::Store store = read_labelled_store(options.source, options.cost);
   derive_features(train::layout_for(options.features, store.header), store);
   const train::CostModel cost_model =
       make_cost_model(store.header, vulnerability, options.cost.brawn);
@@ -155,7 +155,7 @@ Command export_command() {
                  "(default: the store itself)",
                  &options->scaling},
                 features_option(options->features)},
-               cost_options(options->cost),
+               label_options(options->cost),
                {force_option(options->force), json_option(options->json)}}),
           .notes =
               "Examples:\n  flinch export real.flinchobs --out real.libsvm\n"

@@ -172,6 +172,8 @@ Json store_document(const StoreView& view) {
           {"scenarios", store.observation_count},
           {"trials", view.contents.trials},
           {"non_zero_impulse_share", view.non_zero_share()},
+          {"keeps_places", header.keeps_places},
+          {"places", view.contents.places},
           {"bytes", view.contents.bytes},
           {"bytes_per_scenario", view.bytes_per_scenario()},
           {"seed", header.seed},
@@ -199,8 +201,10 @@ void print_store(const StoreView& view) {
             << printable(header.library_name) << ", " << database::hash_text(header.library_hash)
             << '\n'
             << view.contents.trials << " trials, " << fixed(100 * view.non_zero_share(), 1)
-            << " % of their impulses are not zero; "
-            << fixed(static_cast<double>(view.contents.bytes) / 1e6, 1) << " MB, "
+            << " % of their impulses are not zero"
+            << (header.keeps_places ? ", at " + std::to_string(view.contents.places) + " places"
+                                    : "")
+            << "; " << fixed(static_cast<double>(view.contents.bytes) / 1e6, 1) << " MB, "
             << fixed(view.bytes_per_scenario(), 0)
             << " bytes per scenario without the library\ndistribution "
             << printable(header.distribution) << "\nsimulation " << printable(header.simulation)

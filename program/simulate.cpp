@@ -38,6 +38,7 @@ struct SimulateOptions {
   std::optional<int> threads;
   std::uint64_t memory = std::uint64_t{1} << 30;
   bool unabridged = false;
+  bool places = false;
   bool force = false;
   bool json = false;
 };
@@ -167,6 +168,7 @@ void simulate(const SimulateOptions& options, train::Messenger& messenger) {
   const database::ClipLibrary library = database::load_library(options.library);
   plan.seed = options.seed;
   plan.unabridged = options.unabridged;
+  plan.options.keeps_places = options.places;
   const train::SimulationSetup setup(library, plan);
   train::SimulationRun run;
   run.wanted = {options.first, options.scenarios};
@@ -219,6 +221,9 @@ Command simulate_command() {
            {"--memory", "maximum memory to use, such as 512M or 2G", &options->memory, ByteCount{}},
            {"--reference", "simulate each trial separately from perception on: many times slower",
             &options->unabridged},
+           {"--places",
+            "also keep where bodies are hit, for --pain of train, compare and export",
+            &options->places},
            force_option(options->force),
            {"--json", "print lines of JSON and nothing else: progress, and a summary at the end",
             &options->json}},

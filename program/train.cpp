@@ -100,7 +100,7 @@ void run_train(const TrainOptions& options) {
                           {options.store, vulnerability_file(options.cost)},
                           overwrite_of(options.force));
   const train::VulnerabilityProfile vulnerability = vulnerability_of(options.cost);
-  train::Store store = train::read_store(options.store);
+  train::Store store = read_labelled_store(options.store, options.cost);
   derive_features(train::layout_for(options.features, store.header), store);
   const train::CostModel cost_model =
       make_cost_model(store.header, vulnerability, options.cost.brawn);
@@ -136,7 +136,7 @@ Command train_command() {
                        {"--out", "selector file to write", &options->selector}},
           .optional = join({{{"--model", "model to fit", &options->model, OneOf{method_names()}},
                              features_option(options->features)},
-                            cost_options(options->cost),
+                            label_options(options->cost),
                             fitting_options(*options),
                             {force_option(options->force), json_option(options->json)}}),
           .notes = "Example:\n  flinch train real.flinchobs --out real.flinch",

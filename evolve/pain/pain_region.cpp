@@ -69,6 +69,40 @@ std::optional<PainRegion> pain_region_named(std::string_view name) {
   return found == kPainRegions.end() ? std::nullopt : std::optional(*found);
 }
 
+std::vector<PainRegion> regions_of(Body body) {
+  switch (body) {
+    case Body::head:
+      return {PainRegion::eyes, PainRegion::nose, PainRegion::face, PainRegion::head};
+    case Body::neck:
+      return {PainRegion::neck};
+    case Body::chest:
+      return {PainRegion::chest};
+    case Body::abdomen:
+      return {PainRegion::stomach};
+    case Body::pelvis:
+      return {PainRegion::pelvis};
+    case Body::left_upper_arm:
+    case Body::right_upper_arm:
+      return {PainRegion::upper_arm};
+    case Body::left_forearm:
+    case Body::right_forearm:
+      return {PainRegion::forearm_inside, PainRegion::forearm_outside};
+    case Body::left_hand:
+    case Body::right_hand:
+      return {PainRegion::palm, PainRegion::back_of_hand};
+    case Body::left_thigh:
+    case Body::right_thigh:
+      return {PainRegion::thigh};
+    case Body::left_shin:
+    case Body::right_shin:
+      return {PainRegion::shin};
+    case Body::left_foot:
+    case Body::right_foot:
+      break;
+  }
+  return {PainRegion::foot};
+}
+
 // In the rest pose the palms face down, and every joint's frame is the world's: the inside of a
 // hand or forearm is below its middle.
 PainRegion pain_region_at(const motion::BodyModel& bodies, Body body,

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string_view>
+#include <vector>
 
 #include "motion/body.h"
 
@@ -39,6 +40,9 @@ using PerPainRegion = motion::EnumArray<PainRegion, T, kPainRegionCount>;
 std::string_view name_of(PainRegion region);
 /// The region with this name, if there is one.
 std::optional<PainRegion> pain_region_named(std::string_view name);
+
+/// The regions that a body has.
+std::vector<PainRegion> regions_of(motion::Body body);
 
 /// The region of a point on the surface of a body. `point` is in the frame of the body's joint, m.
 PainRegion pain_region_at(const motion::BodyModel& bodies, motion::Body body,

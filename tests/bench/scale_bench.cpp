@@ -92,9 +92,10 @@ std::vector<Observation> posed(const SimulationSetup& setup, ScenarioRange range
 void write_ranges(benchmark::State& state) {
   const SimulationSetup& setup = scene().setup;
   const auto size = static_cast<std::uint64_t>(state.range(0));
-  RangeResult done{{0, size}, {}, {}, {}};
+  RangeResult done{{0, size}, {}, {}, {}, {}};
   for (const Observation& observation : posed(setup, done.range))
     done.trials.push_back(encode_trials(observation.trials));
+  done.places.resize(done.trials.size());
   const std::vector<std::byte> message = encode(done);
   const tests::TemporaryFolder folder;
   StoreWriter writer(folder / "store", make_store_header(setup), {0, std::uint64_t{1} << 40});

@@ -9,6 +9,10 @@
 
 namespace flinch::train {
 
+Eigen::Vector3f point_of(const HitPlace& place) {
+  return Eigen::Vector3f(place.point_mm[0], place.point_mm[1], place.point_mm[2]) / 1000;
+}
+
 float azimuth_of(const features::Scenario& scenario) {
   const Eigen::Vector3f from = -scenario.threat.velocity;
   return motion::wrapped_to_pi(motion::yaw_of(from) - scenario.state.facing);

@@ -8,15 +8,15 @@
 namespace flinch::train {
 namespace {
 
-Store read_with_features(const std::string& path, const std::string& set) {
-  Store store = read_store(path);
-  derive_features(layout_for(set, store.header), store);
+Store read_with_features(const std::string& path, const ComparisonPlan& plan) {
+  Store store = plan.read(path);
+  derive_features(layout_for(plan.feature_set, store.header), store);
   return store;
 }
 
-TrainTestSplit read_split(Store store, const std::string& test_path, const std::string& set) {
+TrainTestSplit read_split(Store store, const std::string& test_path, const ComparisonPlan& plan) {
   if (test_path.empty()) return split_of(std::move(store));
-  Store test = read_with_features(test_path, set);
+  Store test = read_with_features(test_path, plan);
   require_independent(store, test, test_path);
   return split_of(std::move(store), std::move(test));
 }
@@ -64,13 +64,13 @@ void add_rows(const ComparisonPlan& plan, const StudyPlan& study,
 
 Comparison compare_methods(const std::string& store_path, const std::string& test_path,
                            const ComparisonPlan& plan) {
-  Store store = read_with_features(store_path, plan.feature_set);
+  Store store = read_with_features(store_path, plan);
   const std::uint64_t seed = store.header.seed;
   const CostModel cost_model = make_cost_model(store.header, plan.vulnerability, plan.brawn);
   std::vector<PreventionRow> prevention =
       prevention_rows(store, label(store.observations, cost_model));
   Comparison comparison;
-  comparison.split = read_split(std::move(store), test_path, plan.feature_set);
+  comparison.split = read_split(std::move(store), test_path, plan);
   const TrainTestSplit& split = comparison.split;
   comparison.report = begin_report(split, seed, plan);
   comparison.report.prevention = std::move(prevention);

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "train/objective/vulnerability.h"
 #include "train/report/report.h"
+#include "train/store/store.h"
 
 namespace flinch::train {
 
@@ -17,6 +19,8 @@ struct ComparisonPlan {
   std::vector<Method> methods;  ///< in the order of the rows
   double brawn = CostModel{}.brawn;
   VulnerabilityProfile vulnerability = vulnerability_profiles()[0];
+  /// Reads a store, whose damage counts by `vulnerability`.
+  std::function<Store(const std::string& path)> read = read_store;
   bool curves = false;    ///< also fit to fewer scenarios
   bool transfer = false;  ///< also fit for other brawns
   bool ablation = false;  ///< also fit with other features

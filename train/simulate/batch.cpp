@@ -91,11 +91,22 @@ class TrialRunner {
  public:
   TrialRunner(const SimulationSetup& setup, RehearsalCache& rehearsals, const BatchContext& context,
               std::vector<Observation>& observations)
-      : setup_(setup), rehearsals_(rehearsals), context_(context), observations_(observations) {}
+      : setup_(setup), rehearsals_(rehearsals), context_(context), observations_(observations) {
+    if (!setup.plan.options.keeps_places) return;
+    for (const Observation& observation : observations)
+      places_.emplace_back(observation.trials.size());
+  }
+
+  /// Gives the observations the places of their trials. Call once all groups have run.
+  void give_places() {
+    for (std::size_t i = 0; i < places_.size(); ++i)
+      for (const std::vector<HitPlace>& places : places_[i])
+        observations_[i].places.insert(observations_[i].places.end(), places.begin(), places.end());
+  }
 
   bool stopped() const { return context_.stop != nullptr && *context_.stop; }
 
-  void run_group(TaskGroup group, ThreadState& thread) const {
+  void run_group(TaskGroup group, ThreadState& thread) {
     if (setup_.plan.unabridged) {
       run_unabridged(group, thread);
     } else {
@@ -104,7 +115,7 @@ class TrialRunner {
   }
 
  private:
-  void run_unabridged(TaskGroup group, ThreadState& thread) const {
+  void run_unabridged(TaskGroup group, ThreadState& thread) {
     const double begin_s = context_.cpu_s();
     for (const TrialTask& task : group) {
       if (stopped()) return;
@@ -114,7 +125,7 @@ class TrialRunner {
     thread.cpu.contact_s += context_.cpu_s() - begin_s;
   }
 
-  void run_rehearsed(TaskGroup group, ThreadState& thread) const {
+  void run_rehearsed(TaskGroup group, ThreadState& thread) {
     const double begin_s = context_.cpu_s();
     std::vector<std::shared_ptr<const RehearsedResponse>> responses;
     std::vector<RehearsedTrial> trials;
@@ -136,8 +147,9 @@ class TrialRunner {
     return observations_[task.observation].trials[task.trial];
   }
 
-  void take(const TrialTask& task, const TrialResult& result, ThreadState& thread) const {
+  void take(const TrialTask& task, const TrialResult& result, ThreadState& thread) {
     trial_of(task) = result.trial;
+    if (!result.places.empty()) places_[task.observation][task.trial] = result.places;
     thread.counts.add(result.simulated);
   }
 
@@ -152,6 +164,7 @@ class TrialRunner {
   RehearsalCache& rehearsals_;
   const BatchContext& context_;
   std::vector<Observation>& observations_;
+  std::vector<std::vector<std::vector<HitPlace>>> places_;  ///< of each trial of each observation
 };
 
 }  // namespace
@@ -193,7 +206,7 @@ bool simulate_batch(const SimulationSetup& setup, RehearsalCache& rehearsals, Sc
   const std::vector<TaskGroup> groups = groups_of(tasks);
   batch.cpu.posing_s = context.cpu_s() - begin_s;
 
-  const TrialRunner runner(setup, rehearsals, context, batch.observations);
+  TrialRunner runner(setup, rehearsals, context, batch.observations);
   FirstException failure;
 #pragma omp parallel num_threads(context.threads)
   {
@@ -215,6 +228,7 @@ bool simulate_batch(const SimulationSetup& setup, RehearsalCache& rehearsals, Sc
     }
   }
   failure.rethrow();
+  runner.give_places();
   return !runner.stopped();
 }
 

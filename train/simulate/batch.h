@@ -58,6 +58,9 @@ struct Batch {
 /// Memory that a trial of a batch takes, bytes: the trial, and twice, while they are sorted, what
 /// tells the response that it shares.
 inline constexpr std::size_t kBatchBytesPerTrial = 144;
+/// Memory that the places of a trial take beside it, bytes: their vector, and twice, while they are
+/// gathered, those of two hits.
+inline constexpr std::size_t kBatchBytesOfPlaces = 24 + 4 * sizeof(HitPlace);
 
 /// Simulates the scenarios of a range. Runs all trials of one response in a row, so that its
 /// rehearsal stays in the processor's cache, and distributes the responses over the threads. The

@@ -17,6 +17,7 @@
 #include "train/simulate/scenario_scheduler.h"
 #include "train/simulate/worker_pool.h"
 #include "train/store/file_opening.h"
+#include "train/store/store_places.h"
 #include "train/store/store_trials.h"
 
 namespace flinch::train {
@@ -125,14 +126,15 @@ std::uint64_t scenario_bytes(const SimulationSetup& setup) {
   std::size_t trials = 0;
   for (std::uint64_t number = 0; number < kCount; ++number)
     trials += make_observation(setup, number).trials.size();
-  return sizeof(Observation) + (trials * kBatchBytesPerTrial) / kCount;
+  const std::size_t places = setup.plan.options.keeps_places ? kBatchBytesOfPlaces : 0;
+  return sizeof(Observation) + (trials * (kBatchBytesPerTrial + places)) / kCount;
 }
 
 /// Returns a hash of everything that must be the same in all processes of a run.
 std::uint64_t hash_of_run(const StoreHeader& header) {
   const std::string text = database::hash_text(header.library_hash) + " " +
                            std::to_string(header.seed) + " " + header.distribution + " " +
-                           header.simulation;
+                           header.simulation + (header.keeps_places ? " places" : "");
   return database::content_hash(std::as_bytes(std::span(text)));
 }
 
@@ -153,6 +155,7 @@ class ResultWriter {
     for (std::uint64_t i = 0; i < done.range.count; ++i) {
       observations.push_back(make_observation(setup_, done.range.first + i));
       observations.back().trials = decode_trials(done.trials[i]);
+      observations.back().places = decode_places(done.places[i]);
     }
     write(observations, done.counts, done.cpu);
   }
@@ -211,6 +214,7 @@ StoreHeader make_store_header(const SimulationSetup& setup) {
   header.seed = setup.plan.seed;
   header.distribution = describe(setup.plan.distribution);
   header.simulation = describe(setup.plan);
+  header.keeps_places = setup.plan.options.keeps_places;
   header.kinds.clear();
   for (const ThreatKind& kind : setup.plan.distribution.kinds) header.kinds.push_back(kind);
   header.reference_impulse_ns = largest_impulse_ns(setup.plan.distribution);
@@ -309,9 +313,11 @@ void run_simulation_worker(const SimulationSetup& setup, const SimulationRun& ru
   const auto simulate = [&](ScenarioRange range) -> std::optional<RangeResult> {
     Batch batch;
     if (!simulate_batch(setup, rehearsals, range, run.batch, batch)) return std::nullopt;
-    RangeResult done{range, batch.counts, batch.cpu, {}};
-    for (const Observation& observation : batch.observations)
+    RangeResult done{range, batch.counts, batch.cpu, {}, {}};
+    for (const Observation& observation : batch.observations) {
       done.trials.push_back(encode_trials(observation.trials));
+      done.places.push_back(encode_places(observation.places));
+    }
     return done;
   };
   run_worker(*run.messenger, hash_of_run(make_store_header(setup)), run.batch.threads, simulate);

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "train/simulate/trial.h"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <string>
 
 #include "features/ball.h"
@@ -21,11 +24,46 @@ lookahead::ResponseMotion response_motion(const SimulationSetup& setup,
       double{time_to_impact_s} + setup.plan.tail_s);
 }
 
+std::int16_t millimetres(double metres) {
+  constexpr double kMax = std::numeric_limits<std::int16_t>::max();
+  return static_cast<std::int16_t>(std::clamp(std::round(1000 * metres), -kMax, kMax));
+}
+
+/// What hits a body within kMergeDistance_m of an earlier place counts there, since a contact takes
+/// several steps. So does, at any distance, what comes after many places: a ball may roll far.
+std::vector<HitPlace> places_of(int clip, std::span<const sim::PlacedImpulse> impulses) {
+  constexpr float kMergeDistance_m = 0.005F;
+  constexpr std::size_t kMany = kMaxPlacesPerTrial - motion::kBodyCount;
+  std::vector<HitPlace> places;
+  for (const sim::PlacedImpulse& hit : impulses) {
+    const HitPlace place{
+        clip,
+        hit.body,
+        static_cast<float>(hit.impulse_ns),
+        {millimetres(hit.point.x()), millimetres(hit.point.y()), millimetres(hit.point.z())}};
+    HitPlace* nearest = nullptr;
+    float distance_m =
+        places.size() < kMany ? kMergeDistance_m : std::numeric_limits<float>::infinity();
+    for (HitPlace& other : places) {
+      const float apart_m = (point_of(other) - point_of(place)).norm();
+      if (other.body != place.body || apart_m > distance_m) continue;
+      nearest = &other;
+      distance_m = apart_m;
+    }
+    if (nearest != nullptr) {
+      nearest->impulse_ns += place.impulse_ns;
+    } else {
+      places.push_back(place);
+    }
+  }
+  return places;
+}
+
 TrialResult trial_result(int clip, double work_j, const sim::SimulationResult& simulated) {
   if (!simulated.is_finite)
     throw Error("simulation", "the numbers of clip " + std::to_string(clip) +
                                   "'s simulation are not finite; check the library's motions");
-  TrialResult result{{}, simulated};
+  TrialResult result{{}, places_of(clip, simulated.places), simulated};
   result.trial.clip = clip;
   result.trial.work_j = static_cast<float>(work_j);
   for (const motion::Body body : motion::kBodies)

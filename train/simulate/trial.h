@@ -51,6 +51,7 @@ Observation make_observation(const SimulationSetup& setup, std::uint64_t number)
 /// A trial and the result of its simulation.
 struct TrialResult {
   Trial trial;
+  std::vector<HitPlace> places;  ///< empty unless the plan keeps them
   sim::SimulationResult simulated;
 };
 

@@ -68,6 +68,7 @@ void write(Writer& writer, const RangeResult& done) {
   writer.put(done.counts);
   writer.put(done.cpu);
   for (const auto& trials : done.trials) writer.put_sized(trials);
+  for (const auto& places : done.places) writer.put_sized(places);
 }
 void write(Writer& writer, const WorkerFailure& failed) {
   writer.put_sized(std::as_bytes(std::span(failed.why)));
@@ -88,6 +89,10 @@ void read(Reader& reader, RangeResult& done) {
   for (std::uint64_t i = 0; i < done.range.count; ++i) {
     const auto trials = reader.take_sized();
     done.trials.emplace_back(trials.begin(), trials.end());
+  }
+  for (std::uint64_t i = 0; i < done.range.count; ++i) {
+    const auto places = reader.take_sized();
+    done.places.emplace_back(places.begin(), places.end());
   }
 }
 void read(Reader& reader, WorkerFailure& failed) {

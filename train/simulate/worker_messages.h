@@ -19,13 +19,14 @@ struct WorkRequest {
   std::uint32_t threads = 1;
 };
 
-/// A worker has finished a range and asks for another. Only the trials of each scenario are sent:
-/// the rest follows from its number.
+/// A worker has finished a range and asks for another. Only the trials of each scenario and
+/// their places are sent: the rest follows from its number.
 struct RangeResult {
   ScenarioRange range;
   SimulationCounts counts;
   PhaseTimes cpu;
   std::vector<std::vector<std::byte>> trials;  ///< encoded, one per scenario
+  std::vector<std::vector<std::byte>> places;  ///< likewise
 };
 
 /// A worker cannot continue.

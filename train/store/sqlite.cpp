@@ -110,8 +110,9 @@ Statement& Statement::bind(const std::string& value) {
 }
 
 Statement& Statement::bind(std::span<const std::byte> value) {
-  check(sqlite3_bind_blob64(statement_.get(), ++bound_, value.data(), value.size(),
-                            SQLITE_TRANSIENT));
+  // A null pointer would bind NULL, not an empty blob.
+  const void* bytes = value.empty() ? static_cast<const void*>("") : value.data();
+  check(sqlite3_bind_blob64(statement_.get(), ++bound_, bytes, value.size(), SQLITE_TRANSIENT));
   return *this;
 }
 

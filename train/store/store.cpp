@@ -78,6 +78,9 @@ void require_same_run(const StoreHeader& stored, const StoreHeader& wanted, cons
                 "made with another scenario distribution, " + stored.distribution + "; " + remedy);
   if (stored.simulation != wanted.simulation)
     throw Error(path, "made with another simulation, " + stored.simulation + "; " + remedy);
+  if (stored.keeps_places != wanted.keeps_places)
+    throw Error(path, std::string("made ") + (stored.keeps_places ? "with" : "without") +
+                          " --places; " + remedy);
 }
 
 struct StoreReader::File {
@@ -163,6 +166,7 @@ StoreContents count_contents(const std::string& path) {
   Observation observation;
   while (reader.next(observation)) {
     contents.trials += observation.trials.size();
+    contents.places += observation.places.size();
     for (const Trial& trial : observation.trials)
       contents.impulses += static_cast<std::uint64_t>(
           std::ranges::count_if(trial.impulse, [](float impulse) { return impulse != 0; }));

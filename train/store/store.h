@@ -16,7 +16,8 @@
 
 namespace flinch::train {
 
-/// Version of the stores that are written. 4 has kinds of threats, 5 their shapes.
+/// Version of the stores that are written. 4 has kinds of threats, 5 their shapes, 6 rods and
+/// places.
 inline constexpr int kStoreFormatVersion = 6;
 /// The oldest version that is read. Its threats are of one kind. A writer continues none but its
 /// own.
@@ -40,6 +41,7 @@ struct StoreHeader {
   /// kind's.
   double reference_impulse_ns = 1;
   double reference_work_j = 1;  ///< W*
+  bool keeps_places = false;    ///< whether observations tell where bodies were hit
   std::vector<models::ClipSummary> clips;
   std::vector<double> clip_work_j;  ///< of each clip's reference response
   int idle = 0;
@@ -99,6 +101,7 @@ struct StoreContents {
   std::uint64_t bytes = 0;     ///< of the file
   std::uint64_t trials = 0;    ///< simulations
   std::uint64_t impulses = 0;  ///< bodies with an impulse, over all trials
+  std::uint64_t places = 0;    ///< where they were hit
 };
 StoreContents count_contents(const std::string& path);
 

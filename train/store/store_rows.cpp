@@ -8,6 +8,7 @@
 
 #include "database/library/content_hash.h"
 #include "motion/error.h"
+#include "train/store/store_places.h"
 #include "train/store/store_schema.h"
 #include "train/store/store_trials.h"
 
@@ -112,12 +113,14 @@ features::Scenario scenario_of(const ScenarioNumbers& numbers, motion::Target ta
   return scenario;
 }
 
-/// Checksum of the whole row: the number, the target's index, the scenario's numbers and the
-/// trials. Half of a 64-bit hash is enough to detect accidental damage.
+/// Checksum of the whole row: the number, the target's index, the scenario's numbers, the trials
+/// and the places. Half of a 64-bit hash is enough to detect accidental damage.
 std::int64_t checksum_of(std::uint64_t number, motion::Target target,
-                         std::span<const double> numbers, std::span<const std::byte> trials) {
+                         std::span<const double> numbers, std::span<const std::byte> trials,
+                         std::span<const std::byte> places) {
   const auto place = static_cast<std::uint64_t>(target);
-  std::vector<std::byte> bytes(sizeof number + sizeof place + numbers.size_bytes() + trials.size());
+  std::vector<std::byte> bytes(sizeof number + sizeof place + numbers.size_bytes() + trials.size() +
+                               places.size());
   std::byte* to = bytes.data();
   const auto put = [&to](const void* from, std::size_t size) {
     if (size > 0) std::memcpy(to, from, size);
@@ -127,17 +130,34 @@ std::int64_t checksum_of(std::uint64_t number, motion::Target target,
   put(&place, sizeof place);
   put(numbers.data(), numbers.size_bytes());
   put(trials.data(), trials.size());
+  put(places.data(), places.size());
   return static_cast<std::int32_t>(database::content_hash(bytes));
 }
 
+constexpr float kMaxOfTrial = 1e9F;  // J, N s
+
 bool are_sound(std::span<const Trial> trials, const StoreHeader& header) {
-  constexpr float kMaxMeasure = 1e9F;                                          // J, N s
-  const auto is_bounded = [](float x) { return std::abs(x) <= kMaxMeasure; };  // false for NaN
+  const auto is_bounded = [](float x) { return std::abs(x) <= kMaxOfTrial; };  // false for NaN
   return std::ranges::find(trials, header.idle, &Trial::clip) != trials.end() &&
          trials.back().clip < static_cast<int>(header.clips.size()) &&
          std::ranges::all_of(trials, [&](const Trial& trial) {
            return is_bounded(trial.work_j) && std::ranges::all_of(trial.impulse, is_bounded);
          });
+}
+
+/// Whether each place is of a trial, and no trial has too many.
+bool are_sound(std::span<const HitPlace> places, std::span<const Trial> trials,
+               const StoreHeader& header) {
+  if (!places.empty() && !header.keeps_places) return false;
+  auto trial = trials.begin();
+  std::size_t count = 0;
+  for (const HitPlace& place : places) {
+    for (; trial != trials.end() && trial->clip < place.clip; ++trial) count = 0;
+    if (trial == trials.end() || trial->clip != place.clip || ++count > kMaxPlacesPerTrial ||
+        !(place.impulse_ns >= 0 && place.impulse_ns <= kMaxOfTrial))
+      return false;
+  }
+  return true;
 }
 
 /// Whether a float can hold the numbers, and they are those of a scenario.
@@ -152,7 +172,7 @@ bool are_sound(const ScenarioNumbers& numbers, motion::Target target, const Stor
 std::string columns(int version) {
   std::string names = "number, target";
   for (const char* column : scenario_columns(version)) names += std::string(", ") + column;
-  return names + ", trials, checksum";
+  return names + ", trials" + (version < 6 ? "" : ", places") + ", checksum";
 }
 
 }  // namespace
@@ -161,25 +181,28 @@ std::string observation_table_sql(int version) {
   std::string sql = "CREATE TABLE observation(number INTEGER PRIMARY KEY, target TEXT NOT NULL";
   for (const char* column : scenario_columns(version))
     sql += std::string(", ") + column + " REAL NOT NULL";
-  return sql + ", trials BLOB NOT NULL, checksum INTEGER NOT NULL)";
+  return sql + ", trials BLOB NOT NULL" + (version < 6 ? "" : ", places BLOB NOT NULL") +
+         ", checksum INTEGER NOT NULL)";
 }
 
 Statement prepare_insert(Database& database) {
   std::string marks = "?, ?";
   for (std::size_t i = 0; i < kScenarioColumns.size(); ++i) marks += ", ?";
   return database.prepare("INSERT INTO observation(" + columns(kStoreFormatVersion) + ") VALUES(" +
-                          marks + ", ?, ?)");
+                          marks + ", ?, ?, ?)");
 }
 
 void insert(Statement& statement, const Observation& observation) {
   const motion::Target target = observation.scenario.target;
   const ScenarioNumbers numbers = numbers_of(observation.scenario);
   const std::vector<std::byte> trials = encode_trials(observation.trials);
+  const std::vector<std::byte> places = encode_places(observation.places);
   statement.bind(static_cast<std::int64_t>(observation.number))
       .bind(std::string(motion::name_of(target)));
   for (const double number : numbers) statement.bind(number);
   statement.bind(std::span<const std::byte>(trials))
-      .bind(checksum_of(observation.number, target, numbers, trials))
+      .bind(std::span<const std::byte>(places))
+      .bind(checksum_of(observation.number, target, numbers, trials, places))
       .run();
 }
 
@@ -203,13 +226,21 @@ Observation observation_of(const Statement& row, const StoreHeader& header,
   for (std::size_t i = 0; i < stored.size(); ++i) stored[i] = row.real(2 + static_cast<int>(i));
   const int trials_column = 2 + static_cast<int>(stored.size());
   const std::span<const std::byte> trials = row.blob(trials_column);
+  const bool has_places = header.format_version >= 6;
+  const std::span<const std::byte> places =
+      has_places ? row.blob(trials_column + 1) : std::span<const std::byte>{};
   if (!target || trials.size() > header.clips.size() * kMaxTrialBytes ||
-      row.integer(trials_column + 1) != checksum_of(observation.number, *target, stored, trials))
+      places.size() > header.clips.size() * kMaxPlacesPerTrial * kPlaceBytes ||
+      row.integer(trials_column + (has_places ? 2 : 1)) !=
+          checksum_of(observation.number, *target, stored, trials, places))
     throw Error(path, kDamagedStore);
   if (!are_sound(numbers, *target, header)) throw Error(path, kDamagedStore);
   observation.scenario = scenario_of(numbers, *target, header);
   observation.trials = decode_trials(trials);
-  if (!are_sound(observation.trials, header)) throw Error(path, kDamagedStore);
+  observation.places = decode_places(places);
+  if (!are_sound(observation.trials, header) ||
+      !are_sound(observation.places, observation.trials, header))
+    throw Error(path, kDamagedStore);
   return observation;
 }
 
@@ -245,7 +276,8 @@ std::vector<ScenarioRange> missing_rows(Database& database, const ScenarioRange&
 bool have_same_row(const Observation& a, const Observation& b) {
   return a.number == b.number && a.scenario.target == b.scenario.target &&
          numbers_of(a.scenario) == numbers_of(b.scenario) &&
-         encode_trials(a.trials) == encode_trials(b.trials);
+         encode_trials(a.trials) == encode_trials(b.trials) &&
+         encode_places(a.places) == encode_places(b.places);
 }
 
 }  // namespace flinch::train

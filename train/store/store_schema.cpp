@@ -337,6 +337,7 @@ void write_header(Database& database, const StoreHeader& header) {
   write_meta(database, "reference_impulse_ns", header.reference_impulse_ns);
   write_meta(database, "reference_work_j", header.reference_work_j);
   write_meta(database, "idle_clip", std::int64_t{header.idle});
+  write_meta(database, "keeps_places", std::int64_t{header.keeps_places});
   write_library_file(database, header);
   write_clips(database, header);
   write_bodies_and_targets(database, header);
@@ -347,7 +348,8 @@ StoreHeader read_header(Database& database) {
   StoreHeader header;
   header.format_version = require_store(database);
   require_row_count(database, "library", 1, 1);
-  require_row_count(database, "meta", 8, 8);
+  const int meta_rows = header.format_version < 6 ? 8 : 9;
+  require_row_count(database, "meta", meta_rows, meta_rows);
   require_row_count(database, "body", motion::kBodyCount, motion::kBodyCount);
   require_row_count(database, "target", motion::kTargetCount, motion::kTargetCount);
   require_row_count(database, "seal", 0, 1);
@@ -359,6 +361,8 @@ StoreHeader read_header(Database& database) {
   header.reference_impulse_ns = meta(database, "reference_impulse_ns").real(0);
   header.reference_work_j = meta(database, "reference_work_j").real(0);
   header.idle = static_cast<int>(meta(database, "idle_clip").integer(0));
+  if (header.format_version >= 6)
+    header.keeps_places = meta(database, "keeps_places").integer(0) != 0;
   read_library_file(database, header);
   read_clips(database, header);
   read_kinds(database, header);

@@ -12,6 +12,7 @@
 #include "tests/scenes/error_of.h"
 #include "tests/train/simulate/local_messenger.h"
 #include "tests/train/store/made_up_store.h"
+#include "train/store/store_places.h"
 #include "train/store/store_trials.h"
 
 namespace flinch::train {
@@ -127,6 +128,44 @@ TEST(SimulateBatch, DoesNotDependOnThreadsMemoryAndBatches) {
   EXPECT_EQ(batch.counts.simulations, trials);
   EXPECT_LE(batch.counts.hits + batch.counts.skipped, trials);
   EXPECT_GT(batch.counts.hits, 0U);
+}
+
+std::vector<std::vector<std::byte>> places_of(const Batch& batch) {
+  std::vector<std::vector<std::byte>> bytes;
+  for (const Observation& observation : batch.observations)
+    bytes.push_back(encode_places(observation.places));
+  return bytes;
+}
+
+TEST(SimulateBatch, KeepsThePlacesOfHitsOnRequestAndChangesNoImpulse) {
+  const database::ClipLibrary library = scenes::synthetic_library();
+  SimulationPlan plan;
+  RehearsalCache without(std::uint64_t{1} << 30);
+  const Batch plain = simulated(SimulationSetup(library, plan), {0, 12}, 2, without);
+  for (const Observation& observation : plain.observations) EXPECT_TRUE(observation.places.empty());
+  plan.options.keeps_places = true;
+  const SimulationSetup setup(library, plan);
+  RehearsalCache rehearsals(std::uint64_t{1} << 30);
+  const Batch batch = simulated(setup, {0, 12}, 1, rehearsals);
+  EXPECT_TRUE(trials_of(batch) == trials_of(plain));
+  EXPECT_TRUE(places_of(batch) == places_of(simulated(setup, {0, 12}, 3, rehearsals)));
+  std::size_t places = 0;
+  for (const Observation& observation : batch.observations) {
+    auto place = observation.places.begin();
+    for (const Trial& trial : observation.trials) {
+      motion::PerBody<float> sum;
+      for (; place != observation.places.end() && place->clip == trial.clip; ++place, ++places) {
+        sum[place->body] += place->impulse_ns;
+        const motion::Shape& shape = setup.body_model[place->body].shape;
+        const float reach_m = shape.radius + shape.half_length + shape.half_extents.norm();
+        EXPECT_LT((point_of(*place) - shape.centre).norm(), reach_m + 0.01F);
+      }
+      for (const motion::Body body : motion::kBodies)
+        EXPECT_NEAR(sum[body], trial.impulse[body], 1e-5F + 1e-5F * trial.impulse[body]);
+    }
+    EXPECT_EQ(place, observation.places.end());
+  }
+  EXPECT_GT(places, 50U);
 }
 
 TEST(RehearsalCache, StaysWithinItsMaximumSize) {

@@ -16,10 +16,11 @@ namespace {
 constexpr std::uint64_t kRun = 42;
 
 RangeResult done_of(ScenarioRange range) {
-  RangeResult done{range, {}, {}, {}};
+  RangeResult done{range, {}, {}, {}, {}};
   done.counts.simulations = range.count;
   for (std::uint64_t i = 0; i < range.count; ++i)
     done.trials.push_back(std::vector<std::byte>(static_cast<std::size_t>((range.first + i) % 5)));
+  done.places.resize(done.trials.size());
   return done;
 }
 
@@ -117,11 +118,13 @@ TEST(WorkerPool, RejectsAWorkerOfAnotherRun) {
 TEST(WorkerMessages, RoundTrip) {
   RangeResult done = done_of({7, 3});
   done.trials[1] = {std::byte{1}, std::byte{255}};
+  done.places[2] = {std::byte{7}};
   done.counts = {1, 2, 3, 4, 5};
   done.cpu.contact_s = 0.25;
   const auto arrived = std::get<RangeResult>(decode(encode(done)));
   EXPECT_EQ(arrived.range.first, 7U);
   EXPECT_EQ(arrived.trials, done.trials);
+  EXPECT_EQ(arrived.places, done.places);
   EXPECT_EQ(arrived.counts.solver_messages, 5U);
   EXPECT_EQ(arrived.cpu.contact_s, 0.25);
   EXPECT_EQ(std::get<WorkerFailure>(decode(encode(WorkerFailure{"why"}))).why, "why");

@@ -32,6 +32,7 @@ inline StoreHeader made_up_header() {
   header.distribution = "{\"made\":\"up\"}";
   header.simulation = "{\"made\":\"up too\"}";
   header.reference_impulse_ns = 13.77;
+  header.keeps_places = true;
   header.reference_work_j = 250;
   for (const motion::Clip& clip : library.clips) {
     header.clips.push_back({clip.name, clip.annotation});
@@ -64,6 +65,10 @@ inline Observation made_up_observation(const StoreHeader& header, std::uint64_t 
         annotation ? 2 * (1 - std::cos(azimuth - annotation->direction)) : 5;
     trial.impulse[motion::Body::left_hand] = 0.125F;
     observation.trials.push_back(trial);
+    const auto turned = static_cast<std::int16_t>(10 * clip - 40);
+    observation.places.push_back({clip, motion::Body::left_hand, 0.125F, {5, turned, -14}});
+    observation.places.push_back(
+        {clip, motion::Body::head, trial.impulse[motion::Body::head], {90, turned, 120}});
   }
   return observation;
 }

@@ -85,7 +85,7 @@ void change_values(const std::string& path, Random& random) {
     case 0:
       sql = "UPDATE meta SET value = " + extreme() + " WHERE key = '" +
             one_of({"library_name", "seed", "distribution", "simulation", "reference_impulse_ns",
-                    "reference_work_j", "idle_clip"}) +
+                    "reference_work_j", "idle_clip", "keeps_places"}) +
             "'";
       break;
     case 1:
@@ -128,10 +128,13 @@ void change_values(const std::string& path, Random& random) {
                              &scenario.state.idle_time_s,
                              &scenario.state.facing,
                              &observation.trials.back().work_j,
-                             &observation.trials.front().impulse.values[3]};
+                             &observation.trials.front().impulse.values[3],
+                             &observation.places.back().impulse_ns};
     *places[random() % std::size(places)] = value;
     if (random() % 4 == 0) scenario.threat.kind = static_cast<int>(random() % 40) - 4;
     if (random() % 4 == 0) observation.trials.back().clip += static_cast<int>(random() % 2000);
+    if (random() % 4 == 0) observation.places.back().clip += static_cast<int>(random() % 2000);
+    if (random() % 8 == 0) observation.places.resize(random() % 4000, observation.places.back());
     database.execute("DELETE FROM observation WHERE number = " +
                      std::to_string(observation.number));
     Statement statement = prepare_insert(database);

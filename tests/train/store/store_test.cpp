@@ -12,6 +12,7 @@
 #include "tests/scenes/file_damage.h"
 #include "tests/train/store/made_up_store.h"
 #include "train/store/sqlite.h"
+#include "train/store/store_places.h"
 #include "train/store/store_trials.h"
 
 namespace flinch::train {
@@ -33,6 +34,7 @@ TEST(Store, RoundTripsBitForBit) {
   EXPECT_EQ(store.header.reference_impulse_ns, header.reference_impulse_ns);
   EXPECT_EQ(store.header.reference_work_j, header.reference_work_j);
   EXPECT_EQ(store.header.clip_work_j, header.clip_work_j);
+  EXPECT_TRUE(store.header.keeps_places);
   ASSERT_EQ(store.header.clips.size(), header.clips.size());
   for (std::size_t i = 0; i < header.clips.size(); ++i) {
     EXPECT_EQ(store.header.clips[i].name, header.clips[i].name);
@@ -55,6 +57,7 @@ TEST(Store, RoundTripsBitForBit) {
     EXPECT_EQ(found.scenario.state.idle_time_s, expected.scenario.state.idle_time_s);
     EXPECT_EQ(found.features, expected.features);
     EXPECT_EQ(encode_trials(found.trials), encode_trials(expected.trials));
+    EXPECT_EQ(encode_places(found.places), encode_places(expected.places));
   }
 }
 
@@ -290,6 +293,7 @@ std::string content_of(const std::string& path) {
     for (const Observation& observation : store.observations) {
       add(observation.features);
       add(encode_trials(observation.trials));
+      add(encode_places(observation.places));
     }
   });
   EXPECT_THAT(message, Not(HasSubstr("\n")));
