@@ -101,19 +101,21 @@ void run_author(const AuthorOptions& options) {
 
 Command author_command() {
   auto options = std::make_shared<AuthorOptions>();
-  return {.name = "author",
-          .summary = "Make the default library by rule, without motion capture",
-          .required = {{"--out", "library file to write", &options->library}},
-          .optional = {{"--character",
-                        "TOML file with height_m, mass_kg, sex and [proportions], or a library "
-                        "whose character to use (default: a man of 1.75 m and 75 kg)",
-                        &options->character},
-                       {"--startle", "start blocking clips with a flinch", &options->startle},
-                       {"--gallery", "folder for filmstrips of all clips", &options->gallery},
-                       force_option(options->force),
-                       json_option(options->json)},
-          .notes = "Example:\n  flinch author --out default.flinchlib",
-          .run = [options] { run_author(*options); }};
+  return {
+      .name = "author",
+      .summary = "Make the default library by rule, without motion capture",
+      .required = {{"--out", "library file to write", &options->library}},
+      .optional = {{"--character",
+                    "TOML file with height_m, mass_kg, sex and [proportions], or a library "
+                    "whose character to use (default: a man of 1.75 m and 75 kg); waist_up_man: "
+                    "the proportions of Rose (2006), appendix A",
+                    &options->character},
+                   {"--startle", "start blocking clips with a flinch", &options->startle},
+                   {"--gallery", "folder for filmstrips of all clips", &options->gallery},
+                   force_option(options->force),
+                   json_option(options->json)},
+      .notes = "Example:\n  flinch author --out default.flinchlib",
+      .run = [options] { run_author(*options); }};
 }
 
 }  // namespace flinch::program

@@ -39,6 +39,17 @@ void create_folder(const std::string& folder) {
   if (error) throw Error(folder, "cannot create this folder: " + error.message());
 }
 
+Option figure_option(std::string& figure) {
+  return {
+      "--figure",
+      "the figure that is simulated: people; waist_up: the character of Rose (2006), appendix A",
+      &figure, OneOf{{"people", "waist_up"}}};
+}
+
+sim::FigureKind figure_of(const std::string& name) {
+  return name == "waist_up" ? sim::FigureKind::waist_up : sim::FigureKind::people;
+}
+
 Option features_option(std::string& set) {
   std::vector<std::string> names;
   std::string summaries;

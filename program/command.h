@@ -8,6 +8,7 @@
 #include "database/files/output_check.h"
 #include "program/document.h"
 #include "program/options.h"
+#include "sim/simulation_options.h"
 #include "train/objective/cost.h"
 #include "train/store/store.h"
 
@@ -42,6 +43,11 @@ database::Overwrite overwrite_of(bool force);
 
 /// Creates a folder, and those above it that are missing. Throws Error.
 void create_folder(const std::string& folder);
+
+/// The option --figure, the name of the figure that tracks motions.
+Option figure_option(std::string& figure);
+/// Returns the figure with a name that the command line has accepted.
+sim::FigureKind figure_of(const std::string& name);
 
 /// The option that selects the features of selectors; `set` becomes the default.
 Option features_option(std::string& set);

@@ -32,6 +32,10 @@ void check_weakest(const EvolveOptions& options) {
   refuse(options.speed_mps != defaults.speed_mps, "--speed");
   refuse(options.style != defaults.style, "--style");
   refuse(options.pain.has_value(), "--pain");
+  refuse(options.figure != defaults.figure, "--figure");
+  refuse(options.failed_joints != defaults.failed_joints, "--failed-joints");
+  refuse(options.limit_weight != defaults.limit_weight, "--limit-weight");
+  refuse(options.extension_weight != defaults.extension_weight, "--extension-weight");
 }
 
 void run_evolve(const EvolveOptions& options) {
@@ -113,6 +117,17 @@ Command evolve_command() {
              &options->generations, Range{1, 1e4}},
             {"--seed", "seed of all random numbers", &options->seed},
             {"--pain", "TOML file with how much an impulse hurts at each place", &options->pain},
+            figure_option(options->figure),
+            {"--failed-joints",
+             "what a shoulder does that fails in the test: idle on, or hang limp",
+             &options->failed_joints, OneOf{{"idle", "limp"}}},
+            {"--limit-weight",
+             "what a radian second beyond the limits of struck joints costs, in shares of the pain "
+             "of standing still",
+             &options->limit_weight, Range{0, 1000}},
+            {"--extension-weight",
+             "how much more energy torque takes that pulls the back of a hand",
+             &options->extension_weight, Range{0, 1000}},
             {"--log", "CSV file with every generation", &options->log},
             {"--threads", "number of threads (default: one per processor)", &options->threads,
              Range{1, 1024}},

@@ -29,6 +29,10 @@ struct EvolveOptions {
   std::optional<int> generations;
   std::uint64_t seed = 1;
   std::optional<std::string> pain;
+  std::string figure{"people"};
+  std::string failed_joints{"idle"};
+  double limit_weight = 0;
+  double extension_weight = 0;
   std::optional<std::string> log;
   std::optional<int> threads;
   bool force = false;

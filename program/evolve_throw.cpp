@@ -53,6 +53,10 @@ evolve::TrialOptions trial_options(const EvolveOptions& options,
                        motion::radians(options.elevation), options.speed_mps, kTimeToImpact_s);
   trial.style = named(evolve::kStyles, options.style);
   if (options.pain) trial.pain = evolve::read_pain(*options.pain);
+  trial.simulation.figure = figure_of(options.figure);
+  trial.are_limp = options.failed_joints == "limp";
+  trial.limit_weight_per_rads = options.limit_weight;
+  trial.extension_weight = options.extension_weight;
   trial.seed = options.seed;
   return trial;
 }
@@ -71,6 +75,10 @@ std::string key_of(const EvolveOptions& options, const database::ClipLibrary& li
                  {"tournament", options.tournament},
                  {"mutation", options.mutation},
                  {"seed", options.seed},
+                 {"figure", options.figure},
+                 {"failed_joints", options.failed_joints},
+                 {"limit_weight", options.limit_weight},
+                 {"extension_weight", options.extension_weight},
                  {"pain", trial.pain.multiplier.values}};
   return key.dump();
 }
@@ -134,7 +142,7 @@ void run_evolve_throw(const EvolveOptions& options) {
       "evolved, seed " + std::to_string(options.seed)};
   const std::string key = key_of(options, library, run.genetic, tried);
   evolve::EvolutionSeries series =
-      evolve::read_evolution(unfinished, key, run.genetic.population, evolve::pose_genes().size())
+      evolve::read_evolution(unfinished, key, run.genetic.population, trial.genes().size())
           .value_or(evolve::EvolutionSeries{});
   evolve::Evolution& evolution = series.current;
   bool is_whole = false;

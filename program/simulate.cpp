@@ -39,6 +39,7 @@ struct SimulateOptions {
   std::uint64_t memory = std::uint64_t{1} << 30;
   bool unabridged = false;
   bool places = false;
+  std::string figure{"people"};
   bool force = false;
   bool json = false;
 };
@@ -169,6 +170,7 @@ void simulate(const SimulateOptions& options, train::Messenger& messenger) {
   plan.seed = options.seed;
   plan.unabridged = options.unabridged;
   plan.options.keeps_places = options.places;
+  plan.options.figure = figure_of(options.figure);
   const train::SimulationSetup setup(library, plan);
   train::SimulationRun run;
   run.wanted = {options.first, options.scenarios};
@@ -221,9 +223,9 @@ Command simulate_command() {
            {"--memory", "maximum memory to use, such as 512M or 2G", &options->memory, ByteCount{}},
            {"--reference", "simulate each trial separately from perception on: many times slower",
             &options->unabridged},
-           {"--places",
-            "also keep where bodies are hit, for --pain of train, compare and export",
+           {"--places", "also keep where bodies are hit, for --pain of train, compare and export",
             &options->places},
+           figure_option(options->figure),
            force_option(options->force),
            {"--json", "print lines of JSON and nothing else: progress, and a summary at the end",
             &options->json}},

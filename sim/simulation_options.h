@@ -22,6 +22,12 @@ enum class ContactSearch : unsigned char {
   by_short_steps,
 };
 
+/// The figure that tracks a motion.
+enum class FigureKind : unsigned char {
+  people,    ///< joints, limits and strengths of people
+  waist_up,  ///< the character of Rose (2006), appendix A: see sim/figure/waist_up.h
+};
+
 /// How to simulate. The defaults are those of the shipped selectors; docs/simulation.md has the
 /// study behind them.
 struct SimulationOptions {
@@ -35,6 +41,9 @@ struct SimulationOptions {
       features::kGravity_mps2;      ///< of the figure, downwards; balls have their own
   BodySet ball_meets = kAllBodies;  ///< the ball passes through other bodies
   bool keeps_places = false;        ///< whether results tell where each body was hit
+  bool measures_limits = false;     ///< whether results tell how far joints exceed their limits
+  FigureKind figure = FigureKind::people;
+  BodySet limp_joints = 0;  ///< joints to the parents of these bodies have limits and no springs
 };
 
 }  // namespace flinch::sim

@@ -17,6 +17,9 @@ struct SimulationResult {
   /// The parts of `impulse` with their places, in the order of time; empty unless
   /// SimulationOptions::keeps_places.
   std::vector<PlacedImpulse> places;
+  /// How far the joints were beyond their limits, summed over joints and integrated over 0.1 s
+  /// after each hit, rad·s; 0 unless SimulationOptions::measures_limits.
+  double limit_excess_rads = 0;
   /// Time of the first contact of ball and figure, s.
   double first_contact_s = std::numeric_limits<double>::infinity();
   bool skipped = false;     ///< nothing could touch, so nothing was simulated

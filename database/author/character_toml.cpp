@@ -151,6 +151,18 @@ motion::Physique make_character(float height_m, float mass_kg, motion::Sex sex,
   return character;
 }
 
+// Of a mean man's lengths: hips to neck 5.52 units, neck to crown 2.45, upper arm and forearm 3.35
+// + 2.96, hand 1.4, half the distance of the shoulders 2.
+motion::Physique waist_up_man() {
+  return make_character(1.75F, 75, motion::Sex::male,
+                        {.arms = 1.127F,
+                         .trunk = 1.039F,
+                         .neck = 0.922F,
+                         .head = 0.922F,
+                         .hands = 0.732F,
+                         .shoulders = 1.129F});
+}
+
 motion::Physique read_character(const std::string& path) {
   const toml::table table = read_toml(path);
   const TomlReader reader(table, path, "the character");
@@ -188,6 +200,7 @@ motion::Physique read_character(const std::string& path) {
 }
 
 motion::Physique find_character(const std::string& path) {
+  if (path == kWaistUpMan) return waist_up_man();
   if (file_kind_of(read_file_start(path, kFileOpening)) == FileKind::library)
     return load_library(path).character;
   return read_character(path);

@@ -25,6 +25,7 @@ std::vector<PoseScore> mean_scores(const PoseTrial& trial, std::span<const Chrom
       sums[i].energy += scores[i].energy / count;
       sums[i].distance += scores[i].distance / count;
       sums[i].overlap += scores[i].overlap / count;
+      sums[i].limits += scores[i].limits / count;
     }
   }
   return sums;
@@ -33,7 +34,7 @@ std::vector<PoseScore> mean_scores(const PoseTrial& trial, std::span<const Chrom
 }  // namespace
 
 bool evolve_poses(const PoseTrial& trial, const PoseEvolution& run, Evolution& evolution) {
-  if (evolution.chromosomes.empty()) evolution = begin_evolution(run.genetic, pose_genes().size());
+  if (evolution.chromosomes.empty()) evolution = begin_evolution(run.genetic, trial.genes().size());
   while (!has_ended(run.genetic, evolution)) {
     // A generation that is stopped is not recorded.
     const auto scores =

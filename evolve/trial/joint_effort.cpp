@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "evolve/trial/joint_effort.h"
 
+#include <algorithm>
+
 #include "sim/figure/figure_model.h"
 #include "sim/rehearsal/rehearsal_track.h"
 
@@ -17,6 +19,15 @@ Vector3d angular_momentum(const Eigen::Matrix3d& inertia, const BodyState& state
   return state.orientation * (inertia * local);
 }
 
+/// The axis about which the muscles of the back of the hand turn it, world; zero for other joints.
+/// In the rest pose palms face down, and the left hand points to the left.
+Vector3d extension_axis(Body joint, const motion::PerBody<BodyState>& bodies) {
+  if (joint == Body::left_hand) return bodies[Body::left_forearm].orientation * Vector3d::UnitX();
+  if (joint == Body::right_hand)
+    return bodies[Body::right_forearm].orientation * -Vector3d::UnitX();
+  return Vector3d::Zero();
+}
+
 }  // namespace
 
 // The angular impulse at joint j in a step is the change of angular momentum about it of all bodies
@@ -28,7 +39,7 @@ Vector3d angular_momentum(const Eigen::Matrix3d& inertia, const BodyState& state
 // the first sums up what is beyond each joint: the linear impulses F and their moment about the
 // world's origin M, of which the moment about p is M - p x F.
 double joint_effort(const sim::FigureModel& figure_model, const sim::Rehearsal& rehearsal,
-                    double gravity_mps2) {
+                    double gravity_mps2, double extension_weight) {
   const sim::Rehearsal::Track& track = rehearsal.track();
   double effort = 0;
   for (std::size_t step = track.first_kept; step + 1 < track.first_kept + track.figures.size();
@@ -54,7 +65,10 @@ double joint_effort(const sim::FigureModel& figure_model, const sim::Rehearsal& 
     for (const Body joint : kEffortJoints) {
       const Vector3d pivot =
           from[joint].position + from[joint].orientation * joint_offset(figure_model, joint);
-      effort += (moment[joint] - pivot.cross(force[joint])).norm();
+      const Vector3d torque = moment[joint] - pivot.cross(force[joint]);
+      effort += torque.norm();
+      if (extension_weight > 0)
+        effort += extension_weight * std::max(torque.dot(extension_axis(joint, from)), 0.0);
     }
   }
   return effort;

@@ -14,8 +14,10 @@ inline constexpr std::array kEffortJoints{
     motion::Body::right_hand};
 
 /// The energy metric (Rose 2006, equation 4.3, without its factor) over the part of a rehearsal
-/// that it keeps: the sum over joints and steps of |tau| h, N·m·s, by inverse dynamics.
+/// that it keeps: the sum over joints and steps of |tau| h, N·m·s, by inverse dynamics. Torque that
+/// pulls the back of a hand, by weaker muscles, counts `extension_weight` times more (section
+/// 6.2.1).
 double joint_effort(const sim::FigureModel& figure_model, const sim::Rehearsal& rehearsal,
-                    double gravity_mps2);
+                    double gravity_mps2, double extension_weight = 0);
 
 }  // namespace flinch::evolve

@@ -8,6 +8,7 @@
 #include "motion/joint_limits.h"
 #include "motion/limb_ik.h"
 #include "motion/rotation.h"
+#include "sim/figure/waist_up.h"
 
 namespace flinch::evolve {
 namespace {
@@ -80,6 +81,11 @@ struct GeneValues {
   }
 };
 
+motion::PerSide<motion::FootPose> feet_of(const motion::Figure& figure, const Pose& start) {
+  const motion::JointFrames frames = motion::forward_kinematics(figure.skeleton(), start);
+  return {foot_pose(frames, Side::left), foot_pose(frames, Side::right)};
+}
+
 void set_pelvis(const motion::Figure& figure, Pose& pose, const GeneValues& values) {
   const float leg_m = motion::limb_length(figure.skeleton(), motion::Limb::left_leg);
   const Eigen::Quaternionf facing =
@@ -116,9 +122,6 @@ std::span<const PoseGene> whole_body_genes() {
 Pose pose_of(const motion::Figure& figure, const Pose& start, std::span<const PoseGene> genes,
              std::span<const Gene> values) {
   const GeneValues read{genes, values};
-  const motion::JointFrames frames = motion::forward_kinematics(figure.skeleton(), start);
-  const motion::PerSide<motion::FootPose> feet{foot_pose(frames, Side::left),
-                                               foot_pose(frames, Side::right)};
   const auto half = [](const Eigen::Quaternionf& whole) {
     return motion::slerp(Eigen::Quaternionf::Identity(), whole, 0.5F);
   };
@@ -128,7 +131,34 @@ Pose pose_of(const motion::Figure& figure, const Pose& start, std::span<const Po
   pose.rotation[Role::neck] = pose.rotation[Role::head] = half(read.rotation_of("neck"));
   set_arm_rotations(pose, true, read);
   set_arm_rotations(pose, false, read);
-  return database::balanced(figure, feet, pose);
+  return database::balanced(figure, feet_of(figure, start), pose);
+}
+
+std::span<const PoseGene> waist_up_genes() {
+  static const std::vector<PoseGene> kGenes = [] {
+    std::vector<PoseGene> genes;
+    for (const sim::WaistUpJoint& joint : sim::waist_up_joints())
+      for (int axis = 0; axis < 3; ++axis)
+        if (joint.range.min[axis] < joint.range.max[axis])
+          genes.push_back(
+              {name_of(joint.body), axis, {joint.range.min[axis], joint.range.max[axis]}});
+    return genes;
+  }();
+  return kGenes;
+}
+
+Pose waist_up_pose_of(const motion::Figure& figure, const Pose& start,
+                      std::span<const Gene> values) {
+  Pose pose = sim::waist_up_pose(start);
+  std::size_t gene = 0;
+  for (const sim::WaistUpJoint& joint : sim::waist_up_joints()) {
+    Eigen::Vector3d angles = Eigen::Vector3d::Zero();
+    for (int axis = 0; axis < 3; ++axis)
+      if (joint.range.min[axis] < joint.range.max[axis])
+        angles[axis] = value_of(values[gene++], {joint.range.min[axis], joint.range.max[axis]});
+    pose.rotation[role_of(joint.body)] = sim::joint_rotation(joint.range, angles).cast<float>();
+  }
+  return database::balanced(figure, feet_of(figure, start), pose);
 }
 
 }  // namespace flinch::evolve

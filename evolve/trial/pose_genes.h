@@ -30,6 +30,13 @@ std::span<const PoseGene> pose_genes();
 /// then those of the upper body, trunk and neck with the limits of people.
 std::span<const PoseGene> whole_body_genes();
 
+/// The 18 genes of the character of appendix A, in the order of sim::waist_up_joints(): an angle of
+/// each axis that a joint turns about, within its limits.
+std::span<const PoseGene> waist_up_genes();
+/// Returns the pose that they stand for, balanced over the feet of `start`.
+motion::Pose waist_up_pose_of(const motion::Figure& figure, const motion::Pose& start,
+                              std::span<const Gene> values);
+
 /// Returns the standing pose with what the genes of a table stand for, balanced over the feet of
 /// `start`, which stands there. `values` has one gene for each of `genes`. Half of the trunk's
 /// angles go to the abdomen and half of the neck's to the neck.

@@ -34,21 +34,27 @@ constexpr std::uint64_t kIdleDraws = 4;
 constexpr double kOverlapShare = 0.05;
 constexpr double kOverlapShare_per_m = 20;
 
-sim::SimulationOptions simulation_of(const TrialOptions& options) {
+bool fails(JointFailure failure, Body shoulder) {
+  if (failure == JointFailure::both_shoulders) return true;
+  return failure == (shoulder == Body::left_upper_arm ? JointFailure::left_shoulder
+                                                      : JointFailure::right_shoulder);
+}
+
+constexpr std::array kShoulders{Body::left_upper_arm, Body::right_upper_arm};
+
+sim::SimulationOptions simulation_of(const TrialOptions& options, JointFailure failure) {
   sim::SimulationOptions simulation = options.simulation;
   simulation.keeps_places = true;
+  simulation.measures_limits = options.limit_weight_per_rads > 0;
+  for (const Body shoulder : kShoulders)
+    if (options.are_limp && fails(failure, shoulder))
+      simulation.limp_joints |= sim::set_of(shoulder);
   if (options.style == Style::hands) {
     for (const Body arm :
          {Body::left_upper_arm, Body::left_forearm, Body::right_upper_arm, Body::right_forearm})
       simulation.ball_meets &= ~sim::set_of(arm);
   }
   return simulation;
-}
-
-bool fails(JointFailure failure, Role shoulder) {
-  if (failure == JointFailure::both_shoulders) return true;
-  return failure == (shoulder == Role::left_upper_arm ? JointFailure::left_shoulder
-                                                      : JointFailure::right_shoulder);
 }
 
 double distance_sign(Style style) {
@@ -109,8 +115,10 @@ PoseTrial::PoseTrial(const motion::Physique& character, const motion::Motion& id
     : figure_(motion::make_figure(character)),
       idle_(idle),
       options_(options),
-      simulator_(character, simulation_of(options)),
       start_(sample_ping_pong(idle, static_cast<float>(options.delay_s))) {
+  for (const JointFailure failure : kJointFailures)
+    if (failure == JointFailure::none || options.are_limp)
+      simulators_.emplace_back(character, simulation_of(options, failure));
   if (options.thrown.speed_mps < kMinSpeed_mps)
     throw Error("", "poses evolve for balls of at least 5 m/s");
   if (options.thrown.time_to_impact_s <= options.delay_s)
@@ -121,7 +129,11 @@ PoseTrial::PoseTrial(const motion::Physique& character, const motion::Motion& id
   for (const motion::Side side : motion::kSides)
     set_arm(guard, side,
             {motion::radians(38), motion::radians(16), motion::radians(-6), motion::radians(112)});
-  energy_weight_ = kEnergyShare * idle_pain_ / effort_of(guard);
+  const sim::Rehearsal raised =
+      simulator().rehearse(motion_to(guard, JointFailure::none), options.delay_s, duration_s());
+  energy_weight_ =
+      kEnergyShare * idle_pain_ /
+      joint_effort(simulator().figure_model(), raised, options.simulation.gravity_mps2);
   distance_weight_ = distance_sign(options.style) * kDistanceShare_per_m * idle_pain_;
 }
 
@@ -130,7 +142,13 @@ std::array<features::Ball, kGridCells> PoseTrial::balls(std::uint64_t draw) cons
   return thrown_balls(options_.thrown, options_.grid, random);
 }
 
+std::span<const PoseGene> PoseTrial::genes() const {
+  return options_.simulation.figure == sim::FigureKind::waist_up ? waist_up_genes() : pose_genes();
+}
+
 motion::Pose PoseTrial::pose(const Chromosome& chromosome) const {
+  if (options_.simulation.figure == sim::FigureKind::waist_up)
+    return waist_up_pose_of(figure_, start_, chromosome);
   return pose_of(figure_, start_, pose_genes(), chromosome);
 }
 
@@ -146,8 +164,9 @@ motion::Motion PoseTrial::motion_to(const motion::Pose& pose, JointFailure failu
     const motion::Pose idle = sample_ping_pong(idle_, static_cast<float>(time_s));
     const auto part = static_cast<float>((time_s - options_.delay_s) / move_s);
     motion::Pose now = part > 0 ? blend(idle, pose, motion::ease_in_ease_out(part)) : idle;
-    for (const Role shoulder : {Role::left_upper_arm, Role::right_upper_arm})
-      if (fails(failure, shoulder)) now.rotation[shoulder] = idle.rotation[shoulder];
+    for (const Body shoulder : kShoulders)
+      if (fails(failure, shoulder))
+        now.rotation[role_of(shoulder)] = idle.rotation[role_of(shoulder)];
     motion.poses.push_back(now);
   }
   return motion;
@@ -157,10 +176,13 @@ std::span<const JointFailure> PoseTrial::failures() const {
   return {kJointFailures.data(), options_.fails_joints ? kJointFailures.size() : 1};
 }
 
-double PoseTrial::effort_of(const motion::Pose& pose) const {
-  const sim::Rehearsal rehearsal =
-      simulator_.rehearse(motion_to(pose, JointFailure::none), options_.delay_s, duration_s());
-  return joint_effort(simulator_.figure_model(), rehearsal, simulator_.options().gravity_mps2);
+const sim::Simulator& PoseTrial::simulator_of(JointFailure failure) const {
+  return simulators_[options_.are_limp ? static_cast<std::size_t>(failure) : 0];
+}
+
+double PoseTrial::effort_of(const sim::Rehearsal& rehearsal) const {
+  return joint_effort(simulator().figure_model(), rehearsal, options_.simulation.gravity_mps2,
+                      options_.extension_weight);
 }
 
 double PoseTrial::overlap_penalty(const motion::Pose& pose) const {
@@ -168,41 +190,54 @@ double PoseTrial::overlap_penalty(const motion::Pose& pose) const {
   return depth_m > 0 ? idle_pain_ * (kOverlapShare + kOverlapShare_per_m * depth_m) : 0;
 }
 
-std::vector<PoseScore> PoseTrial::test_batch(std::span<const Chromosome> chromosomes,
-                                             std::span<const features::Ball> balls) const {
+void PoseTrial::add_group(std::span<const motion::Pose> poses,
+                          std::span<const JointFailure> failures,
+                          std::span<const features::Ball> balls,
+                          std::span<PoseScore> scores) const {
+  const sim::Simulator& simulator = simulator_of(failures.front());
   std::vector<sim::Rehearsal> rehearsals;
-  rehearsals.reserve(chromosomes.size() * failures().size());
-  std::vector<PoseScore> scores(chromosomes.size());
-  for (std::size_t i = 0; i < chromosomes.size(); ++i) {
-    const motion::Pose goal = pose(chromosomes[i]);
-    scores[i].overlap = overlap_penalty(goal);
-    for (const JointFailure failure : failures())
+  rehearsals.reserve(poses.size() * failures.size());
+  for (const motion::Pose& pose : poses)
+    for (const JointFailure failure : failures)
       rehearsals.push_back(
-          simulator_.rehearse(motion_to(goal, failure), options_.delay_s, duration_s()));
-  }
+          simulator.rehearse(motion_to(pose, failure), options_.delay_s, duration_s()));
   std::vector<sim::Throw> throws;
   for (const sim::Rehearsal& rehearsal : rehearsals)
     for (const features::Ball& ball : balls) throws.push_back({rehearsal, ball});
   const std::vector<sim::SimulationResult> results =
-      sim::ThrowSimulator(simulator_).simulate(throws);
-  const std::size_t per_pose = failures().size() * balls.size();
+      sim::ThrowSimulator(simulator).simulate(throws);
+  const std::size_t per_pose = failures.size() * balls.size();
   for (std::size_t i = 0; i < results.size(); ++i) {
     PoseScore& score = scores[i / per_pose];
     score.pain += pain_of(options_.pain, figure_.bodies, results[i].places);
+    score.limits += options_.limit_weight_per_rads * idle_pain_ * results[i].limit_excess_rads;
     if (results[i].places.empty()) continue;
     score.distance +=
         distance_weight_ * (results[i].places.front().point_world - options_.thrown.aim).norm();
   }
   for (std::size_t i = 0; i < rehearsals.size(); ++i)
-    scores[i / failures().size()].energy +=
-        energy_weight_ * static_cast<double>(balls.size()) *
-        joint_effort(simulator_.figure_model(), rehearsals[i], simulator_.options().gravity_mps2);
-  const auto count = static_cast<double>(per_pose);
-  for (PoseScore& score : scores) {
-    score.pain /= count;
-    score.energy /= count;
-    score.distance /= count;
+    scores[i / failures.size()].energy +=
+        energy_weight_ * static_cast<double>(balls.size()) * effort_of(rehearsals[i]);
+}
+
+std::vector<PoseScore> PoseTrial::test_batch(std::span<const Chromosome> chromosomes,
+                                             std::span<const features::Ball> balls) const {
+  std::vector<motion::Pose> poses;
+  std::vector<PoseScore> scores(chromosomes.size());
+  for (std::size_t i = 0; i < chromosomes.size(); ++i) {
+    poses.push_back(pose(chromosomes[i]));
+    scores[i].overlap = overlap_penalty(poses[i]);
   }
+  const std::span<const JointFailure> all = failures();
+  if (options_.are_limp) {
+    for (std::size_t k = 0; k < all.size(); ++k) add_group(poses, all.subspan(k, 1), balls, scores);
+  } else {
+    add_group(poses, all, balls, scores);
+  }
+  const auto count = static_cast<double>(all.size() * balls.size());
+  for (PoseScore& score : scores)
+    for (double* term : {&score.pain, &score.energy, &score.distance, &score.limits})
+      *term /= count;
   return scores;
 }
 
@@ -240,29 +275,32 @@ double PoseTrial::mean_pain(std::span<const sim::SimulationResult> results) cons
 }
 
 std::vector<sim::SimulationResult> PoseTrial::thrown_at(
-    const motion::Motion& motion, std::span<const features::Ball> balls) const {
-  const sim::Rehearsal rehearsal = simulator_.rehearse(motion, options_.delay_s, duration_s());
+    const motion::Motion& motion, JointFailure failure,
+    std::span<const features::Ball> balls) const {
+  const sim::Simulator& simulator = simulator_of(failure);
+  const sim::Rehearsal rehearsal = simulator.rehearse(motion, options_.delay_s, duration_s());
   std::vector<sim::Throw> throws;
   for (const features::Ball& ball : balls) throws.push_back({rehearsal, ball});
-  return sim::ThrowSimulator(simulator_).simulate(throws);
+  return sim::ThrowSimulator(simulator).simulate(throws);
 }
 
 PoseScore PoseTrial::test_idle(std::uint64_t draw) const {
   PoseScore score;
-  score.pain = mean_pain(thrown_at(motion_to(start_, JointFailure::none), balls(draw)));
+  score.pain =
+      mean_pain(thrown_at(motion_to(start_, JointFailure::none), JointFailure::none, balls(draw)));
   return score;
 }
 
 std::vector<sim::SimulationResult> PoseTrial::simulate(
     const Chromosome& chromosome, JointFailure failure,
     std::span<const features::Ball> balls) const {
-  return thrown_at(motion_to(pose(chromosome), failure), balls);
+  return thrown_at(motion_to(pose(chromosome), failure), failure, balls);
 }
 
 std::vector<sim::SimulationResult> PoseTrial::simulate_by_reference(
     const Chromosome& chromosome, JointFailure failure,
     std::span<const features::Ball> balls) const {
-  const sim::OdeSimulator simulator(figure_.character, simulator_.options());
+  const sim::OdeSimulator simulator(figure_.character, simulator_of(failure).options());
   const motion::Motion motion = motion_to(pose(chromosome), failure);
   std::vector<sim::SimulationResult> results;
   for (const features::Ball& ball : balls)

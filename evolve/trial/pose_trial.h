@@ -24,7 +24,7 @@ inline constexpr std::array kStyles{Style::free, Style::hands, Style::near, Styl
 /// The name in options.
 std::string_view name_of(Style style);
 
-/// Which shoulders ignore the pose and stay as they were (section 4.1.3).
+/// Which shoulders ignore the pose (section 4.1.3): they stay as they were, or hang limp.
 enum class JointFailure : std::uint8_t { none, right_shoulder, left_shoulder, both_shoulders };
 inline constexpr std::array kJointFailures{JointFailure::none, JointFailure::right_shoulder,
                                            JointFailure::left_shoulder,
@@ -37,8 +37,14 @@ struct TrialOptions {
   Style style = Style::free;
   PainMap pain = thesis_pain();
   bool fails_joints = true;  ///< all of kJointFailures, or none alone
-  double delay_s = 0.22;     ///< until the pose begins, t_delay: a human's reaction time
-  double tail_s = 0.3;       ///< simulated time after the impact
+  bool are_limp = false;     ///< whether failed shoulders have no torque, or stay as they were
+  /// Terms that the thesis leaves to future work (sections 6.2.1 and 6.2.2), off by default: what a
+  /// radian second beyond the limits of the struck joints costs, in shares of the pain of standing
+  /// still, and how much more energy a torque takes that pulls the back of a hand.
+  double limit_weight_per_rads = 0;
+  double extension_weight = 0;
+  double delay_s = 0.22;  ///< until the pose begins, t_delay: a human's reaction time
+  double tail_s = 0.3;    ///< simulated time after the impact
   sim::SimulationOptions simulation;
   std::uint64_t seed = 1;
 };
@@ -49,9 +55,10 @@ struct PoseScore {
   double energy = 0;    ///< equation 4.3, weighted, N·s
   double distance = 0;  ///< equation 4.4, weighted, N·s: negative for Style::far
   double overlap = 0;   ///< penalty for arms inside the body or each other, N·s
+  double limits = 0;    ///< penalty for joints that a blow drives beyond their limits, N·s
 
   /// Equation 4.1, and the penalty: the thesis' boxes cannot overlap.
-  double fitness() const { return pain + energy + distance + overlap; }
+  double fitness() const { return pain + energy + distance + overlap + limits; }
 };
 
 /// Tests poses of one character against one throw. Immutable: several threads may use it.
@@ -82,13 +89,16 @@ class PoseTrial {
   /// The balls of a draw.
   std::array<features::Ball, kGridCells> balls(std::uint64_t draw) const;
   motion::Pose pose(const Chromosome& chromosome) const;
+  /// The degrees of freedom of a pose: pose_genes(), or those of FigureKind::waist_up.
+  std::span<const PoseGene> genes() const;
   /// The motion of a test: idle until the delay, then eased to the pose, within human joint speeds.
   motion::Motion motion_to(const motion::Pose& pose, JointFailure failure) const;
 
   const motion::Figure& figure() const { return figure_; }
   const motion::Pose& start() const { return start_; }
   const TrialOptions& options() const { return options_; }
-  const sim::Simulator& simulator() const { return simulator_; }
+  /// Of figures without failures.
+  const sim::Simulator& simulator() const { return simulators_.front(); }
   double duration_s() const { return options_.thrown.time_to_impact_s + options_.tail_s; }
   /// The pain of standing still, mean of the first draws, N·s: the unit of the other terms.
   double idle_pain() const { return idle_pain_; }
@@ -97,8 +107,13 @@ class PoseTrial {
   /// Balls and the failures they are tried with, for one chromosome.
   std::vector<PoseScore> test_batch(std::span<const Chromosome> chromosomes,
                                     std::span<const features::Ball> balls) const;
+  /// Adds the means over the balls of failures that share a simulator.
+  void add_group(std::span<const motion::Pose> poses, std::span<const JointFailure> failures,
+                 std::span<const features::Ball> balls, std::span<PoseScore> scores) const;
   std::span<const JointFailure> failures() const;
-  std::vector<sim::SimulationResult> thrown_at(const motion::Motion& motion,
+  const sim::Simulator& simulator_of(JointFailure failure) const;
+  double effort_of(const sim::Rehearsal& rehearsal) const;
+  std::vector<sim::SimulationResult> thrown_at(const motion::Motion& motion, JointFailure failure,
                                                std::span<const features::Ball> balls) const;
   double effort_of(const motion::Pose& pose) const;
   double overlap_penalty(const motion::Pose& pose) const;
@@ -106,7 +121,8 @@ class PoseTrial {
   motion::Figure figure_;
   motion::Motion idle_;
   TrialOptions options_;
-  sim::Simulator simulator_;
+  std::vector<sim::Simulator>
+      simulators_;              ///< one, or one for each failure that leaves joints limp
   motion::Pose start_;          ///< when the pose begins
   double energy_weight_ = 0;    ///< c_t, 1/s
   double distance_weight_ = 0;  ///< c_d, N s/m

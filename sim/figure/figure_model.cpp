@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "sim/collision/pair_clearance.h"
+#include "sim/figure/waist_up.h"
 
 namespace flinch::sim {
 namespace {
@@ -16,6 +17,7 @@ using motion::Body;
 // displaced it, rad/s: the tracking study of docs/simulation.md.
 constexpr double kJointFrequency = 60;
 constexpr double kPelvisFrequency = 60;
+constexpr double kLimitStiffnessRatio = 20;  // of the springs beyond a joint limit
 
 MovingShape collision_shape_of(const motion::BodyProperties& properties) {
   MovingShape outline{motion::collision_shape_of(properties.shape)};
@@ -66,8 +68,29 @@ bool is_ancestor_or_self(Body ancestor, Body body) {
   return false;
 }
 
-/// Inertia that a joint carries in the rest pose, of all bodies beyond it about the joint,
-///   I = sum tr(I_i)/3 + m_i |c_i - p|^2.
+MovingShape placed(const MovingShape& outline, const Eigen::Vector3d& centre_of_mass) {
+  MovingShape shape = outline;
+  shape.centre += centre_of_mass;
+  return shape;
+}
+
+int free_axes_of(JointKind kind) {
+  switch (kind) {
+    case JointKind::ball:
+      return 3;
+    case JointKind::elbow:
+    case JointKind::saddle:
+      return 2;
+    case JointKind::hinge:
+      return 1;
+    case JointKind::fixed:
+      break;
+  }
+  return 0;
+}
+
+}  // namespace
+
 double composite_inertia(const FigureModel& figure_model, const motion::JointFrames& rest,
                          Body joint) {
   const Eigen::Vector3d pivot = rest.position[role_of(joint)].cast<double>();
@@ -82,10 +105,14 @@ double composite_inertia(const FigureModel& figure_model, const motion::JointFra
   return inertia;
 }
 
-MovingShape placed(const MovingShape& outline, const Eigen::Vector3d& centre_of_mass) {
-  MovingShape shape = outline;
-  shape.centre += centre_of_mass;
-  return shape;
+bool has_bone_axes(const FigureModel& figure_model, Body body) {
+  return figure_model.kinds[body] == JointKind::saddle || figure_model.laws[body].twist_share != 1;
+}
+
+int bone_index(const JointRange& limits) {
+  int index = 0;
+  limits.bone.cwiseAbs().maxCoeff(&index);
+  return index;
 }
 
 TreeConstants tree_constants(const FigureModel& figure_model) {
@@ -101,9 +128,8 @@ TreeConstants tree_constants(const FigureModel& figure_model) {
                     inertia(1, 2)},
          constant.inertia);
     if (parent_of(body)) copy(joint_offset(figure_model, body), constant.joint);
-    const JointKind kind = figure_model.kinds[body];
-    constant.free_axes = kind == JointKind::ball ? 3 : kind == JointKind::elbow ? 2 : 1;
-    copy(hinge_axis(kind), constant.hinge);
+    constant.free_axes = free_axes_of(figure_model.kinds[body]);
+    copy(figure_model.hinge[body], constant.hinge);
     constant.stiffness = figure_model.gains[body].stiffness;
     constant.damping = figure_model.gains[body].damping;
     const JointRange& range = figure_model.limits[body];
@@ -111,18 +137,26 @@ TreeConstants tree_constants(const FigureModel& figure_model) {
     copy(range.bone, constant.range.bone);
     copy(range.min, constant.range.min);
     copy(range.max, constant.range.max);
+    if (has_bone_axes(figure_model, body)) constant.bone = bone_index(range);
+    const ServoLaw& law = figure_model.laws[body];
+    constant.follows_velocity = law.follows_velocity;
+    constant.twist_share = law.twist_share;
+    constant.limit_stiffness = law.limit_stiffness;
+    constant.limit_damping = law.limit_damping;
   }
   return constants;
 }
-
-}  // namespace
 
 Eigen::Vector3d joint_offset(const FigureModel& figure_model, Body body) {
   return -figure_model.model[body].centre_of_mass.cast<double>();
 }
 
-FigureModel::FigureModel(const motion::Physique& character, BodySet met_by_ball)
-    : skeleton(character.skeleton), model(make_body_model(character)), ball_meets(met_by_ball) {
+FigureModel::FigureModel(const motion::Physique& character, const SimulationOptions& options)
+    : skeleton(character.skeleton),
+      model(make_body_model(character)),
+      ball_meets(options.ball_meets) {
+  const bool is_waist_up = options.figure == FigureKind::waist_up;
+  if (is_waist_up) model = with_uniform_density(model);
   const motion::JointFrames rest = forward_kinematics(skeleton, rest_pose(skeleton));
   for (Body body : motion::kBodies) {
     const double body_mass_kg = static_cast<double>(model[body].mass_kg);
@@ -131,6 +165,7 @@ FigureModel::FigureModel(const motion::Physique& character, BodySet met_by_ball)
     radius[body] = outline[body].centre.norm() + outline_radius[body];
     inertia[body] = inertia_of(outline[body], body_mass_kg);
     kinds[body] = kind_of(body);
+    hinge[body] = hinge_axis(kinds[body]);
     limits[body] = limits_of(body);
     mass_kg += body_mass_kg;
   }
@@ -140,6 +175,10 @@ FigureModel::FigureModel(const motion::Physique& character, BodySet met_by_ball)
                                     root ? kPelvisFrequency : kJointFrequency);
   }
   pelvis_gains = critically_damped(mass_kg, kPelvisFrequency);
+  for (Body body : motion::kBodies)
+    laws[body].limit_stiffness = kLimitStiffnessRatio * gains[body].stiffness;
+  if (is_waist_up) make_waist_up(*this);
+  for_each_body(options.limp_joints, [&](Body body) { gains[body] = {}; });
 
   motion::PerBody<MovingShape> shapes;
   for (Body body : motion::kBodies) {

@@ -13,7 +13,7 @@ using motion::Body;
 
 // Stiffness of a joint's limit relative to the joint's own spring: stiff enough to hold, soft
 // enough to solve.
-constexpr double kLimitStiffnessRatio = 20;
+constexpr double kNoSpringSoftness = 1e30;  // of a limp joint, rad/s/(N·m)
 // A joint bent by at most this angle counts as straight.
 constexpr double kStraight_rad = 0.1;
 // The force and torque that return the pelvis grow up to this distance only.
@@ -34,10 +34,23 @@ struct JointAxes {
 // distributes twist along the limb. So the hinge's axis is the axis about which the reference bends
 // the joint or, for a straight joint, the anatomical axis. About the axes across it the joint
 // follows the reference rigidly, which keeps every detail of the recording and still transmits a
-// blow from the side.
-JointAxes axes_of(JointKind kind, const JointRange& limits, const Eigen::Quaterniond& reference) {
+// blow from the side. A joint whose twist is damped or rigid has the axes of the child, of which
+// the bone is the last.
+JointAxes axes_of(const FigureModel& figure_model, Body body, const Eigen::Quaterniond& now,
+                  const Eigen::Quaterniond& reference) {
+  const JointKind kind = figure_model.kinds[body];
+  const JointRange& limits = figure_model.limits[body];
+  if (kind == JointKind::fixed) return {Eigen::Matrix3d::Identity(), 0};
+  if (has_bone_axes(figure_model, body)) {
+    const Eigen::Matrix3d turn = now.toRotationMatrix();
+    const int bone_at = bone_index(limits);
+    JointAxes along_bone;
+    along_bone.frame << turn.col((bone_at + 1) % 3), turn.col((bone_at + 2) % 3), turn.col(bone_at);
+    along_bone.free = kind == JointKind::saddle ? 2 : 3;
+    return along_bone;
+  }
   if (kind == JointKind::ball) return {};
-  const Eigen::Vector3d anatomical = hinge_axis(kind);
+  const Eigen::Vector3d& anatomical = figure_model.hinge[body];
   const Eigen::Vector3d angles = joint_angles(limits, reference);
   const Eigen::Vector3d& bone = limits.bone;
   const Eigen::Vector3d bend = angles - angles.dot(bone) * bone;
@@ -110,14 +123,15 @@ JointRows joint_rows(const FigureModel& figure_model, Body body,
   const Eigen::Quaterniond to_parent = wanted_parent.orientation.conjugate();
   const Eigen::Quaterniond reference = to_parent * wanted.orientation;
   const Eigen::Quaterniond now = parent_now.conjugate() * now_world;
-  const JointAxes axes = axes_of(figure_model.kinds[body], figure_model.limits[body], reference);
+  const JointAxes axes = axes_of(figure_model, body, now, reference);
+  const ServoLaw& law = figure_model.laws[body];
   Eigen::Vector3d error = motion::rotation_vector(reference * now.conjugate());
   Eigen::Vector3d velocity = to_parent * (wanted.angular_velocity - wanted_parent.angular_velocity);
   Eigen::Vector3d back = limit_violation(figure_model.limits[body], now, reference);
   JointRows rows;
   rows.socket = target.socket[body];
   rows.axes = parent_now.toRotationMatrix();
-  if (figure_model.kinds[body] != JointKind::ball) {
+  if (!axes.frame.isIdentity(0)) {
     for (Eigen::Vector3d* vector : {&error, &velocity, &back}) {
       *vector = (axes.frame.transpose() * *vector).eval();
     }
@@ -134,12 +148,20 @@ JointRows joint_rows(const FigureModel& figure_model, Body body,
     Gains gains = weak;
     double spring_force = gains.stiffness * error[axis];
     if (way > 0) {
-      const double stop =
-          kLimitStiffnessRatio * figure_model.gains[body].stiffness * back[axis] * back[axis] / way;
+      const double stop = law.limit_stiffness * back[axis] * back[axis] / way;
       spring_force += stop * back[axis];
       gains.stiffness += stop;
+      gains.damping += law.limit_damping * back[axis] * back[axis] / way;
     }
-    row = spring_row(gains, spring_force, velocity[axis], step_s);
+    if (axis == 2 && law.twist_share != 1) {
+      spring_force *= law.twist_share;
+      gains = {law.twist_share * gains.stiffness, law.twist_share * gains.damping};
+    }
+    if (gains.stiffness + gains.damping > 0) {
+      row = spring_row(gains, spring_force, law.follows_velocity ? velocity[axis] : 0, step_s);
+    } else {
+      row = {0, kNoSpringSoftness};
+    }
   }
   return rows;
 }

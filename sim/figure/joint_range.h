@@ -20,10 +20,11 @@ struct JointRange {
 JointRange limits_of(motion::Body body);
 
 /// Degrees of freedom of a joint: a ball joint turns about all axes; a hinge about one, across the
-/// bone; an elbow about that one and also along the bone, because the forearm's two bones do.
-enum class JointKind { ball, elbow, hinge };
+/// bone; an elbow about that one and also along the bone, because the forearm's two bones do; a
+/// saddle joint about both axes across the bone; a fixed one about none.
+enum class JointKind { ball, elbow, hinge, saddle, fixed };
 JointKind kind_of(motion::Body body);
-/// The anatomical axis of a hinge or an elbow in the parent's frame; zero for a ball joint.
+/// The anatomical axis of a hinge or an elbow of people in the parent's frame; zero for others.
 Eigen::Vector3d hinge_axis(JointKind kind);
 
 /// Returns the angles of a rotation of the child in its parent's frame.

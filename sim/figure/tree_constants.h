@@ -21,6 +21,10 @@ struct TreeConstants {
     int free_axes = 3;       ///< number of the joint's axes with springs; the others are rigid
     double hinge[3] = {};    ///< anatomical axis of a joint with less than three
     double stiffness = 0, damping = 0;  ///< of the joint's springs, as Gains
+    int bone = -1;                      ///< coordinate axis of has_bone_axes(), or -1
+    bool follows_velocity = true;       ///< as ServoLaw, like the next three
+    double twist_share = 1;
+    double limit_stiffness = 0, limit_damping = 0;
     Range range;
   };
   Body bodies[kBodies];

@@ -82,7 +82,7 @@ void Figure::drive(const ReferenceState& target, double step_s, const Drive& dri
 
 void Figure::set_joint_motor(Body body, const JointRows& rows, double step_s) {
   const dJointID motor = motors_[body];
-  if (figure_model_.kinds[body] != JointKind::ball) {
+  if (figure_model_.kinds[body] != JointKind::ball || has_bone_axes(figure_model_, body)) {
     set_axes(motor, bodies_[*parent_of(body)], rows.axes);
   }
   for (int axis = 0; axis < 3; ++axis) {

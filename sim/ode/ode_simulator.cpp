@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "sim/ode/ode_simulator.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
+#include "sim/figure/limit_excess.h"
+#include "sim/figure/waist_up.h"
 #include "sim/ode/ode_encounter.h"
 
 namespace flinch::sim {
@@ -28,7 +31,9 @@ class TrackedSimulation {
  public:
   TrackedSimulation(const FigureModel& figure_model, const SimulationOptions& options,
                     const motion::Motion& motion, const features::Ball* ball)
-      : reference_(figure_model.skeleton, figure_model.model, motion),
+      : figure_model_(figure_model),
+        measures_limits_(options.measures_limits),
+        reference_(figure_model.skeleton, figure_model.model, motion),
         encounter_(figure_model, options, 0, figure_model, reference_.at(0), ball,
                    options.gravity_mps2) {}
 
@@ -47,27 +52,40 @@ class TrackedSimulation {
  private:
   void advance(double max_step_s) {
     const ReferenceState now = reference_.at(encounter_.time_s());
-    const double step_s = encounter_.begin_step(now, max_step_s);
+    const bool is_measured = encounter_.time_s() < follows_until_s_;
+    const double step_s =
+        encounter_.begin_step(now, is_measured ? std::min(max_step_s, kFollowStep_s) : max_step_s);
+    if (measures_limits_ && encounter_.is_ball_hit())
+      follows_until_s_ = encounter_.time_s() + kFollowThrough_s;
+    const bool measures = encounter_.time_s() < follows_until_s_;
     const ReferenceState target = reference_.at(encounter_.time_s() + step_s);
     encounter_.end_step(now, target, step_s);
     ++result_.steps;
     squared_error_ += step_s * squared_error(encounter_.scene().bodies(), target);
+    if (measures)
+      result_.limit_excess_rads +=
+          step_s * limit_excess_rad(figure_model_, encounter_.scene().bodies(), target);
   }
 
+  const FigureModel& figure_model_;
+  bool measures_limits_;
   Reference reference_;
   Encounter<OdeScene> encounter_;
   SimulationResult result_;
+  double follows_until_s_ = 0;
   double squared_error_ = 0;
 };
 
 }  // namespace
 
 OdeSimulator::OdeSimulator(const motion::Physique& character, const SimulationOptions& options)
-    : figure_model_(character, options.ball_meets), options_(options) {}
+    : figure_model_(character, options), options_(options) {}
 
 SimulationResult OdeSimulator::simulate(const motion::Motion& reference, const features::Ball* ball,
                                         double duration_s) const {
-  return TrackedSimulation(figure_model_, options_, reference, ball).run_until(duration_s);
+  const bool is_waist_up = options_.figure == FigureKind::waist_up;
+  const motion::Motion tracked = is_waist_up ? waist_up_motion(reference) : reference;
+  return TrackedSimulation(figure_model_, options_, tracked, ball).run_until(duration_s);
 }
 
 }  // namespace flinch::sim

@@ -5,6 +5,7 @@
 
 #include "sim/contact/bouncing_ball.h"
 #include "sim/figure/figure_rows.h"
+#include "sim/figure/limit_excess.h"
 #include "sim/rehearsal/first_contact.h"
 
 namespace flinch::sim {
@@ -56,6 +57,7 @@ RehearsalRun::RehearsalRun(const FigureModel& figure_model, const SimulationOpti
 bool RehearsalRun::start(const Rehearsal::Track& track, const features::Ball& ball) {
   track_ = &track;
   result_ = {};
+  follows_until_s_ = 0;
   result_.is_finite = ball.position.allFinite() && ball.velocity.allFinite();
   if (!result_.is_finite) return false;
   const auto contact = first_contact(figure_model_, track, ball);
@@ -82,7 +84,10 @@ bool RehearsalRun::begin_step() {
   const double time_s = encounter_.time_s();
   const double left_s = track_->duration_s - time_s;
   if (left_s > 0) {
-    step_s_ = encounter_.begin_step(*now_, left_s);
+    const bool is_measured = time_s < follows_until_s_;
+    step_s_ = encounter_.begin_step(*now_, is_measured ? std::min(left_s, kFollowStep_s) : left_s);
+    if (options_.measures_limits && encounter_.is_ball_hit())
+      follows_until_s_ = time_s + kFollowThrough_s;
     const bool is_over = step_s_ >= options_.free_step_s && !encounter_.may_collide_again() &&
                          !encounter_.may_touch(step_s_) && leaves(time_s + step_s_);
     if (!is_over) return true;
@@ -99,6 +104,12 @@ bool RehearsalRun::is_finite() const {
   const TreeScene& scene = encounter_.scene();
   return scene.bodies()[Body::pelvis].velocity.allFinite() &&
          scene.ball_state().velocity.allFinite();
+}
+
+void RehearsalRun::measure_limits(double stepped_s) {
+  if (encounter_.time_s() - stepped_s >= follows_until_s_) return;
+  result_.limit_excess_rads +=
+      stepped_s * limit_excess_rad(figure_model_, encounter_.scene().bodies(), target_of_step());
 }
 
 /// Whether the ball stays clear of the undisturbed figure from `time_s` on.

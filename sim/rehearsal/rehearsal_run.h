@@ -36,7 +36,9 @@ class RehearsalRun {
   }
   template <std::size_t kLanes>
   bool end_step(const TreeLanes<kLanes>& lanes, std::size_t lane) {
-    if (encounter_.end_step(lanes, lane) >= step_s_) {
+    const double stepped_s = encounter_.end_step(lanes, lane);
+    if (options_.measures_limits) measure_limits(stepped_s);
+    if (stepped_s >= step_s_) {
       now_.emplace(target_of_step());
     } else {
       now_.emplace(track_->reference, encounter_.time_s());
@@ -52,6 +54,7 @@ class RehearsalRun {
   ReferenceState& target_of_step() { return targets_[static_cast<std::size_t>(result_.steps % 2)]; }
   bool leaves(double time_s) const;
   bool is_finite() const;
+  void measure_limits(double stepped_s);
 
   const FigureModel& figure_model_;
   const SimulationOptions& options_;
@@ -60,6 +63,7 @@ class RehearsalRun {
   std::array<ReferenceState, 2> targets_;  // of this step and the last
   std::optional<ReferenceOnDemand> now_;   // the reference at the start of the step
   double step_s_ = 0;                      ///< of the step that has begun
+  double follows_until_s_ = 0;             ///< until when limits are measured
   SimulationResult result_;
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "sim/rehearsal/simulator.h"
 
+#include "sim/figure/waist_up.h"
 #include "sim/rehearsal/rehearsal_track.h"
 #include "sim/rehearsal/throw_simulator.h"
 
@@ -12,7 +13,7 @@ struct Simulator::Setup {
 };
 
 Simulator::Simulator(const motion::Physique& character, const SimulationOptions& options)
-    : setup_(std::make_unique<Setup>(Setup{FigureModel(character, options.ball_meets), options})) {}
+    : setup_(std::make_unique<Setup>(Setup{FigureModel(character, options), options})) {}
 
 Simulator::~Simulator() = default;
 Simulator::Simulator(Simulator&&) noexcept = default;
@@ -20,8 +21,12 @@ Simulator& Simulator::operator=(Simulator&&) noexcept = default;
 
 Rehearsal Simulator::rehearse(const motion::Motion& reference, double from_s,
                               double duration_s) const {
-  return Rehearsal(std::make_unique<Rehearsal::Track>(setup_->figure, setup_->options, reference,
-                                                      from_s, duration_s));
+  const auto track = [&](const motion::Motion& tracked) {
+    return Rehearsal(std::make_unique<Rehearsal::Track>(setup_->figure, setup_->options, tracked,
+                                                        from_s, duration_s));
+  };
+  const bool is_waist_up = setup_->options.figure == FigureKind::waist_up;
+  return is_waist_up ? track(waist_up_motion(reference)) : track(reference);
 }
 
 SimulationResult Simulator::simulate(const Rehearsal& rehearsal, const features::Ball& ball) const {

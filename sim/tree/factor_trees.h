@@ -127,7 +127,12 @@ FactoredJoint<N> factor_hinge(const Inertia<N>& inertia, const SpringRows<N>& ro
   const Vector<N> along = inertia.angular * axes.x;
   const N first = dot(axes.x, along) + stiffness.x;
   FactoredJoint<N> joint;
-  if (free_axes == 1) {
+  if (free_axes == 0) {
+    const N zero = 0.0 * first;
+    joint.mobility = {zero, zero, zero, zero, zero, zero};
+    joint.bias = {zero, zero, zero};
+    joint.prescribed = drive.x * axes.x + drive.y * axes.y + drive.z * axes.z;
+  } else if (free_axes == 1) {
     const Vector<N> row = (1.0 / first) * axes.x;
     joint.mobility = {row.x * axes.x.x, row.y * axes.x.y, row.z * axes.x.z,
                       row.x * axes.x.y, row.x * axes.x.z, row.y * axes.x.z};

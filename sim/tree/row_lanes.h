@@ -188,6 +188,15 @@ Matrix<N> hinge_axes(const TreeConstants::Body& joint, const Quaternion<N>& refe
   return {hinge, bone, cross(hinge, bone)};
 }
 
+/// The axes of the child in the parent's frame, the bone last.
+template <class N>
+Matrix<N> bone_axes(const TreeConstants::Body& joint, const Quaternion<N>& now) {
+  const Matrix<N> turn = rotation(now);
+  if (joint.bone == 0) return {turn.y, turn.z, turn.x};
+  if (joint.bone == 1) return {turn.z, turn.x, turn.y};
+  return turn;
+}
+
 /// A joint's springs over a step, as an impulse D (c - u) about each axis. Of an axis without a
 /// spring, `drive` is the prescribed velocity.
 template <class N>
@@ -199,11 +208,11 @@ struct SpringRows {
 };
 
 // With f = k e + c (w_d - w) and e at the end of the step h, D = h (h k + c) and D c = h (k e + c
-// w_d). A limit adds 20 k_0, divided among the axes in proportion to the squares of the way back.
+// w_d). A limit adds stiffness and damping, divided among the axes in proportion to the squares of
+// the way back. Along a bone whose twist is damped, a share of all of it is left.
 template <class N, std::size_t kLanes>
 SpringRows<N> spring_rows(const TreeConstants::Body& joint, const TreeLanes<kLanes>& lanes,
                           std::size_t body, const Matrix<N>& parent_turn) {
-  constexpr double kLimitStiffnessRatio = 20;
   const auto& own = lanes.bodies[body];
   const auto& parent = lanes.bodies[joint.parent];
   const Quaternion<N> to_parent = conjugate(load(parent.target_orientation));
@@ -219,8 +228,8 @@ SpringRows<N> spring_rows(const TreeConstants::Body& joint, const TreeLanes<kLan
   if (!all_within) back = way_back(joint.range, now, reference, within);
   SpringRows<N> rows;
   rows.axes = parent_turn;
-  if (joint.free_axes < 3) {
-    const Matrix<N> axes = hinge_axes(joint, reference);
+  if (joint.bone >= 0 || (joint.free_axes < 3 && joint.free_axes > 0)) {
+    const Matrix<N> axes = joint.bone >= 0 ? bone_axes(joint, now) : hinge_axes(joint, reference);
     error = transposed_times(axes, error);
     velocity = transposed_times(axes, velocity);
     back = transposed_times(axes, back);
@@ -231,20 +240,34 @@ SpringRows<N> spring_rows(const TreeConstants::Body& joint, const TreeLanes<kLan
   const N damping = load(lanes.damping_share) * joint.damping;
   const N spring = step_s * (step_s * stiffness + damping);
   rows.stiffness = {spring, spring, spring};
-  rows.drive = (step_s * stiffness) * error + (step_s * damping) * velocity;
+  rows.drive = (step_s * stiffness) * error;
+  if (joint.follows_velocity) rows.drive = rows.drive + (step_s * damping) * velocity;
   const N way = dot(back, back);
   rows.alike = !(way > 0.0);
   if (!all_within) {
-    const N per_square = kLimitStiffnessRatio * joint.stiffness * step_s / way;
+    const N per_square = joint.limit_stiffness * step_s / way;
     const Vector<N> stop{per_square * back.x * back.x, per_square * back.y * back.y,
                          per_square * back.z * back.z};
     const Vector<N> push{stop.x * back.x, stop.y * back.y, stop.z * back.z};
-    rows.stiffness = select(rows.alike, rows.stiffness, rows.stiffness + step_s * stop);
+    Vector<N> added = step_s * stop;
+    if (joint.limit_damping > 0) {
+      const N damping_per_square = joint.limit_damping * step_s / way;
+      added = added + Vector<N>{damping_per_square * back.x * back.x,
+                                damping_per_square * back.y * back.y,
+                                damping_per_square * back.z * back.z};
+    }
+    rows.stiffness = select(rows.alike, rows.stiffness, rows.stiffness + added);
     rows.drive = select(rows.alike, rows.drive, rows.drive + push);
+  }
+  if (joint.twist_share != 1) {
+    rows.stiffness.z = joint.twist_share * rows.stiffness.z;
+    rows.drive.z = joint.twist_share * rows.drive.z;
+    rows.alike = way < 0.0;  // nowhere
   }
   const Vector<N> rigid = velocity + load(lanes.joint_correction) * error;
   if (joint.free_axes < 3) rows.drive.z = rigid.z;
   if (joint.free_axes < 2) rows.drive.y = rigid.y;
+  if (joint.free_axes < 1) rows.drive.x = rigid.x;
   return rows;
 }
 

@@ -5,6 +5,7 @@
 import os
 import pathlib
 import signal
+import sqlite3
 import subprocess
 import time
 import unittest
@@ -34,6 +35,81 @@ class Pain(ProgramTest):
         self.assertEqual(note.read_text(), "<svg>mine</svg>\n")
         self.fail_with(1, "info", self.library, "--pain", self.library)
         self.fail_with(1, "info", note, "--pain", self.folder / "pain.svg")
+
+
+class PainLabels(ProgramTest):
+    """Pain as what train, compare and export count by."""
+
+    def setUp(self):
+        super().setUp()
+        self.library = self.folder / "lib.flinchlib"
+        make_library(self.library)
+        self.store = self.folder / "places.flinchobs"
+        self.succeed("simulate", self.library, "--out", self.store, "-n", 60, "--places")
+
+    def exported(self, *options):
+        out = self.folder / "out.csv"
+        self.succeed("export", self.store, "--out", out, "--force", *options)
+        return out.read_text()
+
+    def test_a_store_with_places_has_the_trials_of_one_without_and_says_so(self):
+        plain = self.folder / "plain.flinchobs"
+        self.succeed("simulate", self.library, "--out", plain, "-n", 60)
+        with sqlite3.connect(self.store) as a, sqlite3.connect(plain) as b:
+            trials = "SELECT trials FROM observation ORDER BY number"
+            self.assertEqual(a.execute(trials).fetchall(), b.execute(trials).fetchall())
+            self.assertEqual(b.execute("SELECT sum(length(places)) FROM observation").fetchone(),
+                             (0,))
+            stored = a.execute("SELECT sum(length(places)) FROM observation").fetchone()[0]
+        document = self.document("info", self.store)
+        self.assertTrue(document["keeps_places"])
+        self.assertEqual(13 * document["places"], stored)
+        self.assertIn(f"at {document['places']} places", self.succeed("info", self.store).stdout)
+        self.assertFalse(self.document("info", plain)["keeps_places"])
+        self.assertIn("without --places", self.fail_with(
+            1, "merge", self.store, plain, "--out", self.folder / "merged"))
+
+    def test_selectors_count_pain_and_tell(self):
+        selector = self.folder / "pain.flinch"
+        document = self.document("train", self.store, "--out", selector, "--model", "knn",
+                                 "--pain", "thesis")
+        self.assertEqual(document["vulnerability"], "pain")
+        document = self.document("info", selector)
+        self.assertEqual(document["vulnerability_name"], "pain")
+        self.assertEqual(document["vulnerability"]["head"], 1)
+        self.assertAlmostEqual(document["vulnerability"]["chest"], 2 / 15)
+        self.succeed("select", selector, "--azimuth", 10, "--look-ahead", 4)
+        compared = self.document("compare", self.store, "--models", "knn", "--pain", "thesis")
+        self.assertEqual(compared["cost_model"]["vulnerability_name"], "pain")
+
+    def test_a_map_of_ones_counts_as_uniform_vulnerability_and_the_thesis_does_not(self):
+        ones = self.folder / "ones.toml"
+        regions = ("eyes nose face head neck chest stomach pelvis upper_arm forearm_inside "
+                   "forearm_outside palm back_of_hand thigh shin foot").split()
+        ones.write_text("[multipliers]\n" + "".join(f"{name} = 1\n" for name in regions))
+
+        def best(text):
+            rows = [line.split(",") for line in text.splitlines()]
+            return [row[rows[0].index("label")] for row in rows]
+        uniform = best(self.exported("--vulnerability", "uniform"))
+        self.assertEqual(best(self.exported("--pain", ones)), uniform)
+        self.assertNotEqual(best(self.exported("--pain", "thesis")), uniform)
+
+    def test_refuses_what_does_not_fit_together(self):
+        out = self.folder / "out.flinch"
+        plain = self.folder / "plain.flinchobs"
+        self.succeed("simulate", self.library, "--out", plain, "-n", 4)
+        self.assertIn(f"{plain}: keeps no places of hits, which --pain needs; simulate it again "
+                      "with --places",
+                      self.fail_with(1, "train", plain, "--out", out, "--pain", "thesis"))
+        self.assertIn("give one of them",
+                      self.fail_with(1, "train", self.store, "--out", out, "--pain", "thesis",
+                                     "--vulnerability", "blunt"))
+        wrong = self.folder / "wrong.toml"
+        wrong.write_text("[multipliers]\nteeth = 3\n")
+        line = self.fail_with(1, "compare", self.store, "--pain", wrong)
+        self.assertIn(f"{wrong}:2: ", line)
+        self.assertIn("the regions are: eyes, nose, face", line)
 
 
 class Evolve(ProgramTest):
@@ -100,6 +176,23 @@ class Evolve(ProgramTest):
         self.assertEqual(self.out.read_bytes(), expected.read_bytes())
         self.assertFalse(unfinished.exists())
 
+    def test_runs_the_character_of_the_thesis(self):
+        self.succeed("author", "--character", "waist_up_man", "--out", self.library, "--force")
+        thesis = [*self.SMALL, "--figure", "waist_up", "--failed-joints", "limp"]
+        document = self.document("evolve", self.library, "--out", self.out, *thesis)
+        self.assertLess(document["pain_share"], 1)
+        self.assertEqual(document["clip_count"],
+                         len(self.document("info", self.library)["clips"]) + 2)
+        again = self.folder / "again.flinchlib"
+        self.succeed("evolve", self.library, "--out", again, "--threads", 1, *thesis)
+        self.assertEqual(again.read_bytes(), self.out.read_bytes())
+        stores = [self.folder / "people.flinchobs", self.folder / "waist_up.flinchobs"]
+        self.succeed("simulate", self.library, "--out", stores[0], "-n", 8)
+        self.succeed("simulate", self.library, "--out", stores[1], "-n", 8, "--figure", "waist_up")
+        self.assertEqual(self.document("info", stores[1])["simulation"]["figure"], "waist_up")
+        line = self.fail_with(1, "merge", *stores, "--out", self.folder / "merged.flinchobs")
+        self.assertIn("another simulation", line)
+
     def test_mends_the_weakest_cells_and_reports_the_gain(self):
         make_library(self.library)
         small = ["--weakest", 2, "--scenarios", 512, "--population", 8, "--generations", 2]
@@ -124,7 +217,11 @@ class Evolve(ProgramTest):
         self.succeed("evolve", self.library, "--out", again, "--threads", 1, *small)
         self.assertEqual(again.read_bytes(), self.out.read_bytes())
         for arguments, text in [(["--azimuth", 30], "leave out --azimuth"),
-                                (["--style", "hands"], "leave out --style")]:
+                                (["--style", "hands"], "leave out --style"),
+                                (["--figure", "waist_up"], "leave out --figure"),
+                                (["--failed-joints", "limp"], "leave out --failed-joints"),
+                                (["--limit-weight", 1], "leave out --limit-weight"),
+                                (["--extension-weight", 1], "leave out --extension-weight")]:
             self.assertIn(text, self.fail_with(1, "evolve", self.library, "--out", again, *small,
                                                *arguments))
 
@@ -140,6 +237,10 @@ class Evolve(ProgramTest):
                 (2, ["--azimuth", "nan"], "not in range"),
                 (2, ["--style", "polite"], "free"),
                 (2, ["--speed", 1], "not in range"),
+                (2, ["--figure", "robot"], "people"),
+                (2, ["--failed-joints", "broken"], "idle"),
+                (2, ["--limit-weight", -1], "not in range"),
+                (2, ["--extension-weight", "inf"], "not in range"),
                 (1, ["--population", 0], "a population of 0; it must be even"),
                 (1, ["--population", 401], "a population of 401; it must be even"),
                 (1, ["--population", 4, "--tournament", 8], "at least as large as a tournament"),

@@ -103,6 +103,7 @@ std::string describe(const SimulationPlan& plan) {
     return kind.bounce.restitution <= sim::kMaxRestingBounce;
   });
   if (may_rest) document["resting_step_s"] = plan.options.resting_step_s;
+  if (plan.options.figure == sim::FigureKind::waist_up) document["figure"] = "waist_up";
   return document.dump();
 }
 

@@ -74,5 +74,27 @@ TEST(JointEffort, OfAFasterMotionIsGreater) {
   EXPECT_GT(raise(0.2), 1.1 * raise(0.8));
 }
 
+// Section 6.2.1: the muscles of the back of the hand are weaker. Lifting an outstretched hand by
+// its back, against its weight, is extension; holding it palm up, the other way, is not.
+TEST(JointEffort, CountsTorqueThatPullsTheBackOfAHandMore) {
+  const sim::Simulator simulator(motion::default_character(), {});
+  const auto of = [&](const motion::Pose& pose, double weight) {
+    return joint_effort(simulator.figure_model(), simulator.rehearse(still(pose), 0.5, 1),
+                        simulator.options().gravity_mps2, weight);
+  };
+  motion::Pose palm_down = motion::rest_pose(motion::default_character().skeleton);
+  motion::Pose palm_up = palm_down;
+  for (const motion::Role role : {motion::Role::left_forearm, motion::Role::right_forearm})
+    palm_up.rotation[role] = motion::rotation_about(Eigen::Vector3f::UnitY(), motion::radians(180));
+  const motion::BodyModel model = make_body_model(motion::default_character());
+  double weights = 0;  // moment of the hands about the wrists
+  for (const Body hand : {Body::left_hand, Body::right_hand})
+    weights +=
+        9.81 * static_cast<double>(model[hand].mass_kg * std::abs(model[hand].centre_of_mass.y()));
+  EXPECT_NEAR(of(palm_down, 3) - of(palm_down, 0), 3 * 0.5 * weights, 0.1 * 3 * 0.5 * weights);
+  EXPECT_NEAR(of(palm_up, 3) - of(palm_up, 0), 0, 0.05 * 3 * 0.5 * weights);
+  EXPECT_GT(weights, 0.5);
+}
+
 }  // namespace
 }  // namespace flinch::evolve

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "database/author/stance.h"
@@ -11,6 +12,7 @@
 #include "motion/limb_ik.h"
 #include "motion/rotation.h"
 #include "motion/support_polygon.h"
+#include "sim/figure/waist_up.h"
 #include "tests/scenes/sample_count.h"
 
 namespace flinch::evolve {
@@ -34,6 +36,31 @@ class PoseGenesTest : public testing::Test {
 TEST_F(PoseGenesTest, AreTwentyAndTwentySixForTheWholeBody) {
   EXPECT_EQ(pose_genes().size(), 20U);
   EXPECT_EQ(whole_body_genes().size(), 26U);
+}
+
+TEST_F(PoseGenesTest, AreEighteenForTheThesisCharacterAndReachItsLimits) {
+  const std::span<const PoseGene> genes = waist_up_genes();
+  ASSERT_EQ(genes.size(), 18U);
+  for (int k = 0; k < tests::samples(100); ++k) {
+    Chromosome chromosome = random_chromosome(genes);
+    if (k == 0) chromosome.assign(18, 0);
+    if (k == 1) chromosome.assign(18, kMaxGene);
+    const motion::Pose pose = waist_up_pose_of(figure_, start_, chromosome);
+    for (std::size_t i = 0; i < genes.size(); ++i) {
+      const auto joints = sim::waist_up_joints();
+      const auto joint = std::ranges::find(
+          joints, genes[i].joint, [](const sim::WaistUpJoint& at) { return name_of(at.body); });
+      ASSERT_NE(joint, joints.end());
+      const Eigen::Vector3d angles =
+          joint_angles(joint->range, pose.rotation[role_of(joint->body)].cast<double>());
+      EXPECT_NEAR(angles[genes[i].axis], value_of(chromosome[i], genes[i].range), 2e-3)
+          << genes[i].joint << " " << genes[i].axis;
+    }
+    // The figure of the character can want exactly this pose.
+    const motion::Pose held = sim::waist_up_pose(pose);
+    for (const Role role : motion::kRoles)
+      EXPECT_LT(held.rotation[role].angularDistance(pose.rotation[role]), 2e-3F);
+  }
 }
 
 TEST_F(PoseGenesTest, EveryGeneTurnsItsOwnJointByItsAngleAndNoOther) {

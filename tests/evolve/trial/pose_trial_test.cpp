@@ -31,33 +31,97 @@ class PoseTrialTest : public testing::Test {
         throw_at(character_, idle_, motion::Target::head, motion::radians(20.0), 0, 25, 0.5);
     return options;
   }
-  std::vector<Chromosome> chromosomes(std::size_t count) {
-    std::vector<Chromosome> all(count, Chromosome(pose_genes().size()));
+  std::vector<Chromosome> chromosomes(std::size_t count, std::size_t genes = pose_genes().size()) {
+    std::vector<Chromosome> all(count, Chromosome(genes));
     for (Chromosome& chromosome : all)
       for (Gene& gene : chromosome) gene = static_cast<Gene>(random_.index(65536));
     return all;
   }
+  /// One simulation of 36 at a time, by the reference solver from the start on.
+  void expect_mean_of_reference(const PoseTrial& trial) {
+    const std::vector<Chromosome> poses = chromosomes(2, trial.genes().size());
+    const auto scores = trial.test(poses, 5, 1);
+    for (std::size_t i = 0; i < poses.size(); ++i) {
+      double fast = 0;
+      double slow = 0;
+      for (const JointFailure failure : kJointFailures) {
+        for (const features::Ball& ball : trial.balls(5)) {
+          const std::span<const features::Ball> one(&ball, 1);
+          fast += trial.mean_pain(trial.simulate(poses[i], failure, one)) / 36;
+          slow += trial.mean_pain(trial.simulate_by_reference(poses[i], failure, one)) / 36;
+        }
+      }
+      EXPECT_NEAR((*scores)[i].pain, fast, 1e-9 * fast);
+      EXPECT_NEAR((*scores)[i].pain, slow, 0.03 * slow);
+      EXPECT_GT(slow, 1);
+    }
+  }
 };
 
-// One simulation of 36 at a time, by the reference solver from the start on.
 TEST_F(PoseTrialTest, IsTheMeanOfThirtySixSimulationsOfTheReferenceSolver) {
-  const PoseTrial trial(character_, idle_, options());
-  const std::vector<Chromosome> poses = chromosomes(2);
-  const auto scores = trial.test(poses, 5, 1);
+  expect_mean_of_reference(PoseTrial(character_, idle_, options()));
+}
+
+TEST_F(PoseTrialTest, TheThesisCharacterWithLimpShouldersIsTestedAsByTheReferenceSolver) {
+  TrialOptions thesis = options();
+  thesis.simulation.figure = sim::FigureKind::waist_up;
+  thesis.are_limp = true;
+  const PoseTrial trial(character_, idle_, thesis);
+  EXPECT_EQ(trial.genes().size(), 18U);
+  expect_mean_of_reference(trial);
+}
+
+TEST_F(PoseTrialTest, LimpArmsHurtOtherwiseThanThoseThatIdle) {
+  TrialOptions limp = options();
+  limp.are_limp = true;
+  const PoseTrial trial(character_, idle_, limp);
+  const std::vector<Chromosome> poses = chromosomes(6);
+  const auto scores = *trial.test(poses, 1, 1);
+  const auto idling = *PoseTrial(character_, idle_, options()).test(poses, 1, 1);
+  int differ = 0;
   for (std::size_t i = 0; i < poses.size(); ++i) {
-    double fast = 0;
-    double slow = 0;
-    for (const JointFailure failure : kJointFailures) {
-      for (const features::Ball& ball : trial.balls(5)) {
-        const std::span<const features::Ball> one(&ball, 1);
-        fast += trial.mean_pain(trial.simulate(poses[i], failure, one)) / 36;
-        slow += trial.mean_pain(trial.simulate_by_reference(poses[i], failure, one)) / 36;
-      }
-    }
-    EXPECT_NEAR((*scores)[i].pain, fast, 1e-9 * fast);
-    EXPECT_NEAR((*scores)[i].pain, slow, 0.03 * slow);
-    EXPECT_GT(slow, 1);
+    differ += std::abs(scores[i].pain - idling[i].pain) > 1e-6 * idling[i].pain ? 1 : 0;
+    EXPECT_EQ(scores[i].overlap, idling[i].overlap);
   }
+  EXPECT_GT(differ, 3);
+}
+
+TEST_F(PoseTrialTest, TermsOfFutureWorkAreOffUnlessAskedFor) {
+  const std::vector<Chromosome> poses = chromosomes(24);
+  const auto plain = *PoseTrial(character_, idle_, options()).test(poses, 1, 2);
+  TrialOptions asked = options();
+  asked.limit_weight_per_rads = 10;
+  asked.extension_weight = 2;
+  const auto with_terms = *PoseTrial(character_, idle_, asked).test(poses, 1, 2);
+  int exceeded = 0;
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    EXPECT_EQ(plain[i].limits, 0);
+    EXPECT_NEAR(plain[i].pain, with_terms[i].pain, 0.02 * plain[i].pain);
+    EXPECT_GE(with_terms[i].energy, plain[i].energy);
+    EXPECT_GE(with_terms[i].limits, 0);
+    EXPECT_DOUBLE_EQ(with_terms[i].fitness(), with_terms[i].pain + with_terms[i].energy +
+                                                  with_terms[i].overlap + with_terms[i].limits);
+    exceeded += with_terms[i].limits > 0 ? 1 : 0;
+  }
+  EXPECT_GT(exceeded, 3);
+}
+
+// The joint-limit term is what the reference solver measures, too.
+TEST_F(PoseTrialTest, LimitsAreExceededAsInTheReferenceSimulation) {
+  TrialOptions asked = options();
+  asked.limit_weight_per_rads = 1;
+  const PoseTrial trial(character_, idle_, asked);
+  double fast = 0;
+  double slow = 0;
+  for (const Chromosome& pose : chromosomes(6)) {
+    const auto balls = trial.balls(3);
+    for (const auto& result : trial.simulate(pose, JointFailure::none, balls))
+      fast += result.limit_excess_rads;
+    for (const auto& result : trial.simulate_by_reference(pose, JointFailure::none, balls))
+      slow += result.limit_excess_rads;
+  }
+  EXPECT_GT(fast, 0.001);
+  EXPECT_NEAR(fast, slow, 0.15 * slow);
 }
 
 TEST_F(PoseTrialTest, GivesTheSameBitsForAnyNumberOfThreadsAndCompany) {

@@ -37,7 +37,7 @@ std::vector<double> lane_of(const TreeLanes<kLanes>& lanes, std::size_t lane) {
   return numbers;
 }
 
-class TreeLanesTest : public testing::Test {
+class TreeLanesTest : public testing::TestWithParam<FigureKind> {
  protected:
   /// Steps of figures that are driven in all the ways there are.
   std::vector<Start> starts(std::size_t count, unsigned seed) const {
@@ -95,7 +95,9 @@ class TreeLanesTest : public testing::Test {
 #endif
   }
 
-  FigureModel figure_model_{motion::default_character()};
+  FigureModel figure_model_{
+      motion::default_character(),
+      {.figure = GetParam(), .limp_joints = set_of(motion::Body::right_upper_arm)}};
 };
 
 bool is_finite(const std::vector<double>& numbers) {
@@ -108,7 +110,7 @@ bool has_same_bits(const std::vector<double>& first, const std::vector<double>& 
          std::memcmp(first.data(), second.data(), first.size() * sizeof(double)) == 0;
 }
 
-TEST_F(TreeLanesTest, EachLaneHasTheBitsOfAFigureAlone) {
+TEST_P(TreeLanesTest, EachLaneHasTheBitsOfAFigureAlone) {
   const std::vector<Start> all = starts(400, 21);
   std::vector<std::vector<double>> expected;
   for (const Start& start : all) {
@@ -124,7 +126,7 @@ TEST_F(TreeLanesTest, EachLaneHasTheBitsOfAFigureAlone) {
 }
 
 // Every second figure has numbers that no simulation gives.
-TEST_F(TreeLanesTest, BadNumbersStayInTheirLane) {
+TEST_P(TreeLanesTest, BadNumbersStayInTheirLane) {
   constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   std::vector<Start> all = starts(80, 22);
@@ -160,6 +162,9 @@ TEST_F(TreeLanesTest, BadNumbersStayInTheirLane) {
   });
   EXPECT_GT(bad_lanes, 20);
 }
+
+INSTANTIATE_TEST_SUITE_P(Figures, TreeLanesTest,
+                         testing::Values(FigureKind::people, FigureKind::waist_up));
 
 }  // namespace
 }  // namespace flinch::sim

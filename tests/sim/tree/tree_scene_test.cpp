@@ -20,6 +20,9 @@ class TreeSceneTest : public testing::Test {
  protected:
   FigureModel figure_model_{motion::default_character()};
 
+  /// Steps random figures with and without ODE.
+  void expect_free_figures_match(const FigureModel& figure_model);
+
   /// Largest difference of a velocity after the step, divided by the largest velocity.
   double difference(const OdeScene& ode, const TreeScene& tree) {
     double most = 0;
@@ -42,8 +45,8 @@ class TreeSceneTest : public testing::Test {
   }
 };
 
-TEST_F(TreeSceneTest, FreeFiguresMatchOde) {
-  RandomStep random(figure_model_, 1);
+void TreeSceneTest::expect_free_figures_match(const FigureModel& figure_model) {
+  RandomStep random(figure_model, 1);
   for (int i = 0; i < 200; ++i) {
     ReferenceState start = random.disturbed(random.state(i % 2 ? 0.3 : 1.2));
     const ReferenceState target = random.state(i % 2 ? 0.3 : 1.2);
@@ -55,16 +58,29 @@ TEST_F(TreeSceneTest, FreeFiguresMatchOde) {
         const BodyState& parent_state = start.body[*parent];
         start.socket[body] = parent_state.orientation.conjugate() *
                              (start.body[body].position +
-                              start.body[body].orientation * joint_offset(figure_model_, body) -
+                              start.body[body].orientation * joint_offset(figure_model, body) -
                               parent_state.position);
       }
     }
-    OdeScene ode(figure_model_, start, nullptr, features::kGravity_mps2);
-    TreeScene tree(figure_model_, start.body, nullptr, features::kGravity_mps2);
+    OdeScene ode(figure_model, start, nullptr, features::kGravity_mps2);
+    TreeScene tree(figure_model, start.body, nullptr, features::kGravity_mps2);
     ode.step(target, step_s);
     tree.step(target, step_s);
     EXPECT_LT(difference(ode, tree), 1e-9) << "step " << i << " of " << step_s;
   }
+}
+
+TEST_F(TreeSceneTest, FreeFiguresMatchOde) {
+  expect_free_figures_match(figure_model_);
+}
+
+TEST_F(TreeSceneTest, LimpAndWaistUpFiguresMatchOde) {
+  const BodySet limp = set_of(Body::left_upper_arm) | set_of(Body::right_forearm);
+  const motion::Physique character = motion::default_character();
+  expect_free_figures_match(FigureModel(character, {.limp_joints = limp}));
+  expect_free_figures_match(FigureModel(character, {.figure = FigureKind::waist_up}));
+  expect_free_figures_match(
+      FigureModel(character, {.figure = FigureKind::waist_up, .limp_joints = limp}));
 }
 
 /// The drives of a struck, a waiting and a falling figure, with weaker joints.
