@@ -28,7 +28,7 @@ class CellTrialTest : public testing::Test {
  protected:
   database::ClipLibrary library_ = small_library();
   ThreatCell cell_{motion::Target::head, 2, 1};
-  train::CostModel cost_model_{.reference_damage_ns = {14}, .reference_work_j = 500};
+  train::CostModel cost_model_{.of_kind = {}, .reference_damage_ns = {14}, .reference_work_j = 500};
   train::ScenarioRange range_{100, 10};
 
   CellTrial trial(int threads) const { return {{library_, {}, cost_model_, threads}, cell_}; }
