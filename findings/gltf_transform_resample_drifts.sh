@@ -30,7 +30,8 @@ for (const rate of [30, 60, 240, 1000]) {
       document.createAccessor().setType(type).setArray(Float32Array.from(numbers)).setBuffer(buffer);
   const times = Array.from({ length: 4 * rate + 1 }, (_, i) => i / rate);
   const sampler = document.createAnimationSampler().setInterpolation('LINEAR')
-      .setInput(accessor('SCALAR', times)).setOutput(accessor('VEC3', times.flatMap((time) => [sway(time), 1, 0])));
+      .setInput(accessor('SCALAR', times))
+      .setOutput(accessor('VEC3', times.flatMap((time) => [sway(time), 1, 0])));
   const hips = document.createNode('Hips');
   document.createScene().addChild(hips);
   document.createAnimation('sway').addSampler(sampler).addChannel(document.createAnimationChannel()
