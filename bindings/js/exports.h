@@ -134,6 +134,65 @@ FLINCH_API flinch_status flinch_oracle_nearest_annotation(const flinch_oracle* o
                                                           const flinch_threat* threat,
                                                           int32_t* clip);
 
+/* A judge looks at pushed motions and says how good they are; each answer improves the estimate of
+ * the next (docs/pushing.md). */
+typedef struct flinch_labelling flinch_labelling;
+/* Begins. `seed` decides which motions are drawn. FLINCH_BAD_PUSH for a library without pushes. */
+FLINCH_API flinch_status flinch_labelling_create(const flinch_library* library, uint32_t seed,
+                                                 flinch_labelling** out);
+/* Frees it. */
+FLINCH_API flinch_status flinch_labelling_free(flinch_labelling* labelling);
+
+/* A pushed motion, as label files have it. Vectors are in the frame of the character's facing. This
+ * struct will not grow. */
+typedef struct flinch_push_example {
+  int32_t state_clip; /* what the character does */
+  float state_s;      /* when in that clip the push comes */
+  int32_t place;      /* the pushed joint */
+  float asked[3];     /* its velocity, m/s */
+  int32_t response_clip;
+  float turn;           /* of the response, radians */
+  float taper;          /* w of theta, 1/m^2 */
+  float deformation[3]; /* m of theta, m/s */
+} flinch_push_example;
+/* Takes labels of earlier sittings: motions and how good they are, 0 to 1. FLINCH_BAD_INDEX where a
+ * clip, place or number cannot be one of this library; then none is taken. */
+FLINCH_API flinch_status flinch_labelling_add(flinch_labelling* labelling,
+                                              const flinch_push_example* examples,
+                                              const float* qualities, int32_t count);
+
+/* The motion that is judged now. This struct will not grow. */
+typedef struct flinch_question {
+  float estimate;       /* how good it will look, 0 to 1; negative where labels are too few */
+  float push_s;         /* when the push comes, s from the first frame */
+  int32_t frame_count;  /* at 60 Hz */
+  int32_t label_count;  /* so far */
+  int32_t compared;     /* of the last 50 answers, those that were estimated before */
+  float same_side;      /* share of them that are good, or not, as was estimated */
+  float mean_error;     /* of the estimates */
+  int32_t is_agreement; /* 1: estimate and judge agree, the judge may stop */
+} flinch_question;
+/* Writes the above to `out`. */
+FLINCH_API flinch_status flinch_labelling_question(const flinch_labelling* labelling,
+                                                   flinch_question* out);
+/* How it is made. */
+FLINCH_API flinch_status flinch_labelling_example(const flinch_labelling* labelling,
+                                                  flinch_push_example* out);
+/* The pose of one of its frames. */
+FLINCH_API flinch_status flinch_labelling_pose(const flinch_labelling* labelling, int32_t frame,
+                                               flinch_pose* out);
+/* Takes the judge's answer, 0 to 1, fits again, and draws the next motion. */
+FLINCH_API flinch_status flinch_labelling_judge(flinch_labelling* labelling, float quality);
+/* Draws another motion without an answer. */
+FLINCH_API flinch_status flinch_labelling_skip(flinch_labelling* labelling);
+/* Shows motion `number` of a seed in the test whether it is a recording (docs/pushing.md): `shown`
+ * is 0 for one whose realism is estimated above 0.5 by the library's selector, 1 for one below, 2
+ * for a recording as it is. FLINCH_BAD_PUSH for a selector without a realism model. */
+FLINCH_API flinch_status flinch_labelling_study(flinch_labelling* labelling, uint32_t seed,
+                                                uint32_t number, int32_t* shown, float* realism);
+/* The library's hash as label files have it. Never NULL for a labelling. */
+FLINCH_API const char* flinch_labelling_library(const flinch_labelling* labelling);
+
 #ifdef __cplusplus
 }
 #endif

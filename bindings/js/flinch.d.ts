@@ -197,6 +197,43 @@ export class Oracle {
   free(): void;
 }
 
+/** A pushed motion, as label files have it; vectors in the frame of the character's facing. */
+export interface PushExample {
+  state_clip: number;
+  state_s: number;
+  place: number;
+  asked: Float32Array | number[];
+  response_clip: number;
+  turn: number;
+  taper: number;
+  deformation: Float32Array | number[];
+}
+
+/** The motion that is judged, and how well the last estimates agreed with the judge. */
+export interface Question {
+  estimate: number;
+  push_s: number;
+  frame_count: number;
+  label_count: number;
+  compared: number;
+  same_side: number;
+  mean_error: number;
+  is_agreement: number;
+}
+
+/** Draws pushed motions, takes a judge's answers, and estimates the next from all so far. */
+export class Labelling {
+  readonly libraryHash: string;
+  add(labels: readonly { example: PushExample; realism: number }[]): void;
+  question(): Question;
+  example(): PushExample;
+  pose(frame: number): Pose;
+  judge(realism: number): void;
+  skip(): void;
+  study(seed: number, number: number): { shown: "good" | "bad" | "recording"; realism: number };
+  free(): void;
+}
+
 /** A surface that moves with the joints: v' = sum of w (p + R (v - r)), r the joint at rest. */
 export interface Skin {
   position: Float32Array;
@@ -223,6 +260,7 @@ export class Library {
   readonly outlines: Outline[];
   createCharacter(): Character;
   createOracle(): Oracle;
+  createLabelling(seed: number): Labelling;
   jointFrames(pose: Pose): JointFrames;
   skin(): Skin;
   clipPose(clip: number, time_s: number): Pose;

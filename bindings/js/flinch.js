@@ -5,6 +5,7 @@ import { Library } from "./library.js";
 import { Memory } from "./memory.js";
 
 export { Character } from "./character.js";
+export { Labelling } from "./labelling.js";
 export { Library } from "./library.js";
 export { FlinchError } from "./memory.js";
 export { Oracle } from "./oracle.js";

@@ -66,6 +66,18 @@ std::string layout() {
                     {F(size), F(clip_count), F(idle_clip), F(rate_hz), F(mass_kg), F(kind_count)}));
   }
   {
+    using S = flinch_push_example;
+    structs.push_back(struct_text("flinch_push_example", sizeof(S),
+                                  {F(state_clip), F(state_s), F(place), F(asked), F(response_clip),
+                                   F(turn), F(taper), F(deformation)}));
+  }
+  {
+    using S = flinch_question;
+    structs.push_back(struct_text("flinch_question", sizeof(S),
+                                  {F(estimate), F(push_s), F(frame_count), F(label_count),
+                                   F(compared), F(same_side), F(mean_error), F(is_agreement)}));
+  }
+  {
     using S = flinch_skeleton;
     structs.push_back(struct_text("flinch_skeleton", sizeof(S), {F(size), F(offset), F(tip)}));
   }

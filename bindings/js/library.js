@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 import { Character } from "./character.js";
+import { Labelling } from "./labelling.js";
 import { Oracle } from "./oracle.js";
 
 /** A selector with its clips, which `flinch train` wrote. Free it when it is no longer needed. */
@@ -70,6 +71,11 @@ export class Library {
   /** Simulates what every clip would do. Throws FlinchError for a selector without costs. */
   createOracle() {
     return new Oracle(this);
+  }
+
+  /** Begins to judge pushed motions. Throws FlinchError for a library without pushes. */
+  createLabelling(seed) {
+    return new Labelling(this, seed);
   }
 
   /** Positions and orientations of all joints in a pose, in the world. */

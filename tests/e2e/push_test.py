@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: MIT
 """A push, from labels to the animation that answers it."""
 
+import json
 import pathlib
 import tempfile
 import unittest
@@ -60,6 +61,48 @@ class Push(ProgramTest):
         trained = self.document("train-realism", self.labels, "--into", copy, "--realism", "paper")
         self.assertNotEqual(copy.read_bytes(), self.selector.read_bytes())
         self.assertGreater(trained["auc"], 0)
+
+    def test_questions_are_asked_answered_and_merged_once(self):
+        questions, labels = self.folder / "questions", self.folder / "b.flinchlabels"
+        asked = self.document("label", self.library, "--out", self.labels, "--ask", questions,
+                              "--motions", 4)
+        self.assertEqual(asked["motions"], 4)
+        file = questions / "questions.flinchlabels"
+        header, *lines = file.read_text().splitlines()
+        for number, line in enumerate(map(json.loads, lines)):
+            self.assertIsNone(line["realism"])
+            self.assertTrue(0 <= line["estimate"] <= 1)
+            self.assertEqual((questions / line["motion"]).read_bytes()[:4], b"glTF")
+        self.assertIn("is there already", self.fail_with(
+            1, "label", self.library, "--out", labels, "--ask", questions))
+        # A script answers all but the last.
+        answered = [dict(json.loads(line), judge="Eva", sitting="1", realism=0.25 * k)
+                    for k, line in enumerate(lines[:-1])]
+        file.write_text("\n".join([header, *map(json.dumps, answered), lines[-1]]) + "\n")
+        first = self.document("label", self.library, "--out", labels, "--merge", file)
+        self.assertEqual([first[key] for key in ("added", "known", "unanswered")], [3, 0, 1])
+        again = self.document("label", self.library, "--out", labels, "--merge", file, self.labels)
+        self.assertEqual([again[key] for key in ("added", "known", "unanswered")], [150, 3, 1])
+        told = self.fail_with(2, "label", self.library, "--out", labels, "--merge", file,
+                              "--proxy", 3)
+        self.assertIn("one of", told)
+
+    def test_the_papers_test_is_counted(self):
+        header = self.labels.read_text().splitlines()[0].replace("labels", "study")
+        # Figure 5 of Arikan et al. 2005, the graduates.
+        counts = {"good": (39, 0, 39), "bad": (2, 0, 38), "recording": (12, 0, 11)}
+        lines = [json.dumps({"judge": "a", "shown": shown, "answer": answer})
+                 for shown, numbers in counts.items()
+                 for answer, number in zip(("yes", "unsure", "no"), numbers) for _ in range(number)]
+        answers = self.folder / "a.flinchstudy"
+        answers.write_text("\n".join([header, *lines]) + "\n")
+        study = self.document("label", self.library, "--study", answers)
+        self.assertEqual([[row[key] for key in ("yes", "unsure", "no")] for row in study["rows"]],
+                         [list(numbers) for numbers in counts.values()])
+        self.assertAlmostEqual(study["good_against_recordings"], 0.96, places=2)
+        self.assertAlmostEqual(study["agreement"], 0.65, places=2)
+        self.assertIn("0.96 times", self.succeed("label", self.library, "--study", answers).stdout)
+        self.assertIn("needs --out", self.fail_with(2, "label", self.library))
 
     def test_bad_input_gets_one_clear_line(self):
         out = self.folder / "push.glb"

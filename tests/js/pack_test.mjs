@@ -15,8 +15,8 @@ const packed = execFileSync("npm", ["pack", "--silent", "--pack-destination", fo
 execFileSync("tar", ["xzf", packed], { cwd: folder });
 const files = readdirSync(`${folder}/package`).sort();
 assert.deepEqual(files, [
-  "README.md", "character.js", "flinch.d.ts", "flinch.js", "flinch.wasm", "library.js", "memory.js",
-  "oracle.js", "package.json",
+  "README.md", "character.js", "flinch.d.ts", "flinch.js", "flinch.wasm", "labelling.js", "library.js",
+  "memory.js", "oracle.js", "package.json",
 ]);
 const { loadFlinch } = await import(pathToFileURL(`${folder}/package/flinch.js`));
 const flinch = await loadFlinch();

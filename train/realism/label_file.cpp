@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstring>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <sstream>
 
 #include "database/files/file_io.h"
@@ -20,10 +21,18 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* kFormat = "flinch labels 1";
+/// A kind of file, by its first line.
+struct Format {
+  const char* name;
+  const char* kind;
+  const char* maker;
+};
+constexpr Format kLabels{"flinch labels 1", "a label file", "`flinch label` makes one"};
+constexpr Format kStudy{"flinch study 1", "a file of the test",
+                        "the page of `flinch view` saves one"};
 
-Json header_of(const database::ClipLibrary& library) {
-  return {{"format", kFormat}, {"library", database::hash_text(library.hash)}};
+Json header_of(const database::ClipLibrary& library, const Format& format = kLabels) {
+  return {{"format", format.name}, {"library", database::hash_text(library.hash)}};
 }
 
 Json components(const Eigen::Vector3f& v) {
@@ -57,8 +66,7 @@ class LabelReader {
   LabelReader(const database::ClipLibrary& library, const runtime::PushResponses& responses)
       : library_(library), responses_(responses) {}
 
-  Label label(const std::string& line) const {
-    const Json document = Json::parse(line);
+  Label label(const Json& document) const {
     Label label;
     label.judge = document.at("judge").get<std::string>();
     label.sitting = document.at("sitting").get<std::string>();
@@ -106,10 +114,11 @@ class LabelReader {
 
 /// Checks the first line and that the last one is complete.
 void check_text(const std::string& path, const std::string& text,
-                const database::ClipLibrary& library) {
-  const std::string header = header_of(library).dump() + "\n";
-  if (text.compare(0, 10, header, 0, 10) != 0)
-    throw Error(path, "is not a label file; `flinch label` makes one");
+                const database::ClipLibrary& library, const Format& format = kLabels) {
+  const std::string header = header_of(library, format).dump() + "\n";
+  const std::size_t named = header.find(',');
+  if (text.compare(0, named, header, 0, named) != 0)
+    throw Error(path, std::string("is not ") + format.kind + "; " + format.maker);
   if (text.compare(0, header.size(), header) != 0) {
     throw Error(at_line(path, 1), "holds labels of another library than the one with the hash " +
                                       database::hash_text(library.hash) +
@@ -169,8 +178,11 @@ void append_labels(const std::string& path, const database::ClipLibrary& library
   file.append(text);
 }
 
-LabelSet read_labels(const std::string& path, const database::ClipLibrary& library,
-                     const runtime::PushResponses& responses) {
+namespace {
+
+/// The labels of a file. With `unanswered` counts lines without an answer, which else are refused.
+LabelSet read_lines(const std::string& path, const database::ClipLibrary& library,
+                    const runtime::PushResponses& responses, std::size_t* unanswered) {
   const std::string text = database::read_file(path);
   check_text(path, text, library);
   const LabelReader reader(library, responses);
@@ -182,13 +194,92 @@ LabelSet read_labels(const std::string& path, const database::ClipLibrary& libra
   for (std::size_t number = 2; std::getline(lines, line); ++number) {
     if (line == header) continue;  // files that were joined
     try {
-      set.labels.push_back(reader.label(line));
+      const Json document = Json::parse(line);
+      if (unanswered != nullptr && document.at("realism").is_null()) {
+        ++*unanswered;
+      } else {
+        set.labels.push_back(reader.label(document));
+      }
     } catch (const std::exception& error) {
       throw Error(at_line(path, number),
                   std::string("is no label of this library: ") + error.what());
     }
   }
   return set;
+}
+
+}  // namespace
+
+LabelSet read_labels(const std::string& path, const database::ClipLibrary& library,
+                     const runtime::PushResponses& responses) {
+  return read_lines(path, library, responses, nullptr);
+}
+
+MergedLabels merge_labels(const std::string& path, const database::ClipLibrary& library,
+                          const runtime::PushResponses& responses,
+                          const std::vector<std::string>& files) {
+  std::set<std::string> known;
+  const auto line_of = [&](const Label& label) { return document_of(label, library).dump(); };
+  append_labels(path, library, {});
+  for (const Label& label : read_labels(path, library, responses).labels)
+    known.insert(line_of(label));
+  MergedLabels merged;
+  std::vector<Label> fresh;
+  for (const std::string& file : files) {
+    for (const Label& label : read_lines(file, library, responses, &merged.unanswered).labels) {
+      if (known.insert(line_of(label)).second) {
+        fresh.push_back(label);
+      } else {
+        ++merged.known;
+      }
+    }
+  }
+  append_labels(path, library, fresh);
+  merged.added = fresh.size();
+  return merged;
+}
+
+void write_questions(const std::string& path, const database::ClipLibrary& library,
+                     const std::vector<Question>& questions) {
+  std::string text = header_of(library).dump() + "\n";
+  for (const Question& question : questions) {
+    Json document = document_of({question.example, 0, "", ""}, library);
+    document["realism"] = nullptr;
+    document["estimate"] = question.estimate ? Json(*question.estimate) : Json();
+    document["motion"] = question.motion;
+    text += document.dump() + "\n";
+  }
+  database::write_file_atomically(path, text);
+}
+
+StudyFile read_study(const std::string& path, const database::ClipLibrary& library) {
+  const std::string text = database::read_file(path);
+  check_text(path, text, library, kStudy);
+  StudyFile study;
+  std::set<std::string> judges;
+  std::istringstream lines(text);
+  std::string line;
+  std::getline(lines, line);
+  const std::string header = line;
+  for (std::size_t number = 2; std::getline(lines, line); ++number) {
+    if (line == header) continue;
+    try {
+      const Json document = Json::parse(line);
+      const auto shown =
+          std::ranges::find(kShown, document.at("shown").get<std::string>(), name_of);
+      if (shown == kShown.end()) throw std::out_of_range("shown");
+      Verdicts& verdicts = study.table[static_cast<std::size_t>(*shown)];
+      const auto answer = document.at("answer").get<std::string>();
+      if (answer != "yes" && answer != "unsure" && answer != "no")
+        throw std::out_of_range("answer");
+      ++(answer == "yes" ? verdicts.yes : answer == "no" ? verdicts.no : verdicts.unsure);
+      judges.insert(document.at("judge").get<std::string>());
+    } catch (const std::exception& error) {
+      throw Error(at_line(path, number), std::string("is no answer: ") + error.what());
+    }
+  }
+  study.judges = judges.size();
+  return study;
 }
 
 }  // namespace flinch::train

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "database/library/library.h"
 #include "train/realism/push_example.h"
+#include "train/realism/recording_study.h"
 
 namespace flinch::train {
 
@@ -37,5 +39,37 @@ void append_labels(const std::string& path, const database::ClipLibrary& library
 /// library, a line that is cut short or is no label, or a label of clips that the library has not.
 LabelSet read_labels(const std::string& path, const database::ClipLibrary& library,
                      const runtime::PushResponses& responses);
+
+/// What joining files did.
+struct MergedLabels {
+  std::size_t added = 0;
+  std::size_t known = 0;       ///< that were there already
+  std::size_t unanswered = 0;  ///< lines whose "realism" is null: questions that nobody answered
+};
+/// Appends the labels of other files of this library, except for those that are there. Throws as
+/// read_labels(); then none is added.
+MergedLabels merge_labels(const std::string& path, const database::ClipLibrary& library,
+                          const runtime::PushResponses& responses,
+                          const std::vector<std::string>& files);
+
+/// A motion that someone is to judge.
+struct Question {
+  PushExample example;
+  std::optional<float> estimate;  ///< of its realism
+  std::string motion;             ///< file that shows it
+};
+/// Writes questions as a label file without answers: whoever judges fills in "judge", "sitting" and
+/// "realism". Throws Error where the file cannot be written.
+void write_questions(const std::string& path, const database::ClipLibrary& library,
+                     const std::vector<Question>& questions);
+
+/// What judges said in the test whether a motion is a recording.
+struct StudyFile {
+  StudyTable table{};
+  std::size_t judges = 0;  ///< different ones
+};
+/// Reads a file of answers: a line that names the library, then lines of JSON with "judge", "shown"
+/// and "answer" ("yes", "unsure" or "no"). Throws Error as read_labels().
+StudyFile read_study(const std::string& path, const database::ClipLibrary& library);
 
 }  // namespace flinch::train

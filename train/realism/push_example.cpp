@@ -22,6 +22,11 @@ bool is_everyday(const motion::Clip& clip) {
          (clip.purpose == motion::Purpose::anticipation && !clip.annotation);
 }
 
+/// An index below `count`, which is above 0.
+std::size_t any_index(features::Random& random, std::size_t count) {
+  return static_cast<std::size_t>(random.index(count));
+}
+
 /// An index of those clips for which `is_wanted` returns true; the idle clip where there is none.
 template <class IsWanted>
 int any_clip(const database::ClipLibrary& library, features::Random& random, IsWanted is_wanted) {
@@ -29,7 +34,7 @@ int any_clip(const database::ClipLibrary& library, features::Random& random, IsW
   for (std::size_t i = 0; i < library.clips.size(); ++i) {
     if (is_wanted(library.clips[i])) clips.push_back(static_cast<int>(i));
   }
-  return clips.empty() ? library.idle : clips[random.index(clips.size())];
+  return clips.empty() ? library.idle : clips[any_index(random, clips.size())];
 }
 
 float uniform(features::Random& random, float min, float max) {
@@ -45,7 +50,8 @@ std::size_t near_response(const PushResponses& responses, const PushExample& exa
     by_deformation.emplace_back(candidate.deformation.norm(), i);
   }
   std::ranges::sort(by_deformation);
-  return by_deformation[random.index(std::max<std::size_t>(by_deformation.size() / 4, 1))].second;
+  return by_deformation[any_index(random, std::max<std::size_t>(by_deformation.size() / 4, 1))]
+      .second;
 }
 
 }  // namespace
@@ -60,14 +66,15 @@ PushExample sample_example(const PushResponses& responses, features::Random& ran
   const motion::Clip& clip = library.clip(example.state_clip);
   const float first_s = is_recovering && clip.push ? clip.push->contact_s : kStep_s;
   example.state_s = uniform(random, first_s, std::max(clip.motion.duration_s(), 2 * kStep_s));
-  example.place = motion::kPushPlaces[random.index(motion::kPushPlaces.size())];
+  example.place = motion::kPushPlaces[any_index(random, motion::kPushPlaces.size())];
   const float direction = uniform(random, -std::numbers::pi_v<float>, std::numbers::pi_v<float>);
   example.asked =
       uniform(random, 0.3F, 1.8F) * Eigen::Vector3f(std::cos(direction), std::sin(direction), 0);
-  const std::size_t response = random.uniform() < 0.5 ? random.index(responses.responses.size())
-                                                      : near_response(responses, example, random);
+  const std::size_t response = random.uniform() < 0.5
+                                   ? any_index(random, responses.responses.size())
+                                   : near_response(responses, example, random);
   example.answer = runtime::deformed_candidate(responses, response, example.place, example.asked);
-  example.answer.taper = runtime::kTapers[random.index(runtime::kTapers.size())];
+  example.answer.taper = runtime::kTapers[any_index(random, runtime::kTapers.size())];
   return example;
 }
 
@@ -91,15 +98,19 @@ runtime::PushMotion motion_of(const PushResponses& responses, const PushExample&
   return motion;
 }
 
+float push_time_s(const PushExample& example) {
+  return std::floor(std::min(kLeadIn_s, example.state_s) * kRate_hz) / kRate_hz;
+}
+
 motion::Motion played(const PushResponses& responses, const PushExample& example) {
   const motion::Motion& before = responses.library->clip(example.state_clip).motion;
   const runtime::PushMotion after = motion_of(responses, example);
   motion::Motion motion;
   motion.rate_hz = kRate_hz;
-  for (auto k = static_cast<int>(-kLeadIn_s * kRate_hz); k < 0; ++k) {
-    const float time_s = example.state_s + static_cast<float>(k) / kRate_hz;
-    if (time_s >= 0) motion.poses.push_back(motion::sample(before, time_s));
-  }
+  const auto lead_in = static_cast<int>(std::lround(push_time_s(example) * kRate_hz));
+  for (int k = -lead_in; k < 0; ++k)
+    motion.poses.push_back(
+        motion::sample(before, example.state_s + static_cast<float>(k) / kRate_hz));
   for (int k = 0; static_cast<float>(k) / kRate_hz <= after.duration_s; ++k)
     motion.poses.push_back(pose_at(after, static_cast<float>(k) / kRate_hz));
   return motion;

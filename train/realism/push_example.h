@@ -37,6 +37,9 @@ runtime::PushMotion motion_of(const runtime::PushResponses& responses, const Pus
 /// How much of the clip is played before the push, s.
 inline constexpr float kLeadIn_s = 0.25F;
 
+/// When the push comes in what is played, s from its first pose.
+float push_time_s(const PushExample& example);
+
 /// The example at 60 Hz: the clip from kLeadIn_s before the push, then the response to its end.
 motion::Motion played(const runtime::PushResponses& responses, const PushExample& example);
 

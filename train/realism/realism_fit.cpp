@@ -31,6 +31,7 @@ constexpr std::array kGroups{Group{0, kConfigurationComponents},
                              Group{kAsked - 3, kAsked},
                              Group{kAsked, kTurn},
                              Group{kTurn, kRealismFeatureCount}};
+static_assert(kGroups.size() == RealismFactors().size());
 constexpr std::array kFactors{0.0F, 0.25F, 0.5F, 1.0F, 2.0F};
 
 /// Sets mean and basis: the components of greatest variance of all configurations.
@@ -110,29 +111,11 @@ Weights scaled(Weights weights, const Group& group, float factor) {
   return weights;
 }
 
-Weights fitted_weights(const Rows& rows, const std::vector<Label>& labels, const Weights& unit) {
-  constexpr int kRounds = 2;
-  std::array<float, kGroups.size()> factors;
-  factors.fill(1);
-  const auto weights_with = [&](const std::array<float, kGroups.size()>& all) {
-    Weights weights = unit;
-    for (std::size_t g = 0; g < all.size(); ++g) weights = scaled(weights, kGroups[g], all[g]);
-    return weights;
-  };
-  double least = left_out_error(rows, labels, unit);
-  for (int round = 0; round < kRounds; ++round) {
-    for (std::size_t g = 0; g < factors.size(); ++g) {
-      for (const float factor : kFactors) {
-        auto tried = factors;
-        tried[g] = factor;
-        const double error = left_out_error(rows, labels, weights_with(tried));
-        if (!(error < least)) continue;
-        least = error;
-        factors = tried;
-      }
-    }
-  }
-  return weights_with(factors);
+Weights weights_with(const Weights& unit, const RealismFactors& factors) {
+  Weights weights = unit;
+  for (std::size_t g = 0; g < factors.size(); ++g)
+    weights = scaled(weights, kGroups[g], factors[g]);
+  return weights;
 }
 
 float distance_bound(const Rows& rows, const Weights& weights) {
@@ -186,21 +169,49 @@ models::RealismFeatures features_of(const RealismModel& model, const LabelledCon
                                    components(all.response[index]), example.answer, example.asked);
 }
 
-RealismModel fit_realism(const LabelledConfigurations& all, RealismKind kind,
-                         const std::string& judge) {
+RealismFactors fit_factors(const LabelledConfigurations& all) {
+  constexpr int kRounds = 2;
+  RealismModel model;
+  set_components(all, model);
+  const Rows rows = rows_of(model, all);
+  const Weights unit = inverse_spreads(rows);
+  RealismFactors factors;
+  factors.fill(1);
+  double least = left_out_error(rows, all.labels, unit);
+  for (int round = 0; round < kRounds; ++round) {
+    for (std::size_t g = 0; g < factors.size(); ++g) {
+      for (const float factor : kFactors) {
+        RealismFactors tried = factors;
+        tried[g] = factor;
+        const double error = left_out_error(rows, all.labels, weights_with(unit, tried));
+        if (!(error < least)) continue;
+        least = error;
+        factors = tried;
+      }
+    }
+  }
+  return factors;
+}
+
+RealismModel fit_realism_with(const LabelledConfigurations& all, const RealismFactors& factors,
+                              const std::string& judge) {
   RealismModel model;
   model.judge = judge;
   set_components(all, model);
   const Rows rows = rows_of(model, all);
-  const Weights unit = inverse_spreads(rows);
-  model.weight = kind == RealismKind::paper ? scaled(unit, Group{kAsked, kRealismFeatureCount}, 0)
-                                            : fitted_weights(rows, all.labels, unit);
+  model.weight = weights_with(inverse_spreads(rows), factors);
   model.max_distance = distance_bound(rows, model.weight);
   for (std::size_t k = 0; k < kRealismFeatureCount; ++k) {
     for (const auto& row : rows) model.points.push_back(model.weight[k] * row[k]);
   }
   for (const Label& label : all.labels) model.quality.push_back(label.quality);
   return model;
+}
+
+RealismModel fit_realism(const LabelledConfigurations& all, RealismKind kind,
+                         const std::string& judge) {
+  constexpr RealismFactors kPaper{1, 1, 1, 1, 0, 0};  // does not see the asked push and the turn
+  return fit_realism_with(all, kind == RealismKind::paper ? kPaper : fit_factors(all), judge);
 }
 
 }  // namespace flinch::train

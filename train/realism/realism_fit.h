@@ -35,10 +35,20 @@ LabelledConfigurations part_of(const LabelledConfigurations& all,
 models::RealismFeatures features_of(const models::RealismModel& model,
                                     const LabelledConfigurations& all, std::size_t index);
 
+/// How much each of six groups of features counts: character, response, width, deformation, asked
+/// push, turn.
+using RealismFactors = std::array<float, 6>;
+
+/// The factors of {0, 1/4, 1/2, 1, 2} that give the least squared error of labels estimated from
+/// all others, one group after the other, twice round. Takes 60 comparisons of all labels with all.
+RealismFactors fit_factors(const LabelledConfigurations& all);
+
+/// Fits G with given factors: a few comparisons of all labels with all.
+models::RealismModel fit_realism_with(const LabelledConfigurations& all,
+                                      const RealismFactors& factors, const std::string& judge);
+
 /// Fits G. Configurations are reduced by their principal components; every feature is scaled to
-/// unit spread. Ours then multiplies each of six groups (character, response, width, deformation,
-/// asked push, turn) by that of {0, 1/4, 1/2, 1, 2} which gives the least squared error of labels
-/// estimated from all others, one group after the other, twice round. `judge` becomes the model's.
+/// unit spread; ours then multiplies groups by fit_factors(). `judge` becomes the model's.
 /// An estimate is 0 beyond 1.5 times the distance that 99 % of labels have to their nearest.
 /// There must be more than models::kRealismNeighbours labels.
 models::RealismModel fit_realism(const LabelledConfigurations& all, RealismKind kind,

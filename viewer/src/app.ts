@@ -9,6 +9,8 @@ import { ClipRecording } from "./clip_recording";
 import { button, byId } from "./dom";
 import { Figure } from "./figure";
 import { shortName } from "./files";
+import { LabelMode } from "./label_mode";
+import { LabelRecording } from "./label_recording";
 import { kDefaultView, linkOf, viewOf, type Mode, type View } from "./link";
 import { showMessage } from "./message";
 import { overlayOf } from "./overlay";
@@ -21,6 +23,7 @@ import { drawRose } from "./rose";
 import { SimulationService } from "./simulation_service";
 import { kPalettes, Stage } from "./stage";
 import { drawStandings } from "./standings";
+import { StudyMode } from "./study_mode";
 import { Take } from "./take";
 import { kDefaultThrow, randomNumbers, randomThrow, threatOf, type Throw } from "./throw";
 import { Volley } from "./volley";
@@ -34,6 +37,8 @@ const kModeNames: Record<Mode, string> = {
   clips: "Clips",
   rose: "Rose",
   tournament: "Tournament",
+  label: "Label",
+  study: "Recording?",
 };
 const kColours = [0x3f6fb5, 0x2f8f6b, 0x8a5bb0, 0xb5803a, 0xb04a5a, 0x557085, 0x7a7f88];
 const kMostCompared = 6;
@@ -48,7 +53,7 @@ export class App {
   selectors: Selector[] = [];
   choosers: Chooser[] = [];
   takes: Take[] = []; // of the throw that is shown, one for each figure
-  alone: Volley | ClipRecording | null = null; // what is shown instead
+  alone: Volley | ClipRecording | LabelRecording | null = null; // what is shown instead
   service: SimulationService | null = null;
   /** Times of the last frames that were drawn: script time, ms. */
   readonly frame_ms: number[] = [];
@@ -70,6 +75,13 @@ export class App {
       this.player.seek(time);
     },
   });
+  private readonly judged = {
+    shown: (recording: LabelRecording) => {
+      this.showAlone(recording, this.choosers[0]!);
+      this.player.start();
+    },
+  };
+  private readonly judging = { label: new LabelMode(this.judged), study: new StudyMode(this.judged) };
   private readonly isStill = matchMedia("(prefers-reduced-motion: reduce)");
 
   constructor(
@@ -84,7 +96,7 @@ export class App {
       files: (files: Iterable<File>) => void this.openFiles(files),
       redraw: () => this.showPage(),
     };
-    this.panel = new Panel(acts, this.clips);
+    this.panel = new Panel(acts, this.clips, this.judging);
     byId("transport").append(...this.player.root);
     for (const [mode, name] of Object.entries(kModeNames) as [Mode, string][]) {
       const made = button(name, () => this.set({ mode }));
@@ -116,6 +128,7 @@ export class App {
           if (location.hash !== linkOf(this.view)) this.restore();
         },
         files: (files) => void this.openFiles(files),
+        pressed: (event) => this.judgingNow?.pressed(event) ?? false,
       },
       this.keys,
     );
@@ -295,10 +308,27 @@ export class App {
       const { library } = first.selector;
       this.clips.show(library, this.view.clip);
       this.showAlone(new ClipRecording(library, this.view.clip), first);
+    } else if (this.judgingNow) {
+      this.showJudging(this.judgingNow);
     } else {
       this.showTakes(mode === "one" ? [chooser] : this.choosers.slice(0, kMostCompared));
     }
     this.stage.look(camera);
+  }
+
+  /** What the judge of pushed motions works with, if anything. */
+  private get judgingNow(): LabelMode | StudyMode | null {
+    const { mode } = this.view;
+    return mode === "label" || mode === "study" ? this.judging[mode] : null;
+  }
+
+  /** Shows motions of the first selector's library to a judge. */
+  private showJudging(judging: LabelMode | StudyMode): void {
+    try {
+      judging.show(this.choosers[0]!.selector.library);
+    } catch (error) {
+      showMessage(error);
+    }
   }
 
   /** What the cells show. */
@@ -307,7 +337,7 @@ export class App {
   }
 
   /** Shows one figure that answers no single throw. */
-  private showAlone(recording: Volley | ClipRecording, chooser: Chooser): void {
+  private showAlone(recording: Volley | ClipRecording | LabelRecording, chooser: Chooser): void {
     ++this.shown;
     for (const take of this.takes) take.free();
     this.takes = [];
@@ -442,6 +472,8 @@ export class App {
     const { time } = this.player;
     if (alone instanceof Volley) {
       showCaption(byId("captions"), alone.chooser.name, alone.summary(time));
+    } else if (alone instanceof LabelRecording) {
+      byId("captions").replaceChildren();
     } else if (alone) {
       this.clips.showTime(time);
       const { name } = alone.library.clips[alone.clip]!;
@@ -451,6 +483,11 @@ export class App {
 
   private showOverlay(): void {
     const [take] = this.takes;
+    if (this.alone instanceof LabelRecording) {
+      const points = this.alone.arrowAt(this.player.time);
+      this.stage.showOverlay(points.length > 0 ? [{ points, colour: 0xd0504a }] : []);
+      return;
+    }
     const isWanted = take && this.view.mode === "one" && this.panel.showsOverlay;
     this.stage.showOverlay(isWanted ? overlayOf(take, this.player.time) : []);
   }

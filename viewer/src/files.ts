@@ -35,3 +35,12 @@ export function embeddedSelectors(): SelectorFile[] {
 export function shortName(file: string): string {
   return file.replace(/^.*[/\\]/, "").replace(/\.flinch$/, "");
 }
+
+/** Hands a file of lines to the browser's downloads. */
+export function saveFile(name: string, text: string): void {
+  const link = document.createElement("a");
+  link.href = URL.createObjectURL(new Blob([text], { type: "application/jsonl" }));
+  link.download = name;
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(link.href), 1000);
+}

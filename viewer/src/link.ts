@@ -3,8 +3,8 @@
 // something that can be shown.
 import { allowed, clamp, kDefaultThrow, type Throw } from "./throw";
 
-export type Mode = "one" | "compare" | "volley" | "clips" | "rose" | "tournament";
-const kModes: readonly Mode[] = ["one", "compare", "volley", "clips", "rose", "tournament"];
+export type Mode = "one" | "compare" | "volley" | "clips" | "rose" | "tournament" | "label" | "study";
+const kModes: readonly Mode[] = ["one", "compare", "volley", "clips", "rose", "tournament", "label", "study"];
 
 export interface View {
   mode: Mode;

@@ -7,6 +7,8 @@ export interface PageActs {
   resized: (width: number, height: number) => void;
   linked: () => void;
   files: (files: Iterable<File>) => void;
+  /** Takes a key before `keys` do; whether it did. */
+  pressed: (event: KeyboardEvent) => boolean;
 }
 
 export function connectPage(acts: PageActs, keys: Record<string, () => void>): void {
@@ -20,8 +22,12 @@ export function connectPage(acts: PageActs, keys: Record<string, () => void>): v
   }).observe(byId("canvas"));
   addEventListener("hashchange", acts.linked);
   addEventListener("keydown", (event) => {
-    const isTyping = (event.target as Element).closest("input, select, button");
-    if (isTyping || event.ctrlKey || event.metaKey || event.altKey) return;
+    if (event.ctrlKey || event.metaKey || event.altKey) return;
+    if (acts.pressed(event)) {
+      event.preventDefault();
+      return;
+    }
+    if (event.target instanceof Element && event.target.closest("input, select, button")) return;
     const act = keys[event.key];
     if (!act) return;
     event.preventDefault();

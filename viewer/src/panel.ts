@@ -48,6 +48,7 @@ export class Panel {
   constructor(
     private readonly acts: PanelActs,
     private readonly clips: ClipEditor,
+    private readonly judging: Record<"label" | "study", { root: HTMLElement }>,
   ) {
     this.sliders = kSliders.map(([key, label, unit, step, digits, scale]) => [
       key,
@@ -119,6 +120,8 @@ export class Panel {
     );
     byId("panel").append(
       this.clips.root,
+      this.judging.label.root,
+      this.judging.study.root,
       this.throwing,
       element("h2", { textContent: "Selectors" }),
       element(
@@ -152,7 +155,9 @@ export class Panel {
     );
     this.who.selectedIndex = view.figure;
     this.ball.hidden = view.mode === "volley" || view.mode === "tournament"; // which draw theirs
-    this.throwing.hidden = view.mode === "clips";
+    this.throwing.hidden = ["clips", "label", "study"].includes(view.mode);
+    this.judging.label.root.hidden = view.mode !== "label";
+    this.judging.study.root.hidden = view.mode !== "study";
     this.clips.root.hidden = view.mode !== "clips";
     this.who.hidden = view.mode === "compare" || view.mode === "tournament";
     this.rose.hidden = view.mode !== "rose";
