@@ -11,8 +11,21 @@
 namespace flinch::runtime {
 namespace {
 
-struct GraphScene {
+/// The library with a clip from which there is no way back, before all others but the idle clip:
+/// its hands stay where they have been raised.
+database::ClipLibrary library_with_a_dead_end() {
   database::ClipLibrary library = tests::library_with_walks();
+  for (motion::Clip& clip : library.clips) {
+    if (clip.name != "raise_hands") continue;
+    const auto peak = static_cast<std::ptrdiff_t>(clip.annotation->peak_s * clip.motion.rate_hz);
+    clip.motion.poses.resize(static_cast<std::size_t>(peak));
+    clip.annotation.reset();
+  }
+  return library;
+}
+
+struct GraphScene {
+  database::ClipLibrary library = library_with_a_dead_end();
   PreparedLibrary prepared = prepare(library);
   MotionGraph graph = make_motion_graph(prepared);
 };
@@ -60,7 +73,10 @@ TEST(MotionGraph, EveryMomentCanBeReachedFromEveryOther) {
     EXPECT_EQ(reached(graph, 0, backwards).size(), graph.nodes.size());
   std::set<int> clips;
   for (const GraphNode& node : graph.nodes) clips.insert(node.clip);
-  EXPECT_EQ(clips.size(), 3U) << "the idle clip and both walks";
+  EXPECT_GE(clips.size(), 3U) << "the idle clip and both walks";
+  for (const GraphNode& node : graph.nodes) {
+    EXPECT_TRUE(scene().library.clip(node.clip).name != "raise_hands" || node.time_s < 0.3F);
+  }
 }
 
 TEST(MotionGraph, NoEdgeLeadsIntoAPushOrAnAnswerToAThreat) {

@@ -119,7 +119,8 @@ TEST(PushMotion, PushedJointReachesTheAskedVelocityAlsoFortyFiveDegreesOff) {
             pushed(state, response, facing * candidate.deformation, 3, candidate.turn, place);
         const Eigen::Vector3f wanted = facing * asked;
         match_velocity(wanted, motion);
-        EXPECT_TRUE(is_faithful(velocity_at_peak(motion), wanted));
+        const Eigen::Vector3f reached = velocity_at_peak(motion);
+        EXPECT_LT((reached - wanted).head<2>().norm(), 0.02F * wanted.norm());
         EXPECT_TRUE(is_faithful(peak_velocity(motion, wanted), wanted))
             << response << motion::push_place_name(place) << degrees;
       }
@@ -161,6 +162,19 @@ TEST(DeformationOffset, IsTheIntegralOfItsVelocity) {
   EXPECT_EQ(deformation_offset(kRise_s, -1), 0);
   // The paper's impulse moves a joint by at most 0.064 m per m/s, after pi/20 s.
   EXPECT_NEAR(deformation_offset(0, 0.15708F), std::exp(-0.7854F) * std::sin(0.7854F) / 5, 1e-5F);
+}
+
+TEST(DeformationShares, DeclineWithTheSquareOfTheDistance) {
+  const motion::JointFrames frames = joints(shown("idle", 0.7F).now);
+  for (const float taper : {1.0F, 30.0F}) {
+    const auto shares = deformation_shares({Role::left_upper_arm, taper, {}, 0}, frames);
+    EXPECT_EQ(shares[Role::left_upper_arm], 1);
+    for (const Role role : motion::kRoles) {
+      const double d =
+          double{(frames.position[role] - frames.position[Role::left_upper_arm]).norm()};
+      EXPECT_NEAR(double{shares[role]}, std::exp(-double{taper} * d * d), 1e-5);
+    }
+  }
 }
 
 TEST(ShiftJoints, ReachesSmallShiftsAndKeepsHeadAndHandsUpright) {
