@@ -64,6 +64,27 @@ struct Rod {
   float grip_mass_kg = 0;  ///< effective mass of the hands that hold it; 0 if it is thrown
 };
 
+/// A rod or none. Holds one in either case, so that threats are copied as plain numbers: of
+/// std::optional's copies by condition GCC 12 warns that a rod which is not there is not set.
+class MaybeRod {
+ public:
+  MaybeRod() = default;
+  MaybeRod(const Rod& rod) : rod_(rod), is_there_(true) {}
+
+  explicit operator bool() const { return is_there_; }
+  bool has_value() const { return is_there_; }
+  const Rod& operator*() const { return rod_; }
+  Rod& operator*() { return rod_; }
+  const Rod* operator->() const { return &rod_; }
+  Rod* operator->() { return &rod_; }
+  Rod value_or(const Rod& otherwise) const { return is_there_ ? rod_ : otherwise; }
+  void reset() { *this = MaybeRod(); }
+
+ private:
+  Rod rod_;
+  bool is_there_ = false;
+};
+
 /// Something that approaches in free fall or straight, at the moment of perception: a ball as a
 /// character perceives it. features::Ball is a ball as physics moves it. World frame, Z up.
 struct Threat {
@@ -77,7 +98,7 @@ struct Threat {
   /// Of a fist or a rod that is swung, which flies straight whatever `falls` says; its `velocity`
   /// and turn are those of the stroke, also while it waits. None for what is thrown.
   std::optional<Stroke> stroke = std::nullopt;
-  std::optional<Rod> rod = std::nullopt;  ///< only of a rod; with a stroke, it is swung
+  MaybeRod rod{};  ///< only of a rod; with a stroke, it is swung
 };
 
 /// Numbers beyond these are refused: no real scene reaches them, and sums lose precision.
