@@ -12,6 +12,7 @@ namespace {
 
 static_assert(sizeof(Features) == sizeof(float) * kFeatureCount);
 static_assert(sizeof(Geometry) == sizeof(float) * kGeometryCount);
+static_assert(sizeof(StanceFeatures) == sizeof(float) * kStanceFeatureCount);
 
 constexpr auto kPaperCount = static_cast<std::size_t>(kFeatureCount);
 
@@ -26,11 +27,15 @@ constexpr std::array<std::string_view, kKindPlace - kThreatPlace + kMaxThreatKin
     "kind_5",       "kind_6",  "kind_7",      "kind_8",     "kind_9",     "kind_10",
     "kind_11",      "kind_12", "kind_13",     "kind_14",    "kind_15"};
 
+constexpr std::size_t kStancePlace = kKindPlace + kMaxThreatKinds;
+static_assert(kStancePlace + kStanceFeatureCount == kMaxFeatures);
+
 constexpr std::array<std::string_view, kMaxFeatures> kAllNames = [] {
   std::array<std::string_view, kMaxFeatures> names;
   std::copy(kFeatureNames.begin(), kFeatureNames.end(), names.begin());
   std::copy(kGeometryNames.begin(), kGeometryNames.end(), names.begin() + kFeatureCount);
   std::copy(kThreatNames.begin(), kThreatNames.end(), names.begin() + kThreatPlace);
+  std::copy(kStanceFeatureNames.begin(), kStanceFeatureNames.end(), names.begin() + kStancePlace);
   return names;
 }();
 
@@ -83,9 +88,15 @@ bool Layout::has_geometry() const {
   });
 }
 
+bool Layout::has_stance() const {
+  return std::any_of(component_.begin(), component_.begin() + size_,
+                     [](std::uint8_t place) { return place >= kStancePlace; });
+}
+
 std::size_t Layout::kind_in(const FeatureVector& x) const {
   for (std::size_t i = 0; i < static_cast<std::size_t>(size_); ++i)
-    if (component_[i] >= kKindPlace && x[i] == 1) return component_[i] - kKindPlace;
+    if (component_[i] >= kKindPlace && component_[i] < kStancePlace && x[i] == 1)
+      return component_[i] - kKindPlace;
   return 0;
 }
 
@@ -117,7 +128,13 @@ std::span<const FeatureGroup> feature_groups() {
       {"offset", {"offset_side", "offset_up"}},
       {"miss",
        {"miss_head_side", "miss_head_up", "miss_trunk_side", "miss_trunk_up", "miss_pelvis_side",
-        "miss_pelvis_up", "miss_legs_side", "miss_legs_up"}}};
+        "miss_pelvis_up", "miss_legs_side", "miss_legs_up"}},
+      {"velocity", {"velocity_x", "velocity_y"}},
+      {"turn", {"turn_rate"}},
+      {"weight", {"weight_left"}},
+      {"hands",
+       {"left_hand_x", "left_hand_y", "left_hand_z", "right_hand_x", "right_hand_y",
+        "right_hand_z"}}};
   return kGroups;
 }
 
@@ -147,6 +164,12 @@ Layout with_kinds(const Layout& layout, std::span<const KnownKind> kinds) {
       names.emplace_back(kThreatNames[i - kThreatPlace]);
   for (std::size_t i = 0; kinds.size() > 1 && i < kinds.size(); ++i)
     names.emplace_back(kThreatNames[kKindPlace - kThreatPlace + i]);
+  return Layout::of(names).value_or(layout);
+}
+
+Layout with_stances(const Layout& layout) {
+  std::vector<std::string> names = layout.names();
+  names.insert(names.end(), kStanceFeatureNames.begin(), kStanceFeatureNames.end());
   return Layout::of(names).value_or(layout);
 }
 
@@ -183,10 +206,11 @@ float rod_component(const Scenario& scenario, std::size_t component) {
 }  // namespace
 
 FeatureVector arranged(const Layout& layout, const Features& features, const Geometry& geometry,
-                       const Scenario& scenario) {
+                       const StanceFeatures& stance, const Scenario& scenario) {
   const Threat& threat = scenario.threat;
   const auto paper = std::bit_cast<std::array<float, kFeatureCount>>(features);
   const auto ours = std::bit_cast<std::array<float, kGeometryCount>>(geometry);
+  const auto going_on = std::bit_cast<std::array<float, kStanceFeatureCount>>(stance);
   FeatureVector vector{};
   for (std::size_t i = 0; i < static_cast<std::size_t>(layout.size()); ++i) {
     const std::size_t place = layout.component_[i];
@@ -199,6 +223,8 @@ FeatureVector arranged(const Layout& layout, const Features& features, const Geo
       value = rod_component(scenario, place - kRodPlace);
     } else if (place < kRodPlace) {
       value = threat_component(scenario, place - kThreatPlace);
+    } else if (place >= kStancePlace) {
+      value = going_on[place - kStancePlace];
     } else if (place - kKindPlace == static_cast<std::size_t>(threat.kind)) {
       value = 1;
     }
@@ -215,7 +241,10 @@ FeatureVector feature_vector(const Layout& layout, const Scenario& scenario,
     geometry =
         geometry_of(scenario, predict_character(figure, scenario.state, scenario.time_to_impact_s));
   }
-  return arranged(layout, features, geometry, scenario);
+  StanceFeatures stance{};
+  if (layout.has_stance())
+    stance = stance_features(figure, scenario.state, scenario.time_to_impact_s);
+  return arranged(layout, features, geometry, stance, scenario);
 }
 
 FeatureVector feature_vector(const Layout& layout, const Scenario& scenario,
@@ -223,7 +252,7 @@ FeatureVector feature_vector(const Layout& layout, const Scenario& scenario,
   motion::Motion still;
   still.poses.emplace_back();
   const PredictedCharacter ahead{Eigen::Vector3f::Zero(), centres};
-  return arranged(layout, features_of(scenario, still), geometry_of(scenario, ahead), scenario);
+  return arranged(layout, features_of(scenario, still), geometry_of(scenario, ahead), {}, scenario);
 }
 
 }  // namespace flinch::features

@@ -8,13 +8,14 @@
 
 #include "features/feature_vector.h"
 #include "features/geometry.h"
+#include "features/stance_features.h"
 
 namespace flinch::features {
 
 /// Names and order of a feature vector's components; stored with a selector. Any subset of
 /// kFeatureNames, kGeometryNames, "radius_m", "mass_kg", "log_impulse", of a rod "rod_axis_x",
-/// "rod_axis_y", "rod_axis_z" and "rod_length_m", and "kind_0" to "kind_15" (1 for the threat's
-/// kind, 0 for others), each at most once.
+/// "rod_axis_y", "rod_axis_z" and "rod_length_m", "kind_0" to "kind_15" (1 for the threat's
+/// kind, 0 for others), and kStanceFeatureNames, each at most once.
 class Layout {
  public:
   /// Makes an empty layout.
@@ -29,6 +30,8 @@ class Layout {
   std::vector<std::string> names() const;
   /// Returns whether it has a component that geometry_of() computes.
   bool has_geometry() const;
+  /// Returns whether it has a component that stance_features() computes.
+  bool has_stance() const;
   /// The kind of threat that features in this layout tell; 0 if they tell none.
   std::size_t kind_in(const FeatureVector& x) const;
 
@@ -36,7 +39,8 @@ class Layout {
 
  private:
   friend FeatureVector arranged(const Layout& layout, const Features& features,
-                                const Geometry& geometry, const Scenario& scenario);
+                                const Geometry& geometry, const StanceFeatures& stance,
+                                const Scenario& scenario);
 
   int size_ = 0;
   /// Indices into the names of all components; 0 beyond the size.
@@ -71,6 +75,9 @@ Layout without(const Layout& layout, const FeatureGroup& group);
 /// their masses with the impulses that these can give, as far as they differ, and those of rods
 /// where there are any; unchanged where all threats are alike.
 Layout with_kinds(const Layout& layout, std::span<const KnownKind> kinds);
+
+/// Returns the layout with the components that tell what a character's stance does.
+Layout with_stances(const Layout& layout);
 
 /// Returns the components of a scenario in the layout's order, 0 beyond its size. The bits are the
 /// same in training and in the game. Takes a few microseconds at most; allocates nothing.

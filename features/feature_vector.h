@@ -41,8 +41,9 @@ inline constexpr std::array<std::string_view, kFeatureCount> kFeatureNames{
 Features features_of(const Scenario& scenario, const motion::Loop& stance);
 
 /// Largest number of features that a selector may use: these, those of Geometry, radius, mass and
-/// impulse, four of rods, and one for each kind of threat.
-inline constexpr int kMaxFeatures = kFeatureCount + 17 + 3 + 4 + static_cast<int>(kMaxThreatKinds);
+/// impulse, four of rods, one for each kind of threat, and those of stances.
+inline constexpr int kMaxFeatures =
+    kFeatureCount + 17 + 3 + 4 + static_cast<int>(kMaxThreatKinds) + 10;
 
 /// Components in the order of a layout (features/feature_layout.h); 0 beyond its size.
 using FeatureVector = std::array<float, kMaxFeatures>;

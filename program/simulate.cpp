@@ -4,6 +4,7 @@
 #include <omp.h>
 
 #include <algorithm>
+#include <charconv>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -14,6 +15,7 @@
 #include "motion/error.h"
 #include "program/clock.h"
 #include "program/command.h"
+#include "program/command_line.h"
 #include "program/interrupt.h"
 #include "program/printable.h"
 #include "program/processors.h"
@@ -32,6 +34,7 @@ struct SimulateOptions {
   std::string library;
   std::string store;
   std::string threats{train::threat_files().front().name};  ///< or a file
+  std::vector<std::string> stances;                         ///< NAME or NAME=WEIGHT; or "all"
   std::uint64_t scenarios = 0;
   std::uint64_t first = 0;
   std::uint64_t seed = 1;
@@ -43,6 +46,49 @@ struct SimulateOptions {
   bool force = false;
   bool json = false;
 };
+
+std::string joined(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + printable(name);
+  return text;
+}
+
+double weight_of(const std::string& text, const std::string& option) {
+  constexpr double kMaxWeight = 1e6;
+  double weight = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), weight);
+  if (error != std::errc() || end != text.data() + text.size() || !(weight > 0) ||
+      weight > kMaxWeight)
+    throw UsageError("--stances " + printable(option) + ": a weight is above 0 and at most 1e6");
+  return weight;
+}
+
+/// Returns the stances that the options name. Throws Error.
+std::vector<train::StanceShare> stance_shares(const std::vector<std::string>& texts,
+                                              const database::ClipLibrary& library) {
+  const std::vector<std::string> names = train::stance_names(library);
+  if (texts.empty()) return std::vector<train::StanceShare>(1);
+  std::vector<train::StanceShare> shares;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    if (texts.front() == "all") shares.push_back({static_cast<int>(i), names[i], 1});
+  if (!shares.empty() && texts.size() == 1) return shares;
+  if (!shares.empty()) throw UsageError("--stances all names every stance; give no other");
+  for (const std::string& text : texts) {
+    const std::size_t sign = text.rfind('=');
+    const std::string name = text.substr(0, sign);
+    const auto found = std::ranges::find(names, name);
+    if (found == names.end())
+      throw Error("", "--stances: the library has no stance " + printable(name) + "; it has " +
+                          joined(names));
+    double weight = 1;
+    if (sign != std::string::npos) weight = weight_of(text.substr(sign + 1), text);
+    const auto stance = static_cast<int>(found - names.begin());
+    if (std::ranges::find(shares, stance, &train::StanceShare::stance) != shares.end())
+      throw UsageError("--stances names " + printable(name) + " twice");
+    shares.push_back({stance, name, weight});
+  }
+  return shares;
+}
 
 /// Returns the number of processors for this process: those that it may use, shared with the run's
 /// other processes on this machine.
@@ -167,6 +213,7 @@ void simulate(const SimulateOptions& options, train::Messenger& messenger) {
   train::SimulationPlan plan;
   plan.distribution = train::find_threats(options.threats);
   const database::ClipLibrary library = database::load_library(options.library);
+  plan.distribution.stances = stance_shares(options.stances, library);
   plan.seed = options.seed;
   plan.unabridged = options.unabridged;
   plan.options.keeps_places = options.places;
@@ -215,6 +262,10 @@ Command simulate_command() {
       .optional =
           {{"--threats", "what is thrown (docs/threats.md; flinch threats prints the shipped ones)",
             &options->threats, OneOfOrFile{threat_file_names(), ".toml"}},
+           {"--stances",
+            "stances in which characters perceive, each NAME or NAME=WEIGHT, or all (default: the "
+            "idle clip)",
+            &options->stances},
            {"--first", "number of the first scenario, for one of several stores to merge",
             &options->first},
            {"--seed", "seed of the random scenarios", &options->seed},

@@ -96,7 +96,7 @@ MAP = {
                              ["Eigen/", "omp.h", "mpi.h", "nlohmann/"]),
     "train/fit": Folder(OFFLINE, [*TRAIN, "train/scenario", "train/objective", "train/store"],
                         ["Eigen/", "flatbuffers/"]),
-    "train/evaluate": Folder(OFFLINE, [*TRAIN, "lookahead", "train/scenario", "train/objective",
+    "train/evaluate": Folder(OFFLINE, [*TRAIN, "lookahead", "lookahead/oracle", "train/scenario", "train/objective",
                                        "train/store", "train/fit"], ["Eigen/"]),
     "train/report": Folder(OFFLINE, [*TRAIN, "train/scenario", "train/objective", "train/store",
                                      "train/fit", "train/evaluate"], ["Eigen/", "nlohmann/"]),

@@ -158,6 +158,32 @@ class Threats(StoreTest):
             self.assertEqual(butt, 0)
             self.assertTrue(shortest - 1e-5 <= tip + 2 * radius <= longest + 1e-5)
 
+    def test_scenarios_begin_in_the_stances_that_are_named(self):
+        library = self.folder / "authored"
+        self.succeed("author", "--out", library)
+        store = self.folder / "store"
+        command = ["simulate", library, "--out", store, "-n", 12, "--threads", 1]
+        self.succeed(*command, "--stances", "all")
+        with sqlite3.connect(f"file:{store}?mode=ro", uri=True) as database:
+            stances = database.execute("SELECT DISTINCT stance FROM observation").fetchall()
+        self.assertEqual(set(stances), {(0,), (1,)})
+        self.assertEqual(self.document("info", store)["distribution"]["stances"],
+                         [{"name": "idle", "weight": 1}, {"name": "guard", "weight": 1}])
+        selector = self.folder / "selector"
+        self.succeed("train", store, "--out", selector, "--model", "knn")
+        self.assertIn("velocity_x", self.document("info", selector)["features"])
+        groups = self.document("compare", store, "--models", "knn")["groups"]
+        self.assertLessEqual({row["value"] for row in groups if row["group"] == "stance"},
+                             {"idle", "guard"})
+        other = self.folder / "other"
+        self.succeed("simulate", library, "--out", other, "-n", 4, "--stances", "guard=3", "idle=0.5")
+        line = self.fail_with(1, *command, "--stances", "guard")
+        self.assertIn("another scenario distribution", line)
+        line = self.fail_with(1, *command, "--stances", "gaurd")
+        self.assertIn("the library has no stance gaurd; it has idle, guard", line)
+        line = self.fail_with(2, *command, "--stances", "guard=-1")
+        self.assertIn("a weight is above 0 and at most 1e6", line)
+
     def test_what_no_clip_is_made_for_is_told(self):
         self.make_whole()
         selector = self.folder / "selector"

@@ -13,7 +13,7 @@ struct Cell {
 };
 
 bool looks_at_threat(const EvaluationRow& row) {
-  return row.name != "idle" && row.name != "random" && row.name != "oracle";
+  return row.name != "idle" && row.name != "random" && row.name != "rules" && row.name != "oracle";
 }
 
 }  // namespace

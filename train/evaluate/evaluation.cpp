@@ -6,7 +6,9 @@
 #include <limits>
 
 #include "features/random.h"
+#include "lookahead/oracle/oracle.h"
 #include "models/baseline.h"
+#include "motion/error.h"
 #include "runtime/selection.h"
 #include "train/evaluate/look_ahead_chooser.h"
 #include "train/fit/selector_writer.h"
@@ -71,6 +73,39 @@ void add_baselines(const TrainTestSplit& split, std::uint64_t seed, Evaluation& 
     return models::nearest_annotation(header.clips, header.idle, observation.scenario.target,
                                       azimuth_of(observation.scenario));
   });
+}
+
+/// Braces by the pose rules instead of playing a clip (runtime::Character::brace), simulated as the
+/// clips were and with the costs of the first method. Adds no row if the store does not hold its
+/// library.
+void add_rules(const TrainTestSplit& split, std::span<const FittedMethod> methods,
+               Evaluation& evaluation) {
+  if (methods.empty()) return;
+  const auto played = playable(split.header, methods.front().training.selector);
+  if (!played) return;
+  const lookahead::Oracle oracle(played->library);
+  EvaluationRow row;
+  row.name = "rules";
+  for (std::size_t i = 0; i < split.tested.size(); ++i) {
+    const features::Scenario& scenario = split.tested[i].scenario;
+    const features::CharacterState& state = scenario.state;
+    runtime::Character character(played->library);
+    character.place(state.position, state.facing, state.idle_time_s, state.stance);
+    const runtime::Perception perception{scenario, 0};
+    const runtime::Response braced = character.plan_brace(perception);
+    if (!is_valid(braced))
+      throw Error("", "scenario " + std::to_string(split.tested[i].number) +
+                          " cannot be answered by the pose rules");
+    const lookahead::ClipTrial trial = oracle.try_response(braced, perception, scenario.threat);
+    row.chosen.push_back(runtime::kNoClip);
+    row.cost_ns.push_back(trial.cost_ns);
+    row.damage_ns.push_back(trial.damage_ns);
+    row.hit.push_back(0);
+    row.hit_in_three.push_back(0);
+    row.vote.push_back(0);
+    row.expected_cost_ns.push_back(std::numeric_limits<float>::quiet_NaN());
+  }
+  evaluation.rows.push_back(std::move(row));
 }
 
 void add_methods(const TrainTestSplit& split, std::span<const FittedMethod> methods,
@@ -291,6 +326,7 @@ Evaluation evaluate(const TrainTestSplit& split, const CostModel& cost_model,
   evaluation.cost_model = cost_model;
   evaluation.labels = label(split.tested, cost_model);
   add_baselines(split, seed, evaluation);
+  add_rules(split, methods, evaluation);
   add_methods(split, methods, evaluation);
   add_oracle(split, evaluation);
   add_look_ahead(split, methods, seed, clock, evaluation);

@@ -57,7 +57,7 @@ struct Difference {
 /// Results of one row on the test scenarios. Vectors have one value per scenario.
 struct EvaluationRow {
   std::string name;
-  std::vector<int> chosen;  ///< clip index
+  std::vector<int> chosen;  ///< clip index; runtime::kNoClip of the pose rules
   std::vector<double> cost_ns;
   std::vector<double> damage_ns;
   std::vector<double> hit;           ///< 1 if the label was chosen
@@ -99,7 +99,7 @@ struct LookAheadRow {
 struct Evaluation {
   CostModel cost_model;
   Labels labels;                    ///< of the test scenarios
-  std::vector<EvaluationRow> rows;  ///< idle, random, nearest_annotation, methods, oracle
+  std::vector<EvaluationRow> rows;  ///< idle, random, nearest_annotation, rules, methods, oracle
   std::vector<RowTiming> timing;    ///< of the methods
   /// Of the baselines and methods; none if the store does not hold its library.
   std::vector<LookAheadRow> look_ahead;

@@ -30,6 +30,11 @@ std::vector<ScenarioGroup> all_groups(const StoreHeader& header) {
                         return scenario.threat.kind == static_cast<int>(i);
                       }});
   }
+  for (std::size_t i = 0; i < header.stances.size(); ++i) {
+    groups.push_back({"stance", header.stances[i], [i](const auto& scenario) {
+                        return scenario.state.stance == static_cast<int>(i);
+                      }});
+  }
   for (const motion::Target target : motion::kTargets) {
     groups.push_back({"target", std::string(motion::name_of(target)),
                       [target](const auto& scenario) { return scenario.target == target; }});

@@ -10,7 +10,8 @@ namespace flinch::train {
 
 /// Results of one row on a group of the test scenarios.
 struct GroupRow {
-  std::string group;  ///< "kind", "target", "speed_mps" (at the impact) or "time_to_impact_s"
+  std::string
+      group;  ///< "kind", "stance", "target", "speed_mps" (at the impact) or "time_to_impact_s"
   std::string value;  ///< name of the group's value, such as "head" or "0.50 to 0.75"
   std::size_t scenarios = 0;
   std::string name;  ///< of the row

@@ -23,7 +23,7 @@ std::unique_ptr<PlayableSelector> playable(const StoreHeader& header,
 Ranking LookAheadChooser::operator()(const Observation& observation) {
   const features::CharacterState& state = observation.scenario.state;
   runtime::Character character(selector_.library);
-  character.place(state.position, state.facing, state.idle_time_s);
+  character.place(state.position, state.facing, state.idle_time_s, state.stance);
   lookahead::Search search(selector_.library);
   const double before_s = clock_();
   const std::vector<models::Candidate> proposed = propose_(observation);

@@ -74,13 +74,16 @@ struct NamedLayout {
   features::Layout layout;
 };
 
-std::vector<NamedLayout> ablated_layouts(std::span<const features::KnownKind> kinds) {
+std::vector<NamedLayout> ablated_layouts(const StoreHeader& header) {
   std::vector<NamedLayout> layouts;
   for (const features::FeatureSet& set : features::feature_sets()) {
     const std::string name(set.name);
-    const features::Layout all = with_kinds(set.layout, kinds);
+    const features::Layout all = layout_for(name, header);
     layouts.push_back({name, all});
-    if (all != set.layout) layouts.push_back({name + " without size, mass and kind", set.layout});
+    const features::Layout alike = header.stances.empty() ? set.layout : with_stances(set.layout);
+    if (all != alike) layouts.push_back({name + " without size, mass and kind", alike});
+    const features::Layout still = with_kinds(set.layout, header.kinds);
+    if (all != still) layouts.push_back({name + " without the stance", still});
     for (const features::FeatureGroup& group : features::feature_groups()) {
       const features::Layout less = without(all, group);
       if (less != all) layouts.push_back({name + " without " + std::string(group.name), less});
@@ -165,7 +168,7 @@ std::vector<TransferRow> transfer_rows(const StudyPlan& plan, const ProgressCall
 std::vector<AblationRow> ablation_rows(const StudyPlan& plan, const ProgressCallback& progress) {
   TrainTestSplit split = plan.split;
   std::vector<AblationRow> rows;
-  for (const NamedLayout& named : ablated_layouts(split.header.kinds)) {
+  for (const NamedLayout& named : ablated_layouts(split.header)) {
     derive_features(named.layout, split.header, split.fitted);
     derive_features(named.layout, split.header, split.tested);
     split.header.layout = named.layout;

@@ -7,7 +7,9 @@
 namespace flinch::train {
 
 features::Layout layout_for(std::string_view set, const StoreHeader& header) {
-  return features::with_kinds(features::feature_set_named(set)->layout, header.kinds);
+  const features::Layout layout =
+      features::with_kinds(features::feature_set_named(set)->layout, header.kinds);
+  return header.stances.empty() ? layout : features::with_stances(layout);
 }
 
 void derive_features(const features::Layout& layout, const StoreHeader& header,
@@ -18,10 +20,12 @@ void derive_features(const features::Layout& layout, const StoreHeader& header,
     throw Error("", std::string("the library in the store ") + database::message_of(status) +
                         "; simulate it again");
   const motion::BodyModel model = motion::make_body_model(library.character);
-  const features::IdlingFigure figure{&library.character.skeleton, &model,
-                                      library.idle_clip().motion};
-  for (Observation& observation : observations)
+  const std::vector<motion::Loop> stances = stance_loops(library);
+  for (Observation& observation : observations) {
+    const auto stance = static_cast<std::size_t>(observation.scenario.state.stance);
+    const features::IdlingFigure figure{&library.character.skeleton, &model, stances[stance]};
     observation.features = features::feature_vector(layout, observation.scenario, figure);
+  }
 }
 
 void derive_features(const features::Layout& layout, Store& store) {

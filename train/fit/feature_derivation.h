@@ -8,8 +8,9 @@
 
 namespace flinch::train {
 
-/// Returns the layout of a feature set (features::feature_sets) for the threats of a store: with
-/// size, mass and kind where these differ.
+/// Returns the layout of a feature set (features::feature_sets) for the scenarios of a store: with
+/// size, mass and kind of the threats where these differ, and with what the character's stance does
+/// where there are several.
 features::Layout layout_for(std::string_view set, const StoreHeader& header);
 
 /// Computes the features of a layout for observations, from their scenarios and the library in

@@ -87,6 +87,7 @@ models::ResponseCosts response_costs(const StoreHeader& header,
   const auto times = static_cast<std::size_t>(costs.time_count);
   std::vector<ClipWork> work(header.clips.size(), ClipWork(costs.time_count));
   for (const Observation& observation : observations) {
+    if (observation.scenario.state.stance != 0) continue;
     const float time_s = time_of(observation);
     const auto time = std::min(
         static_cast<std::size_t>(std::lround((time_s - costs.min_time_s) / kWorkTimeStep_s)),

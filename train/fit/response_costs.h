@@ -10,9 +10,9 @@
 namespace flinch::train {
 
 /// Returns what the clips of a store cost by this model, for the selector's file: the model's
-/// constants, and the work of each clip's response as the observations measured it. Where no
-/// observation has a clip at a phase and time, the other phases at that time tell it, then the
-/// nearest time, then the clip's reference response.
+/// constants, and the work of each clip's response as the observations that begin in the idle clip
+/// measured it. Where no observation has a clip at a phase and time, the other phases at that time
+/// tell it, then the nearest time, then the clip's reference response.
 models::ResponseCosts response_costs(const StoreHeader& header,
                                      std::span<const Observation> observations,
                                      const CostModel& model);

@@ -9,7 +9,6 @@
 #include "features/ball.h"
 #include "features/random.h"
 #include "motion/error.h"
-#include "motion/loop.h"
 
 namespace flinch::train {
 
@@ -101,9 +100,22 @@ int steps_in(double range_s, double step_s) {
   return static_cast<int>(std::floor(range_s / step_s + 1e-6));
 }
 
-/// Period of the idle clip, forwards and backwards.
-double idle_period_s(const motion::Motion& idle) {
-  return 2.0 * idle.duration_s();
+std::size_t draw_stance(const std::vector<StanceShare>& stances, features::Random& random) {
+  std::vector<double> weights;
+  for (const StanceShare& share : stances) weights.push_back(share.weight);
+  return draw_index(weights, random);
+}
+
+int phase_count(const ScenarioDistribution& distribution, const StanceShare& share) {
+  return share.stance == 0 ? distribution.idle_phase_count : distribution.moving_phase_count;
+}
+
+/// The first of a stance's states.
+int first_state(const ScenarioDistribution& distribution, std::size_t share) {
+  int first = 0;
+  for (std::size_t i = 0; i < share; ++i)
+    first += phase_count(distribution, distribution.stances[i]);
+  return first;
 }
 
 /// Returns the time in the first period with the same phase.
@@ -126,28 +138,54 @@ float time_to_impact_s(const ScenarioDistribution& distribution, int time) {
                             time * distribution.time_to_impact_step_s);
 }
 
+std::vector<motion::Loop> stance_loops(const database::ClipLibrary& library) {
+  std::vector<motion::Loop> loops;
+  for (const int clip : database::stance_clips(library))
+    loops.push_back(database::loop_of(library, clip));
+  return loops;
+}
+
+int state_count(const ScenarioDistribution& distribution) {
+  return first_state(distribution, distribution.stances.size());
+}
+
 features::CharacterState character_state_at(const ScenarioDistribution& distribution,
-                                            const motion::Motion& idle, GridCell cell) {
-  const double period_s = idle_period_s(idle);
-  const double at_impact_s = cell.idle_phase * period_s / distribution.idle_phase_count;
+                                            std::span<const motion::Loop> stances, GridCell cell) {
+  std::size_t share = 0;
+  while (cell.state >= first_state(distribution, share + 1)) ++share;
+  const int stance = distribution.stances[share].stance;
+  const motion::Loop& loop = stances[static_cast<std::size_t>(stance)];
+  const double period_s = double{loop.period_s()};
+  const int phase = cell.state - first_state(distribution, share);
+  const double at_impact_s =
+      phase * period_s / phase_count(distribution, distribution.stances[share]);
   const double time_s = double{time_to_impact_s(distribution, cell.time)};
   features::CharacterState state;
+  state.stance = stance;
+  if (loop.has_cycles()) {
+    state.idle_time_s = static_cast<float>(at_impact_s - time_s);
+    return features::later(loop, state, 0);
+  }
   state.idle_time_s = static_cast<float>(in_first_period(at_impact_s - time_s, period_s));
   return state;
 }
 
-GridCell grid_cell_of(const ScenarioDistribution& distribution, const motion::Motion& idle,
-                      const features::Scenario& scenario) {
+GridCell grid_cell_of(const ScenarioDistribution& distribution,
+                      std::span<const motion::Loop> stances, const features::Scenario& scenario) {
   const double time_s = double{scenario.time_to_impact_s};
-  const double period_s = idle_period_s(idle);
+  const auto share = static_cast<std::size_t>(
+      std::ranges::find(distribution.stances, scenario.state.stance, &StanceShare::stance) -
+      distribution.stances.begin());
+  const auto stance = static_cast<std::size_t>(scenario.state.stance);
+  const double period_s = double{stances[stance].period_s()};
+  const int phases = phase_count(distribution, distribution.stances[share]);
   GridCell cell;
+  cell.state = first_state(distribution, share);
   cell.time = static_cast<int>(std::lround((time_s - min_time_to_impact_s(distribution)) /
                                            distribution.time_to_impact_step_s));
   if (period_s > 0) {
     const double at_impact_s = double{scenario.state.idle_time_s} + time_s;
-    cell.idle_phase =
-        static_cast<int>(std::lround(at_impact_s / period_s * distribution.idle_phase_count)) %
-        distribution.idle_phase_count;
+    cell.state += static_cast<int>(std::lround(at_impact_s / period_s * phases)) % phases;
   }
   return cell;
 }
@@ -204,7 +242,7 @@ features::Scenario sample_scenario(const database::ClipLibrary& library,
                                    std::uint64_t number) {
   constexpr int kMaxDraws = 10'000;
   features::Random random(seed, features::RandomStream::scenario, number);
-  const motion::Motion& idle = library.idle_clip().motion;
+  const std::vector<motion::Loop> stances = stance_loops(library);
 
   const std::size_t kind_index = draw_kind(distribution.kinds, random);
   const ThreatKind& kind = distribution.kinds[kind_index];
@@ -216,8 +254,11 @@ features::Scenario sample_scenario(const database::ClipLibrary& library,
   features::Scenario scenario;
   scenario.target = static_cast<motion::Target>(draw_index(kind.target_weight, random));
   GridCell cell;
-  cell.idle_phase =
-      static_cast<int>(random.index(static_cast<std::uint64_t>(distribution.idle_phase_count)));
+  const std::size_t share = draw_stance(distribution.stances, random);
+  const StanceShare& stance = distribution.stances[share];
+  cell.state =
+      first_state(distribution, share) +
+      static_cast<int>(random.index(static_cast<std::uint64_t>(phase_count(distribution, stance))));
   features::ThreatDescription description;
   description.azimuth = static_cast<float>(draw_azimuth(kind.azimuth, random));
   const double radius_m = draw(kind.radius_m, random);
@@ -235,10 +276,11 @@ features::Scenario sample_scenario(const database::ClipLibrary& library,
     const double speed = draw(kind.speed_mps, random);
     cell.time = first_time + static_cast<int>(random.index(static_cast<std::uint64_t>(times)));
     scenario.time_to_impact_s = time_to_impact_s(distribution, cell.time);
-    scenario.state = character_state_at(distribution, idle, cell);
+    scenario.state = character_state_at(distribution, stances, cell);
     const double time = double{scenario.time_to_impact_s};
     const double moves_s = kind.is_driven() ? std::min(time, reach_m / speed) : time;
-    const motion::Pose ahead = features::idle_pose(idle, scenario.state, scenario.time_to_impact_s);
+    const motion::Pose ahead = features::idle_pose(stances[static_cast<std::size_t>(stance.stance)],
+                                                   scenario.state, scenario.time_to_impact_s);
     const Eigen::Vector3f aim =
         target_centres(library.character.skeleton, body_model, ahead)[scenario.target] + offset;
     const double least = std::max(

@@ -4,15 +4,25 @@
 #include <array>
 #include <compare>
 #include <cstdint>
+#include <span>
+#include <string>
 #include <vector>
 
 #include "database/library/library.h"
 #include "features/feature_layout.h"
 #include "features/scenario.h"
 #include "motion/body.h"
+#include "motion/loop.h"
 #include "train/scenario/threat_kind.h"
 
 namespace flinch::train {
+
+/// How often characters are in a stance when they perceive a threat.
+struct StanceShare {
+  int stance = 0;     ///< index in database::stance_clips
+  std::string name;   ///< of its clip, for readers; may be empty for the idle clip
+  double weight = 1;  ///< relative to the other stances
+};
 
 /// Distribution of the scenarios that are trained for. Kinds of threats by default: a volleyball.
 struct ScenarioDistribution {
@@ -21,14 +31,21 @@ struct ScenarioDistribution {
   /// share responses. The step is three frames at 60 Hz: a response that starts one step later has
   /// its frames at the same times before the impact.
   double time_to_impact_step_s = 0.05;
+  std::vector<StanceShare> stances = std::vector<StanceShare>(1);  ///< at least one
   /// Number of phases that the idle clip can have at the predicted impact.
   int idle_phase_count = 4;
+  /// The same of each other stance, in which more changes.
+  int moving_phase_count = 8;
+
+  /// Whether characters may be in another stance than the idle clip.
+  bool has_stances() const { return stances.size() > 1 || stances.front().stance != 0; }
 };
 
 /// The variables, besides the clip, that a response depends on, as indices of a grid.
 struct GridCell {
-  int idle_phase = 0;  ///< phase of the idle clip at the predicted impact
-  int time = 0;        ///< steps of the time to impact above the least of all kinds
+  /// Phase of the stance at the predicted impact; those of the distribution's stances in turn.
+  int state = 0;
+  int time = 0;  ///< steps of the time to impact above the least of all kinds
   auto operator<=>(const GridCell&) const = default;
 };
 
@@ -36,22 +53,31 @@ struct GridCell {
 int time_to_impact_count(const ScenarioDistribution& distribution);
 float time_to_impact_s(const ScenarioDistribution& distribution, int time);
 
-/// Returns the state of the character at perception: it stands at the origin, and its idle clip has
-/// the cell's phase at the impact.
+/// Returns the motions of a library's stances, in the order of database::stance_clips. They refer
+/// to the library.
+std::vector<motion::Loop> stance_loops(const database::ClipLibrary& library);
+
+/// Returns the number of GridCell::state.
+int state_count(const ScenarioDistribution& distribution);
+
+/// Returns the state of the character at perception. Its stance has the cell's phase at the impact.
+/// Then a character whose stance travels is where the stance's own motion is in its first cycle, so
+/// that it is in the same place whatever the time to the impact; others stand at the origin.
+/// `stances` are those of the library.
 features::CharacterState character_state_at(const ScenarioDistribution& distribution,
-                                            const motion::Motion& idle, GridCell cell);
+                                            std::span<const motion::Loop> stances, GridCell cell);
 
 /// Returns the grid cell of a scenario that was drawn from this distribution.
-GridCell grid_cell_of(const ScenarioDistribution& distribution, const motion::Motion& idle,
-                      const features::Scenario& scenario);
+GridCell grid_cell_of(const ScenarioDistribution& distribution,
+                      std::span<const motion::Loop> stances, const features::Scenario& scenario);
 
 /// Returns the largest impulse that a threat of the distribution can give, N·s.
 double largest_impulse_ns(const ScenarioDistribution& distribution);
 
-/// Draws scenario `number`: kind, target, grid cell, azimuth, size, mass, speed, elevation and aim
-/// point, kind and target by their weights and each of the others uniformly over its range. The
-/// threat's centre reaches the aim point at `time_to_impact_s`, so the surfaces touch a few
-/// centimetres of flight earlier.
+/// Draws scenario `number`: kind, target, stance, grid cell, azimuth, size, mass, speed, elevation
+/// and aim point, kind, target and stance by their weights and each of the others uniformly over
+/// its range. The threat's centre reaches the aim point at `time_to_impact_s`, so the surfaces
+/// touch a few centimetres of flight earlier.
 ///
 /// A ball in free fall that arrives slowly, late and level would have started below the ground. The
 /// elevation is drawn from the part of its range in which the ball starts above the ground; if

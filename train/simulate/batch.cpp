@@ -51,7 +51,8 @@ std::vector<TrialTask> tasks_of(const SimulationSetup& setup,
   std::vector<TrialTask> tasks;
   for (std::size_t i = 0; i < observations.size(); ++i) {
     const Observation& observation = observations[i];
-    const GridCell cell = grid_cell_of(setup.plan.distribution, setup.idle(), observation.scenario);
+    const GridCell cell =
+        grid_cell_of(setup.plan.distribution, setup.stances, observation.scenario);
     for (std::size_t j = 0; j < observation.trials.size(); ++j)
       tasks.push_back({setup.responses.key_of(observation.trials[j].clip, cell), i, j});
   }

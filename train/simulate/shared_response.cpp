@@ -43,6 +43,27 @@ bool is_near(const runtime::WeightShift& a, float a_impact_s, const runtime::Wei
          is_near(a.hold, a_impact_s, b.hold, b_impact_s) && is_near(a.pelvis, b.pelvis);
 }
 
+bool is_near(const runtime::Landing& a, float a_impact_s, const runtime::Landing& b,
+             float b_impact_s) {
+  return is_near(a.interval, a_impact_s, b.interval, b_impact_s) && is_near(a.way, b.way) &&
+         is_near(a.velocity, b.velocity);
+}
+
+bool is_near(const features::CharacterState& a, const features::CharacterState& b) {
+  return (a.position - b.position).norm() <= kSamePlace && is_near(a.facing, b.facing, kSamePlace);
+}
+
+/// The same of leaving a stance that travels.
+bool leaves_alike(const runtime::Response& a, float a_impact_s, const runtime::Response& b,
+                  float b_impact_s) {
+  bool same = is_near(a.leave_s - a_impact_s, b.leave_s - b_impact_s, kSameTime) &&
+              is_near(a.walk_on_s - a_impact_s, b.walk_on_s - b_impact_s, kSameTime) &&
+              is_near(a.rest, b.rest) && is_near(a.home, b.home);
+  for (const motion::Side side : motion::kSides)
+    same = same && is_near(a.landings[side], a_impact_s, b.landings[side], b_impact_s);
+  return same;
+}
+
 }  // namespace
 
 bool is_same_from_impact(const runtime::Response& early, float early_time_s,
@@ -60,7 +81,8 @@ bool is_same_from_impact(const runtime::Response& early, float early_time_s,
               is_near(early.return_duration_s, late.return_duration_s, kSameTime) &&
               is_near(early.yaw, late.yaw, kSamePlace) &&
               is_near(early.translation, late.translation) &&
-              is_near(early.idle_displacement, late.idle_displacement);
+              is_near(early.idle_displacement, late.idle_displacement) &&
+              (late.walk_on_s < 0 || leaves_alike(early, early_time_s, late, late_time_s));
   for (const motion::Side side : motion::kSides)
     same = same && is_near(early.feet[side], early_time_s, late.feet[side], late_time_s);
   for (std::size_t i = 0; i < early.shifts.size(); ++i)
@@ -74,12 +96,11 @@ namespace {
 /// number if there is no response. Once the same, it stays the same, because of how responses are
 /// planned: a bound that more time has loosened stays loose.
 int first_shared_time(const runtime::PreparedLibrary& library,
-                      const ScenarioDistribution& distribution, int clip, int idle_phase) {
-  const motion::Motion& idle = library.idle();
+                      const ScenarioDistribution& distribution, int clip, int state) {
+  const std::vector<motion::Loop> stances = stance_loops(*library.library);
   const auto response_to = [&](int time) {
-    return runtime::make_response(library,
-                                  character_state_at(distribution, idle, {idle_phase, time}), clip,
-                                  time_to_impact_s(distribution, time));
+    return runtime::make_response(library, character_state_at(distribution, stances, {state, time}),
+                                  clip, time_to_impact_s(distribution, time));
   };
   int max_time = time_to_impact_count(distribution) - 1;
   const runtime::Response longest = response_to(max_time);
@@ -99,21 +120,21 @@ int first_shared_time(const runtime::PreparedLibrary& library,
 
 SharedResponses::SharedResponses(const runtime::PreparedLibrary& library,
                                  const ScenarioDistribution& distribution)
-    : idle_phase_count_(distribution.idle_phase_count) {
+    : state_count_(state_count(distribution)) {
   const auto clips = static_cast<int>(library.library->clips.size());
   for (int clip = 0; clip < clips; ++clip) {
-    for (int state = 0; state < idle_phase_count_; ++state)
+    for (int state = 0; state < state_count_; ++state)
       first_shared_time_.push_back(first_shared_time(library, distribution, clip, state));
   }
 }
 
-std::size_t SharedResponses::index(int clip, int idle_phase) const {
-  return static_cast<std::size_t>(clip * idle_phase_count_ + idle_phase);
+std::size_t SharedResponses::index(int clip, int state) const {
+  return static_cast<std::size_t>(clip * state_count_ + state);
 }
 
 ResponseKey SharedResponses::key_of(int clip, GridCell cell) const {
-  const int first_time = first_shared_time_[index(clip, cell.idle_phase)];
-  return {clip, {cell.idle_phase, std::min(cell.time, first_time)}};
+  const int first_time = first_shared_time_[index(clip, cell.state)];
+  return {clip, {cell.state, std::min(cell.time, first_time)}};
 }
 
 std::size_t SharedResponses::count() const {

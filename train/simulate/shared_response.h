@@ -21,7 +21,7 @@ struct ResponseKey {
 
 /// Whether `early` (to an impact in `early_time_s`) is the same response as `late` (to one in
 /// `late_time_s`) started earlier: the same motion relative to the impact, except for rounding.
-/// Both must be of one clip, with the same phase of the idle clip at the impact.
+/// Both must be of one clip, with the same phase of the stance at the impact.
 bool is_same_from_impact(const runtime::Response& early, float early_time_s,
                          const runtime::Response& late, float late_time_s);
 
@@ -45,9 +45,9 @@ class SharedResponses {
   std::size_t count_at(int time) const;
 
  private:
-  std::size_t index(int clip, int idle_phase) const;
+  std::size_t index(int clip, int state) const;
 
-  int idle_phase_count_;
+  int state_count_;
   /// The first time from which on all responses are the same, per clip and character state.
   /// Negative for clips that give no response.
   std::vector<int> first_shared_time_;

@@ -198,10 +198,14 @@ bool is_finished(const std::string& path, const StoreHeader& header, const Simul
 std::string describe(const ScenarioDistribution& distribution) {
   Json kinds = Json::array();
   for (const ThreatKind& kind : distribution.kinds) kinds.push_back(document_of(kind));
-  return Json{{"kinds", kinds},
-              {"time_to_impact_step_s", distribution.time_to_impact_step_s},
-              {"character_states", distribution.idle_phase_count}}
-      .dump();
+  Json document{{"kinds", kinds},
+                {"time_to_impact_step_s", distribution.time_to_impact_step_s},
+                {"character_states", state_count(distribution)}};
+  if (distribution.has_stances()) {
+    for (const StanceShare& share : distribution.stances)
+      document["stances"].push_back({{"name", share.name}, {"weight", share.weight}});
+  }
+  return document.dump();
 }
 
 StoreHeader make_store_header(const SimulationSetup& setup) {
@@ -216,6 +220,7 @@ StoreHeader make_store_header(const SimulationSetup& setup) {
   header.distribution = describe(setup.plan.distribution);
   header.simulation = describe(setup.plan);
   header.keeps_places = setup.plan.options.keeps_places;
+  if (setup.plan.distribution.has_stances()) header.stances = stance_names(library);
   header.kinds.clear();
   for (const ThreatKind& kind : setup.plan.distribution.kinds) header.kinds.push_back(kind);
   header.reference_impulse_ns = largest_impulse_ns(setup.plan.distribution);

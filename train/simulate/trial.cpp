@@ -77,6 +77,7 @@ SimulationSetup::SimulationSetup(const database::ClipLibrary& simulated,
                                  const SimulationPlan& planned)
     : library(simulated),
       prepared(runtime::prepare(simulated)),
+      stances(stance_loops(simulated)),
       plan(planned),
       body_model(motion::make_body_model(simulated.character)),
       simulator(simulated.character, planned.options),
@@ -89,8 +90,9 @@ Observation make_observation(const SimulationSetup& setup, std::uint64_t number)
   observation.number = number;
   observation.scenario =
       sample_scenario(library, setup.body_model, setup.plan.distribution, setup.plan.seed, number);
+  const auto stance = static_cast<std::size_t>(observation.scenario.state.stance);
   observation.features =
-      features::to_vector(features::features_of(observation.scenario, setup.idle()));
+      features::to_vector(features::features_of(observation.scenario, setup.stances[stance]));
   for (const int clip : lookahead::clips_to_try(library, observation.scenario.target)) {
     Trial trial;
     trial.clip = clip;
@@ -116,7 +118,7 @@ Trial try_clip(const SimulationSetup& setup, const features::Scenario& scenario,
 RehearsedResponse rehearse(const SimulationSetup& setup, const ResponseKey& key) {
   const ScenarioDistribution& distribution = setup.plan.distribution;
   const lookahead::ResponseMotion tracked =
-      response_motion(setup, character_state_at(distribution, setup.idle(), key.cell), key.clip,
+      response_motion(setup, character_state_at(distribution, setup.stances, key.cell), key.clip,
                       time_to_impact_s(distribution, key.cell.time));
   return {key, setup.simulator.rehearse(tracked.motion, 0, tracked.simulated_s),
           static_cast<float>(tracked.work_j)};

@@ -34,10 +34,9 @@ struct SimulationSetup {
   SimulationSetup(const SimulationSetup&) = delete;
   SimulationSetup& operator=(const SimulationSetup&) = delete;
 
-  const motion::Motion& idle() const { return prepared.idle(); }
-
   const database::ClipLibrary& library;
   runtime::PreparedLibrary prepared;
+  std::vector<motion::Loop> stances;  ///< of the library
   SimulationPlan plan;
   motion::BodyModel body_model;
   sim::Simulator simulator;

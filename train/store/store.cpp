@@ -52,16 +52,22 @@ bool has_clips_of(const StoreHeader& header, const database::ClipLibrary& librar
                             &motion::Clip::name);
 }
 
-/// Returns the idle motion, which the features need.
-motion::Motion idle_of(const StoreHeader& header, const std::string& path) {
+/// Returns the library, whose stances the features need.
+database::ClipLibrary library_of(const StoreHeader& header, const std::string& path) {
   database::ClipLibrary library;
   if (read_library(header.library_file, library) != database::LoadStatus::ok ||
       library.idle != header.idle || !has_clips_of(header, library))
     throw Error(path, kDamagedStore);
-  return library.idle_clip().motion;
+  return library;
 }
 
 }  // namespace
+
+std::vector<std::string> stance_names(const database::ClipLibrary& library) {
+  std::vector<std::string> names;
+  for (const int clip : database::stance_clips(library)) names.push_back(library.clip(clip).name);
+  return names;
+}
 
 void require_same_run(const StoreHeader& stored, const StoreHeader& wanted, const std::string& path,
                       const std::string& remedy) {
@@ -88,7 +94,8 @@ struct StoreReader::File {
       : database(open_for_reading(path)),
         header(read_header(database)),
         seal(read_seal(database)),
-        idle(idle_of(header, path)),
+        library(library_of(header, path)),
+        stances(stance_loops(library)),
         row(prepare_select(database, header)) {}
 
   /// Throws unless this is the number of the next observation.
@@ -98,7 +105,8 @@ struct StoreReader::File {
   Database database;
   StoreHeader header;
   std::optional<ScenarioRange> seal;
-  motion::Motion idle;
+  database::ClipLibrary library;
+  std::vector<motion::Loop> stances;  ///< of the library
   Statement row;
   ScenarioRange taken;
 };
@@ -131,8 +139,9 @@ bool StoreReader::next(Observation& observation) {
   }
   observation = observation_of(file_->row, file_->header, file_->database.path());
   file_->require_next(observation.number);
+  const auto stance = static_cast<std::size_t>(observation.scenario.state.stance);
   observation.features =
-      features::to_vector(features::features_of(observation.scenario, file_->idle));
+      features::to_vector(features::features_of(observation.scenario, file_->stances[stance]));
   return true;
 }
 

@@ -19,6 +19,8 @@ namespace flinch::train {
 /// Version of the stores that are written. 4 has kinds of threats, 5 their shapes, 6 rods and
 /// places.
 inline constexpr int kStoreFormatVersion = 6;
+/// Version of the stores that are written where scenarios begin in several stances: 6 with these.
+inline constexpr int kStanceStoreFormatVersion = 7;
 /// The oldest version that is read. Its threats are of one kind. A writer continues none but its
 /// own.
 inline constexpr int kMinStoreFormatVersion = 3;
@@ -45,12 +47,18 @@ struct StoreHeader {
   std::vector<models::ClipSummary> clips;
   std::vector<double> clip_work_j;  ///< of each clip's reference response
   int idle = 0;
+  /// Names of the library's stances, which CharacterState::stance counts; empty where all scenarios
+  /// begin in the idle clip.
+  std::vector<std::string> stances;
   /// Layout of the observations' features: the paper's, unless derive_features() has replaced them.
   /// Not in the file.
   features::Layout layout = features::feature_set_named("paper")->layout;
   motion::PerTarget<Eigen::Vector3f>
       idle_target_centres{};  ///< of the idle clip's first pose, in the character's frame
 };
+
+/// Returns the names of a library's stances.
+std::vector<std::string> stance_names(const database::ClipLibrary& library);
 
 /// Throws Error, naming the difference, unless the two are of the same run: same library, seed,
 /// distribution and simulation. `path` is the file of `stored`; `remedy` tells the user what to do.
@@ -113,10 +121,10 @@ StoreContents count_contents(const std::string& path);
 class StoreWriter {
  public:
   /// Throws Error if the file at `path` or its partial file is not a store of this run and of
-  /// kStoreFormatVersion or holds scenarios that are not wanted, if another process is writing it,
-  /// or if `wanted` is empty or exceeds the last scenario number. A file at `path` that is no store
-  /// at all is replaced at the end if `overwrite` says so. If `path` is a link, the store is
-  /// written where it leads.
+  /// the version that is written for it or holds scenarios that are not wanted, if another process
+  /// is writing it, or if `wanted` is empty or exceeds the last scenario number. A file at `path`
+  /// that is no store at all is replaced at the end if `overwrite` says so. If `path` is a link,
+  /// the store is written where it leads.
   StoreWriter(const std::string& path, const StoreHeader& header, ScenarioRange wanted,
               database::Overwrite overwrite = database::Overwrite::refuse);
   ~StoreWriter();

@@ -16,9 +16,10 @@ namespace flinch::train {
 
 namespace {
 
-/// The numbers of a scenario, one per column after `number` and `target`. Version 5 lacks those of
-/// rods, version 4 those of strokes too, and version 3 also the kind.
-constexpr std::array<const char*, 24> kScenarioColumns{"time_to_impact_s",
+/// The numbers of a scenario, one per column after `number` and `target`. Version 6 lacks the
+/// stance, version 5 also those of rods, version 4 those of strokes too, and version 3 the kind as
+/// well.
+constexpr std::array<const char*, 25> kScenarioColumns{"time_to_impact_s",
                                                        "threat_x",
                                                        "threat_y",
                                                        "threat_z",
@@ -41,13 +42,16 @@ constexpr std::array<const char*, 24> kScenarioColumns{"time_to_impact_s",
                                                        "rod_turn_y",
                                                        "rod_turn_z",
                                                        "rod_to_butt_m",
-                                                       "rod_to_tip_m"};
+                                                       "rod_to_tip_m",
+                                                       "stance"};
 constexpr std::size_t kKindColumn = 13;
 constexpr std::size_t kRodColumn = kKindColumn + 3;
+constexpr std::size_t kStanceColumn = kScenarioColumns.size() - 1;
 using ScenarioNumbers = std::array<double, kScenarioColumns.size()>;
 
 std::size_t scenario_column_count(int version) {
-  if (version >= 6) return kScenarioColumns.size();
+  if (version >= kStanceStoreFormatVersion) return kScenarioColumns.size();
+  if (version == 6) return kStanceColumn;
   if (version == 5) return kRodColumn;
   return kKindColumn + (version < 4 ? 0 : 1);
 }
@@ -85,7 +89,8 @@ ScenarioNumbers numbers_of(const features::Scenario& scenario) {
                                                            rod.angular_velocity.y(),
                                                            rod.angular_velocity.z(),
                                                            rod.to_butt_m,
-                                                           rod.to_tip_m};
+                                                           rod.to_tip_m,
+                                                           static_cast<float>(state.stance)};
   ScenarioNumbers exact{};
   std::ranges::copy(numbers, exact.begin());
   return exact;
@@ -109,7 +114,7 @@ features::Scenario scenario_of(const ScenarioNumbers& numbers, motion::Target ta
     scenario.threat.rod =
         features::rod_of_kind(kind, {at[0], at[1], at[2]}, {at[3], at[4], at[5]}, at[6], at[7]);
   }
-  scenario.state = {n[9], {n[10], n[11]}, n[12]};
+  scenario.state = {n[9], {n[10], n[11]}, n[12], static_cast<int>(n[kStanceColumn])};
   return scenario;
 }
 
@@ -163,9 +168,12 @@ bool are_sound(std::span<const HitPlace> places, std::span<const Trial> trials,
 /// Whether a float can hold the numbers, and they are those of a scenario.
 bool are_sound(const ScenarioNumbers& numbers, motion::Target target, const StoreHeader& header) {
   const auto is_bounded = [](double x) { return std::abs(x) <= double{features::kMaxExtent}; };
-  const double kind = numbers[kKindColumn];
-  return std::ranges::all_of(numbers, is_bounded) && kind >= 0 &&
-         kind < static_cast<double>(header.kinds.size()) && kind == std::floor(kind) &&
+  const auto is_index = [](double x, std::size_t count) {
+    return x >= 0 && x < static_cast<double>(count) && x == std::floor(x);
+  };
+  return std::ranges::all_of(numbers, is_bounded) &&
+         is_index(numbers[kKindColumn], header.kinds.size()) &&
+         is_index(numbers[kStanceColumn], std::max<std::size_t>(header.stances.size(), 1)) &&
          features::is_usable(scenario_of(numbers, target, header).threat);
 }
 
@@ -185,16 +193,17 @@ std::string observation_table_sql(int version) {
          ", checksum INTEGER NOT NULL)";
 }
 
-Statement prepare_insert(Database& database) {
+Statement prepare_insert(Database& database, const StoreHeader& header) {
   std::string marks = "?, ?";
-  for (std::size_t i = 0; i < kScenarioColumns.size(); ++i) marks += ", ?";
-  return database.prepare("INSERT INTO observation(" + columns(kStoreFormatVersion) + ") VALUES(" +
-                          marks + ", ?, ?, ?)");
+  for (std::size_t i = 0; i < scenario_column_count(header.format_version); ++i) marks += ", ?";
+  return database.prepare("INSERT INTO observation(" + columns(header.format_version) +
+                          ") VALUES(" + marks + ", ?, ?, ?)");
 }
 
-void insert(Statement& statement, const Observation& observation) {
+void insert(Statement& statement, const Observation& observation, const StoreHeader& header) {
   const motion::Target target = observation.scenario.target;
-  const ScenarioNumbers numbers = numbers_of(observation.scenario);
+  const ScenarioNumbers all = numbers_of(observation.scenario);
+  const auto numbers = std::span(all).first(scenario_column_count(header.format_version));
   const std::vector<std::byte> trials = encode_trials(observation.trials);
   const std::vector<std::byte> places = encode_places(observation.places);
   statement.bind(static_cast<std::int64_t>(observation.number))

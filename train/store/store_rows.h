@@ -16,8 +16,8 @@ namespace flinch::train {
 std::string observation_table_sql(int version);
 
 /// Prepares a statement that inserts one observation per run.
-Statement prepare_insert(Database& database);
-void insert(Statement& statement, const Observation& observation);
+Statement prepare_insert(Database& database, const StoreHeader& header);
+void insert(Statement& statement, const Observation& observation, const StoreHeader& header);
 
 /// Prepares a statement that yields all observations by number.
 Statement prepare_select(Database& database, const StoreHeader& header);

@@ -9,6 +9,7 @@
 #include "database/library/content_hash.h"
 #include "database/library/file_header.h"
 #include "database/library/library_bounds.h"
+#include "database/library/library_file.h"
 #include "database/library/text_check.h"
 #include "motion/error.h"
 #include "motion/rotation.h"
@@ -171,6 +172,11 @@ void read_library_file(Database& database, StoreHeader& header) {
       database::verify_file(database::kLibraryFormat, header.library_file);
   if (file.status != database::LoadStatus::ok || file.hash != header.library_hash)
     throw Error(database.path(), kDamagedStore);
+  if (header.format_version < kStanceStoreFormatVersion) return;
+  database::ClipLibrary library;
+  if (database::read_library(header.library_file, library) != database::LoadStatus::ok)
+    throw Error(database.path(), kDamagedStore);
+  header.stances = stance_names(library);
 }
 
 /// A number that a float can hold. One that is out of its bounds stays so.
@@ -275,10 +281,10 @@ int require_store(Database& database) {
   if (pragma(database, "application_id") != kStoreApplicationId)
     throw Error(database.path(), "not a store; `flinch simulate` makes one");
   const std::int64_t version = pragma(database, "user_version");
-  if (version < kMinStoreFormatVersion || version > kStoreFormatVersion)
+  if (version < kMinStoreFormatVersion || version > kStanceStoreFormatVersion)
     throw Error(database.path(),
                 "is a store of format " + std::to_string(version) +
-                    ", and this program reads format " + std::to_string(kStoreFormatVersion) +
+                    ", and this program reads format " + std::to_string(kStanceStoreFormatVersion) +
                     " and those before it from " + std::to_string(kMinStoreFormatVersion) + " on" +
                     "; delete it and run `flinch simulate` again");
   require_tables(database, static_cast<int>(version));
@@ -327,8 +333,8 @@ void require_row_count(Database& database, const char* table, int min, int max) 
 
 void write_header(Database& database, const StoreHeader& header) {
   database.execute("PRAGMA application_id = " + std::to_string(kStoreApplicationId));
-  database.execute("PRAGMA user_version = " + std::to_string(kStoreFormatVersion));
-  for (const StoreTable& table : store_tables(kStoreFormatVersion)) database.execute(table.sql);
+  database.execute("PRAGMA user_version = " + std::to_string(header.format_version));
+  for (const StoreTable& table : store_tables(header.format_version)) database.execute(table.sql);
   write_meta(database, "library_hash", database::hash_text(header.library_hash));
   write_meta(database, "library_name", header.library_name);
   write_meta(database, "seed", std::to_string(header.seed));

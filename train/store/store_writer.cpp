@@ -40,8 +40,8 @@ void require_wanted(const ScenarioRange& there, const ScenarioRange& wanted,
 }
 
 /// Rows of an earlier format have other columns.
-void require_current(const StoreHeader& stored, const std::string& path) {
-  if (stored.format_version != kStoreFormatVersion)
+void require_current(const StoreHeader& stored, int version, const std::string& path) {
+  if (stored.format_version != version)
     throw Error(path, "is a store of format " + std::to_string(stored.format_version) +
                           ", which can be read but not continued; choose another --out");
 }
@@ -97,7 +97,7 @@ bool StoreWriter::File::has_finished() const {
 void StoreWriter::File::check_finished() const {
   if (!has_finished()) return;
   const StoreSummary finished = summarise_store(path);
-  require_current(finished.header, path);
+  require_current(finished.header, header.format_version, path);
   require_same_run(finished.header, header, path);
   require_wanted(finished.range, wanted, path);
 }
@@ -128,7 +128,7 @@ void StoreWriter::File::open_partial() {
     start_partial();
   }
   const StoreHeader stored = read_header(*database);
-  require_current(stored, partial());
+  require_current(stored, header.format_version, partial());
   require_same_run(stored, header, partial());
   require_wanted(range_of_rows(*database), wanted, partial());
   break_seal(*database);
@@ -142,9 +142,9 @@ void StoreWriter::File::start_partial() {
   write_header(*database, header);
   if (!has_finished()) return;
   StoreReader finished(path);
-  Statement statement = prepare_insert(*database);
+  Statement statement = prepare_insert(*database, header);
   Observation observation;
-  while (finished.next(observation)) insert(statement, observation);
+  while (finished.next(observation)) insert(statement, observation, header);
 }
 
 /// Removes the partial file and all that belongs to it. Call while holding the lock, which keeps
@@ -162,7 +162,8 @@ StoreWriter::StoreWriter(const std::string& path, const StoreHeader& header, Sce
   file_->path = database::link_target(path);
   file_->overwrite = overwrite;
   file_->header = header;
-  file_->header.format_version = kStoreFormatVersion;
+  file_->header.format_version =
+      header.stances.empty() ? kStoreFormatVersion : kStanceStoreFormatVersion;
   file_->wanted = wanted;
   if (fs::is_directory(path)) throw Error(path, "is a folder; name a file in it");
   file_->check_finished();
@@ -196,8 +197,8 @@ void StoreWriter::append(std::span<const Observation> observations) {
   std::vector<ScenarioRange> missing = file_->missing;
   take_out({observations.front().number, observations.size()}, missing);
   Transaction transaction(*file_->database);
-  Statement statement = prepare_insert(*file_->database);
-  for (const Observation& observation : observations) insert(statement, observation);
+  Statement statement = prepare_insert(*file_->database, file_->header);
+  for (const Observation& observation : observations) insert(statement, observation, file_->header);
   transaction.commit();
   file_->missing = std::move(missing);
 }

@@ -8,7 +8,11 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "features/ball.h"
+#include "lookahead/oracle/response_motion.h"
 #include "motion/error.h"
+#include "runtime/response/brace.h"
+#include "sim/rehearsal/simulator.h"
 #include "tests/train/evaluate/comparison.h"
 #include "train/evaluate/groups.h"
 #include "train/evaluate/reliability.h"
@@ -35,7 +39,7 @@ TEST(Evaluation, RowsMatchTheirDefinitions) {
   const Evaluation& evaluation = comparison.evaluation;
   ASSERT_EQ(comparison.split.tested.size(), 100U);
   EXPECT_EQ(comparison.split.fitted.size(), 300U);
-  ASSERT_EQ(evaluation.rows.size(), 4 + kTestMethods.size());
+  ASSERT_EQ(evaluation.rows.size(), 5 + kTestMethods.size());
   const EvaluationRow& idle = row(evaluation, "idle");
   const EvaluationRow& oracle = row(evaluation, "oracle");
   EXPECT_EQ(oracle.accuracy.value, 1);
@@ -43,6 +47,7 @@ TEST(Evaluation, RowsMatchTheirDefinitions) {
   EXPECT_EQ(oracle.protection.value, 1);
   EXPECT_EQ(idle.protection.value, 0);
   for (const EvaluationRow& r : evaluation.rows) {
+    if (r.name == "rules") continue;  // below: it chooses no clip
     double sum = 0;
     double damages = 0;
     double hits = 0;
@@ -68,6 +73,37 @@ TEST(Evaluation, RowsMatchTheirDefinitions) {
     EXPECT_LE(r.protection.interval.low, r.protection.value);
     EXPECT_GE(r.protection.interval.high, r.protection.value);
   }
+}
+
+// The response, its simulation and the cost anew, from their parts.
+TEST(Evaluation, RulesAreSimulatedAsTheClipsAre) {
+  const Comparison comparison(split_of(made_up_store(40)));
+  const EvaluationRow& rules = row(comparison.evaluation, "rules");
+  const database::ClipLibrary library = scenes::synthetic_library();
+  const runtime::PreparedLibrary prepared = runtime::prepare(library);
+  const sim::SimulationOptions options;
+  const sim::Simulator simulator(library.character, options);
+  double most_ns = 0;
+  for (std::size_t i = 0; i < comparison.split.tested.size(); ++i) {
+    const features::Scenario& scenario = comparison.split.tested[i].scenario;
+    const float time_s = scenario.time_to_impact_s;
+    const runtime::Response braced =
+        make_brace(prepared, scenario.state,
+                   {scenario.threat, position_at(scenario.threat, time_s), time_s, 0, false});
+    const lookahead::ResponseMotion motion =
+        lookahead::make_response_motion(prepared, braced, double{time_s} + 0.3);
+    const sim::SimulationResult result =
+        simulator.simulate(simulator.rehearse(motion.motion, 0, motion.simulated_s),
+                           features::ball_of(scenario.threat, options.gravity_mps2));
+    double damage_ns = 0;
+    for (const motion::Body body : motion::kBodies)
+      damage_ns += comparison.cost_model.vulnerability[body] * result.impulse[body];
+    EXPECT_NEAR(rules.cost_ns[i], 0.9 * damage_ns + 0.1 * motion.work_j * 13.77 / 250, 1e-6) << i;
+    EXPECT_EQ(rules.chosen[i], runtime::kNoClip);
+    most_ns = std::max(most_ns, damage_ns);
+  }
+  EXPECT_GT(most_ns, 0.5);
+  EXPECT_EQ(rules.accuracy.value, 0);
 }
 
 TEST(Evaluation, TopThreeCountsTheLabelAmongTheFirstThreeCandidates) {

@@ -6,10 +6,14 @@
 #include <cmath>
 #include <cstring>
 
+#include "database/author/authored_library.h"
 #include "features/feature_vector.h"
+#include "motion/default_character.h"
 #include "motion/error.h"
 #include "motion/loop.h"
+#include "tests/motion/random_motion.h"
 #include "tests/scenes/synthetic_library.h"
+#include "tests/scenes/walk.h"
 #include "train/objective/observation.h"
 
 namespace flinch::train {
@@ -92,16 +96,78 @@ TEST_F(ScenarioSampling, TimesAndIdlePhasesAreOnTheirGrid) {
     EXPECT_NEAR(quarters, std::round(quarters), 1e-4F);
     EXPECT_GE(scenario.state.idle_time_s, 0);
     EXPECT_LE(scenario.state.idle_time_s, period_s);
-    const GridCell cell = grid_cell_of(distribution_, idle(), scenario);
+    const GridCell cell = grid_cell_of(distribution_, stance_loops(library_), scenario);
     EXPECT_EQ(cell.time, std::lround(steps));
-    EXPECT_EQ(cell.idle_phase, std::lround(quarters) % 4);
-    EXPECT_EQ(character_state_at(distribution_, idle(), cell).idle_time_s,
+    EXPECT_EQ(cell.state, std::lround(quarters) % 4);
+    EXPECT_EQ(character_state_at(distribution_, stance_loops(library_), cell).idle_time_s,
               scenario.state.idle_time_s);
     ++per_time[static_cast<std::size_t>(cell.time)];
-    ++per_state[static_cast<std::size_t>(cell.idle_phase)];
+    ++per_state[static_cast<std::size_t>(cell.state)];
   }
   for (const int count : per_time) EXPECT_NEAR(count, kScenarios / 20, 45);
   for (const int count : per_state) EXPECT_NEAR(count, kScenarios / 4, 80);
+}
+
+class StanceSampling : public ScenarioSampling {
+ protected:
+  StanceSampling() {
+    library_ = tests::with_walk(database::authored_library(motion::default_character()));
+    model_ = motion::make_body_model(library_.character);
+    loops_ = stance_loops(library_);
+    distribution_.stances = {{0, "idle", 1}, {1, "guard", 1}, {2, "walk", 2}};
+  }
+
+  std::vector<motion::Loop> loops_;
+};
+
+TEST_F(StanceSampling, StancesAreDrawnByTheirWeights) {
+  std::array<int, 3> per_stance{};
+  for (int number = 0; number < kScenarios; ++number)
+    ++per_stance[static_cast<std::size_t>(sample(static_cast<std::uint64_t>(number)).state.stance)];
+  EXPECT_NEAR(per_stance[0], kScenarios / 4, 80);
+  EXPECT_NEAR(per_stance[1], kScenarios / 4, 80);
+  EXPECT_NEAR(per_stance[2], kScenarios / 2, 90);
+}
+
+TEST_F(StanceSampling, ACellGivesTheStateBack) {
+  for (int number = 0; number < 300; ++number) {
+    const features::Scenario scenario = sample(static_cast<std::uint64_t>(number));
+    const GridCell cell = grid_cell_of(distribution_, loops_, scenario);
+    ASSERT_LT(cell.state, state_count(distribution_));
+    const features::CharacterState state = character_state_at(distribution_, loops_, cell);
+    EXPECT_EQ(state.stance, scenario.state.stance);
+    EXPECT_EQ(state.idle_time_s, scenario.state.idle_time_s);
+    EXPECT_EQ(state.position, scenario.state.position);
+    EXPECT_EQ(state.facing, scenario.state.facing);
+  }
+}
+
+TEST_F(StanceSampling, AThreatLeadsACharacterThatGoesOn) {
+  for (int number = 0; number < 300; ++number) {
+    const features::Scenario scenario = sample(static_cast<std::uint64_t>(number));
+    const motion::Loop& loop = loops_[static_cast<std::size_t>(scenario.state.stance)];
+    const motion::JointFrames frames = motion::forward_kinematics(
+        library_.character.skeleton,
+        features::idle_pose(loop, scenario.state, scenario.time_to_impact_s));
+    const Eigen::Vector3f centre = motion::target_centre(model_, frames, scenario.target);
+    const Eigen::Vector3f at_impact =
+        features::position_at(scenario.threat, scenario.time_to_impact_s);
+    EXPECT_LE((at_impact - centre).norm(), kind_.aim_radius_m + 1e-3) << number;
+  }
+}
+
+// So that responses can be shared: seen from the impact, they are the same motion.
+TEST_F(StanceSampling, AWalkerIsAtTheSamePlaceAtTheImpactWhateverTheTime) {
+  for (int state = 0; state < state_count(distribution_); ++state) {
+    const auto at_impact = [&](int time) {
+      const features::CharacterState then =
+          character_state_at(distribution_, loops_, {state, time});
+      return features::idle_pose(loops_[static_cast<std::size_t>(then.stance)], then,
+                                 time_to_impact_s(distribution_, time));
+    };
+    for (const int time : {3, 11, 19})
+      EXPECT_LT(tests::distance(at_impact(0), at_impact(time)), 1e-3F) << state;
+  }
 }
 
 TEST_F(ScenarioSampling, TheSameNumberGivesTheSameBits) {
@@ -177,7 +243,7 @@ TEST_F(ScenarioSampling, KindsAndTargetsComeByTheirWeightsAndNumbersFromTheirRan
     const bool is_pelvis = scenario.target == motion::Target::pelvis;
     EXPECT_TRUE(is_pelvis || scenario.target == motion::Target::head);
     pelvises += is_pelvis;
-    const GridCell cell = grid_cell_of(distribution_, idle(), scenario);
+    const GridCell cell = grid_cell_of(distribution_, stance_loops(library_), scenario);
     EXPECT_EQ(time_to_impact_s(distribution_, cell.time), scenario.time_to_impact_s);
   }
   // Within four standard deviations of a binomial distribution.

@@ -8,6 +8,7 @@
 #include "database/author/authored_library.h"
 #include "motion/default_character.h"
 #include "tests/scenes/synthetic_library.h"
+#include "tests/scenes/walk.h"
 #include "train/simulate/trial.h"
 
 namespace flinch::train {
@@ -29,8 +30,8 @@ class SharedResponse : public testing::Test {
 
   static runtime::Response response(int clip, GridCell cell) {
     return runtime::make_response(*prepared_,
-                                  character_state_at(kDistribution, prepared_->idle(), cell), clip,
-                                  time_to_impact_s(kDistribution, cell.time));
+                                  character_state_at(kDistribution, stance_loops(*library_), cell),
+                                  clip, time_to_impact_s(kDistribution, cell.time));
   }
 
   /// Largest distance of a joint between the two, both relative to the impact, from when the first
@@ -73,6 +74,44 @@ TEST_F(SharedResponse, IsTheSameMotionSeenFromTheImpact) {
     }
   }
   EXPECT_GT(compared, 500);
+}
+
+TEST(SharedResponseOfWalkers, IsTheSameMotionSeenFromTheImpact) {
+  const database::ClipLibrary library =
+      tests::with_walk(database::authored_library(motion::default_character()));
+  const runtime::PreparedLibrary prepared = runtime::prepare(library);
+  ScenarioDistribution distribution;
+  distribution.stances = {{2, "walk", 1}};
+  const SharedResponses shared(prepared, distribution);
+  const std::vector<motion::Loop> loops = stance_loops(library);
+  const auto response = [&](int clip, GridCell cell) {
+    return runtime::make_response(prepared, character_state_at(distribution, loops, cell), clip,
+                                  time_to_impact_s(distribution, cell.time));
+  };
+  int compared = 0;
+  for (int clip = 0; clip < static_cast<int>(library.clips.size()); ++clip) {
+    for (const int time : {9, 14, 19}) {
+      const GridCell cell{(clip + time) % state_count(distribution), time};
+      const runtime::Response own = response(clip, cell);
+      if (!runtime::is_valid(own)) continue;
+      const ResponseKey key = shared.key_of(clip, cell);
+      if (key.cell.time == time) continue;
+      const runtime::Response early = response(clip, key.cell);
+      const float early_s = time_to_impact_s(distribution, key.cell.time);
+      const float late_s = time_to_impact_s(distribution, time);
+      for (float t = -early_s; t < 1.5F; t += 0.07F) {
+        const motion::JointFrames a =
+            motion::forward_kinematics(prepared.skeleton(), runtime::pose_at(early, early_s + t));
+        const motion::JointFrames b =
+            motion::forward_kinematics(prepared.skeleton(), runtime::pose_at(own, late_s + t));
+        for (const motion::Role role : motion::kRoles)
+          ASSERT_LT((a.position[role] - b.position[role]).norm(), 2e-3F)
+              << library.clip(clip).name << ", time " << time << ", at " << t;
+      }
+      ++compared;
+    }
+  }
+  EXPECT_GT(compared, 100);
 }
 
 TEST_F(SharedResponse, IsNoLongerSharedWhereThereIsLessTime) {

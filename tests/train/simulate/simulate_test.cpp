@@ -231,7 +231,7 @@ TEST(SharedTrials, MatchFullSimulations) {
   int close = 0;
   for (std::uint64_t number = 0; number < 12; ++number) {
     const Observation posed = make_observation(setup, number);
-    const GridCell cell = grid_cell_of(plan.distribution, setup.idle(), posed.scenario);
+    const GridCell cell = grid_cell_of(plan.distribution, setup.stances, posed.scenario);
     for (const int clip : {posed.trials.front().clip, posed.trials.back().clip}) {
       const RehearsedResponse shared = rehearse(setup, setup.responses.key_of(clip, cell));
       const Trial slow = try_clip(setup, posed.scenario, clip);

@@ -137,8 +137,8 @@ void change_values(const std::string& path, Random& random) {
     if (random() % 8 == 0) observation.places.resize(random() % 4000, observation.places.back());
     database.execute("DELETE FROM observation WHERE number = " +
                      std::to_string(observation.number));
-    Statement statement = prepare_insert(database);
-    tests::error_of([&] { insert(statement, observation); });
+    Statement statement = prepare_insert(database, header);
+    tests::error_of([&] { insert(statement, observation, header); });
   }
   break_seal(database);
   write_seal(database, {0, kMutantCount});

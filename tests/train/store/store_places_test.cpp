@@ -76,13 +76,14 @@ TEST(StorePlaces, DamagedBytesAreRefused) {
 std::string with_places(const std::string& path,
                         const std::function<void(std::vector<HitPlace>&)>& change) {
   write_made_up_store(path, 10);
-  Observation observation = made_up_observation(made_up_header(), 4);
+  const StoreHeader header = made_up_header();
+  Observation observation = made_up_observation(header, 4);
   change(observation.places);
   Database database(path, Database::Mode::write);
   database.trust();
   database.execute("DELETE FROM observation WHERE number = 4");
-  Statement statement = prepare_insert(database);
-  insert(statement, observation);
+  Statement statement = prepare_insert(database, header);
+  insert(statement, observation, header);
   return path;
 }
 

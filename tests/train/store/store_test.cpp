@@ -421,5 +421,61 @@ TEST(Store, RejectsARangeThatOmitsStoredScenarios) {
   EXPECT_EQ(StoreWriter(folder / "b", header, {0, 20}).count(), 20U);
 }
 
+/// A store of scenarios that begin in two stances of a library that has them.
+struct StanceStore {
+  StanceStore() {
+    motion::Clip guard = library.clips[0];
+    guard.name = "guard";
+    guard.purpose = motion::Purpose::stance;
+    guard.kind = "guard";
+    library.clips.push_back(guard);
+    const std::string file = database::library_bytes(library);
+    const auto bytes = std::as_bytes(std::span(file));
+    header.library_file.assign(bytes.begin(), bytes.end());
+    header.library_hash = database::verify_file(database::kLibraryFormat, bytes).hash;
+    header.clips.push_back({"guard", std::nullopt});
+    header.clip_work_j.push_back(0);
+    header.stances = stance_names(library);
+  }
+
+  void write(const std::string& path, int last_stance) const {
+    StoreWriter writer(path, header, {0, 4});
+    std::vector<Observation> observations = made_up_observations(header, 0, 4);
+    observations[1].scenario.state = {0.25F, {0.5F, -1}, 0.125F, 1};
+    observations[3].scenario.state.stance = last_stance;
+    writer.append(observations);
+    writer.finish();
+  }
+
+  database::ClipLibrary library = scenes::synthetic_library();
+  StoreHeader header = made_up_header();
+};
+
+TEST(Store, KeepsTheStancesInWhichScenariosBegin) {
+  const TemporaryFolder folder;
+  const StanceStore made;
+  made.write(folder / "a.flinchobs", 1);
+  const Store store = read_store(folder / "a.flinchobs");
+  EXPECT_EQ(store.header.format_version, kStanceStoreFormatVersion);
+  EXPECT_EQ(store.header.stances, made.header.stances);
+  const features::CharacterState& state = store.observations[1].scenario.state;
+  EXPECT_EQ(state.stance, 1);
+  EXPECT_EQ(state.idle_time_s, 0.25F);
+  EXPECT_EQ(state.position, Eigen::Vector2f(0.5F, -1));
+  EXPECT_EQ(state.facing, 0.125F);
+  EXPECT_EQ(store.observations[0].scenario.state.stance, 0);
+  write_store(folder / "idle.flinchobs", made_up_header(), 4);
+  EXPECT_EQ(read_store(folder / "idle.flinchobs").header.format_version, kStoreFormatVersion);
+}
+
+TEST(Store, RefusesAStanceThatTheLibraryDoesNotHave) {
+  const TemporaryFolder folder;
+  for (const int stance : {-1, 2}) {
+    StanceStore().write(folder / std::to_string(stance), stance);
+    EXPECT_THAT(error_of([&] { read_store(folder / std::to_string(stance)); }),
+                HasSubstr("the store is damaged"));
+  }
+}
+
 }  // namespace
 }  // namespace flinch::train
