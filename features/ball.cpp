@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "features/ball.h"
+#include "features/ball_clearance.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

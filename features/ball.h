@@ -6,7 +6,6 @@
 #include <optional>
 
 #include "features/threat.h"
-#include "motion/collision_shape.h"
 
 namespace flinch::features {
 
@@ -85,11 +84,6 @@ VelocityChange velocity_change(const Ball& ball, double inertia_kgm2,
 
 /// Height of the lowest point of the ball, or rod, m.
 double lowest_point_m(const Ball& ball);
-
-/// The closest points of a ball, or rod, and an outline.
-motion::Clearance clearance(const Ball& ball, const motion::CollisionShape& outline);
-/// Returns only the gap `time_s` later, to the same bits.
-double gap_at(const Ball& ball, double time_s, const motion::CollisionShape& outline);
 
 /// Returns the first time in [0, horizon_s] at which the falling ball comes within touch_m of the
 /// ground. A rod does not bounce: see ball_of.

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "features/ball.h"
+#include "features/ball_clearance.h"
 #include "motion/collision_shape.h"
 #include "motion/enum_array.h"
 

@@ -7,6 +7,7 @@
 #include <optional>
 #include <span>
 
+#include "features/ball_clearance.h"
 #include "sim/contact/next_step.h"
 #include "sim/contact/step_path.h"
 #include "sim/figure/figure_rows.h"

@@ -51,7 +51,7 @@ void write(float (&to)[3], const Eigen::Vector3f& from) {
   std::copy_n(from.data(), 3, to);
 }
 
-flinch_push_example to_c(const train::PushExample& example) {
+flinch_push_example example_in_c(const train::PushExample& example) {
   flinch_push_example result{};
   result.state_clip = example.state_clip;
   result.state_s = example.state_s;
@@ -155,7 +155,7 @@ flinch_status flinch_labelling_example(const flinch_labelling* labelling,
                                        flinch_push_example* out) {
   if (out == nullptr) return FLINCH_NULL_POINTER;
   if (const flinch_status status = check(labelling)) return status;
-  *out = to_c(labelling->content->example);
+  *out = example_in_c(labelling->content->example);
   return FLINCH_OK;
 }
 

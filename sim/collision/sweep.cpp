@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "features/ball_clearance.h"
+
 namespace flinch::sim {
 
 MovingShape MovingShape::at(double time_s) const {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "features/ball_clearance.h"
 #include "sim/contact/contact_constraint.h"
 
 namespace flinch::sim {

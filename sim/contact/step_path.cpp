@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "features/ball_clearance.h"
 #include "sim/contact/next_step.h"
 #include "sim/figure/figure_rows.h"
 

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "features/ball_clearance.h"
 #include "sim/contact/body_contacts.h"
 #include "sim/contact/next_step.h"
 #include "sim/contact/step_path.h"

@@ -29,13 +29,14 @@ void require_independent(const Store& training, const Store& test, const std::st
     throw Error(path, "was made from another library (" + tested.library_name +
                           ") than the training store (" + fitted.library_name +
                           "); simulate the same library");
-  if (tested.simulation != fitted.simulation)
-    throw Error(path, "was made with another simulation, " + tested.simulation +
-                          "; simulate it again with this program");
+  // Other kinds may also need other steps of simulation: the cause comes first.
   if (tested.kinds != fitted.kinds)
     throw Error(path,
                 "has other kinds of threats than the training store; simulate both with the "
                 "same --threats");
+  if (tested.simulation != fitted.simulation)
+    throw Error(path, "was made with another simulation, " + tested.simulation +
+                          "; simulate it again with this program");
   if (tested.layout != fitted.layout)
     throw Error(path, "has other features than the training store; derive the same");
   if (tested.seed == fitted.seed && tested.distribution == fitted.distribution &&

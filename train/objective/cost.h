@@ -15,10 +15,10 @@ namespace flinch::train {
 /// Parameters that turn impulses and work into a cost.
 struct CostModel {
   Vulnerability vulnerability = vulnerability_profiles()[0].vulnerability;
-  std::vector<features::KindVulnerability> of_kind;  ///< kinds with a table of their own
-  double brawn = 0.5;                                ///< in [0, 1]: weight of work against damage
-  std::vector<double> reference_damage_ns{1};        ///< D* of each kind of threat
-  double reference_work_j = 1;                       ///< W*, positive
+  std::vector<features::KindVulnerability> of_kind{};  ///< kinds with a table of their own
+  double brawn = 0.5;                                  ///< in [0, 1]: weight of work against damage
+  std::vector<double> reference_damage_ns{1};          ///< D* of each kind of threat
+  double reference_work_j = 1;                         ///< W*, positive
   std::string vulnerability_name = vulnerability_profiles()[0].name;
 };
 

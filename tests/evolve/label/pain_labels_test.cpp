@@ -57,7 +57,7 @@ TEST(PainLabels, AreThePainOfTheSimulatedHits) {
   int close = 0;
   for (std::size_t i = 0; i < store.observations.size(); ++i) {
     const train::Observation& observation = store.observations[i];
-    const auto cell = grid_cell_of(plan.distribution, setup.idle(), observation.scenario);
+    const auto cell = grid_cell_of(plan.distribution, setup.stances, observation.scenario);
     for (std::size_t t = 0; t < observation.trials.size(); ++t) {
       const auto response =
           rehearse(setup, setup.responses.key_of(observation.trials[t].clip, cell));

@@ -26,7 +26,7 @@ TEST_F(CApi, AcceptsStructsOfOlderProgramsAndRejectsThoseOfNewerOnes) {
   const flinch_character_state old = state();
   EXPECT_EQ(std::memcmp(&whole, &old, sizeof old), 0);
 
-  for (const std::uint32_t size : {0U, 4U, 24U, 29U, 52U, 4096U, 0xFFFFFFFFU}) {
+  for (const std::uint32_t size : {0U, 4U, 24U, 29U, 84U, 4096U, 0xFFFFFFFFU}) {
     threat.size = size;
     refuses(FLINCH_BAD_SIZE, [&] { return perceive(threat); });
   }
@@ -77,7 +77,7 @@ TEST_F(CApi, WritesNoMoreThanTheCallersStructSize) {
 
 // Bindings in other languages copy this layout by hand.
 TEST(CApiLayout, MatchesThePublishedVersion) {
-  EXPECT_EQ(sizeof(flinch_threat), 48U);
+  EXPECT_EQ(sizeof(flinch_threat), 80U);
   EXPECT_EQ(sizeof(flinch_pose), 16U + 16 * FLINCH_JOINT_COUNT);
   EXPECT_EQ(sizeof(flinch_joint_frames), 4U + 28 * FLINCH_JOINT_COUNT);
   EXPECT_EQ(sizeof(flinch_skeleton), 4U + 24 * FLINCH_JOINT_COUNT);
@@ -85,7 +85,7 @@ TEST(CApiLayout, MatchesThePublishedVersion) {
   EXPECT_EQ(sizeof(flinch_perception_limits), 28U);
   EXPECT_EQ(sizeof(flinch_character_state), 32U);
   EXPECT_EQ(sizeof(flinch_library_info), 24U);
-  EXPECT_EQ(sizeof(flinch_kind), 80U);
+  EXPECT_EQ(sizeof(flinch_kind), 88U);
   EXPECT_EQ(sizeof(flinch_outside), 24U);
   EXPECT_EQ(sizeof(flinch_clip), 24U + 32);
   EXPECT_EQ(sizeof(flinch_candidate), 12U);

@@ -5,6 +5,7 @@
 
 #include <limits>
 
+#include "features/ball_clearance.h"
 #include "tests/motion/random_shapes.h"
 
 namespace flinch::sim {

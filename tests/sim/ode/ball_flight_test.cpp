@@ -6,6 +6,8 @@
 #include <cmath>
 #include <random>
 
+#include "features/ball_clearance.h"
+
 namespace flinch::sim {
 namespace {
 

@@ -132,7 +132,8 @@ TEST(HostileStore, ValuesOutOfBoundsAreRefusedThoughTheChecksumIsRight) {
            "UPDATE kind SET kind = 1",
            "DELETE FROM kind",
            "WITH RECURSIVE n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n LIMIT 40) INSERT INTO "
-           "kind SELECT i, 'k' || i, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 0, 0, 1, 'ball', 0, 0 FROM n",
+           "kind SELECT i, 'k' || i, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 0, 0, 1, 'ball', 0, 0, 0, 0, 0, "
+           "0, 0, 0, 0, 0, 0, 0, 0, 0 FROM n",
            "UPDATE kind SET shape = 'net'",
            "UPDATE kind SET max_reach_m = 1",
            "UPDATE kind SET shape = 'fist', falls = 0, max_reach_m = 1",

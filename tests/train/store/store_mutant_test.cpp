@@ -118,7 +118,8 @@ void change_values(const std::string& path, Random& random) {
                                  std::numeric_limits<float>::infinity(),
                                  std::numeric_limits<float>::quiet_NaN()};
     const float value = kFloats[random() % kFloats.size()];
-    Observation observation = made_up_observation(made_up_header(), random() % kMutantCount);
+    const StoreHeader header = made_up_header();
+    Observation observation = made_up_observation(header, random() % kMutantCount);
     features::Scenario& scenario = observation.scenario;
     float* const places[] = {&scenario.threat.position.x(),
                              &scenario.threat.velocity.z(),
