@@ -454,13 +454,13 @@ const tests = {
     await context.close();
   },
 
-  async "compressed as servers do, the page has at most 0.55 MB, and 3 MB with a selector"() {
+  async "compressed as servers do, the page has at most 0.6 MB, and 3 MB with a selector"() {
     const html = await readFile(page_file, "utf8");
     const size_mb = (text) => gzipSync(text).length / 1e6;
     const own = html.replace(/<script[^>]* data-selector[^]*?<\/script>/g, "");
     assert.ok(own.length < html.length - selector.length, "the page has no selector");
     console.log(`  ${size_mb(own).toFixed(2)} MB, with a selector ${size_mb(html).toFixed(2)} MB`);
-    assert.ok(size_mb(own) <= 0.55 && size_mb(html) <= 3);
+    assert.ok(size_mb(own) <= 0.6 && size_mb(html) <= 3);
   },
 
   async "the impulses of where it hits add up"() {

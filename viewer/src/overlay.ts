@@ -3,7 +3,6 @@
 import { Vector3 } from "three";
 import { centreOfMass, supportPolygon } from "./balance";
 import type { Take } from "./take";
-import { kGravity } from "./throw";
 
 export interface OverlayLine {
   points: Vector3[];
@@ -29,15 +28,13 @@ export function overlayOf(take: Take, time: number): OverlayLine[] {
 
 /** The ball where it would touch the character if that stood still: two great circles, one of them
  * across its way; none if it would miss. */
-function contactCircles({ threat, contact_s_at_rest: t }: Take): Vector3[][] {
-  if (t === null) return [];
-  const velocity = new Vector3(...Array.from(threat.velocity));
-  const centre = new Vector3(...Array.from(threat.position)).addScaledVector(velocity, t);
-  centre.z -= (kGravity * t * t) / 2;
-  velocity.z -= kGravity * t;
-  const along = velocity.normalize();
+function contactCircles({ threat, ballAtRestContact: ball }: Take): Vector3[][] {
+  if (!ball) return [];
+  const centre = new Vector3(...ball.position);
+  const along = new Vector3(...ball.velocity).normalize();
   const level = new Vector3(-along.y, along.x, 0).normalize();
-  return [circle(centre, level, along.clone().cross(level), threat.radius), circle(centre, level, along, threat.radius)];
+  const upright = along.clone().cross(level);
+  return [upright, along].map((second) => circle(centre, level, second, threat.radius));
 }
 
 function circle(centre: Vector3, first: Vector3, second: Vector3, radius: number): Vector3[] {

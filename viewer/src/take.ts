@@ -4,7 +4,9 @@ import type { Character, Threat, ThreatKind, Trial } from "flinch";
 import { atRest, choose, prepared, type Chooser, type Conditions } from "./chooser";
 import { advanced, isSpecial, type FullThreat } from "./kinds";
 import { fly, kRate, Recording, type FlyingBall, type Rod } from "./recording";
+import { kGravity } from "./throw";
 
+type Vector = [number, number, number];
 const kDuration = 3.2; // s: the flight, the answer and the way back
 // Physics takes the body this long before the contact that a simulation foresees.
 export const kAhead = 0.08;
@@ -52,6 +54,19 @@ export class Take extends Recording {
       this.foreseen = idle && Number.isFinite(idle.contact_s) ? idle.contact_s : null;
     }
     return this.foreseen;
+  }
+
+  /** Where the ball, or the fist, is then, and how it flies; null for rods, which are no balls. */
+  get ballAtRestContact(): { position: Vector; velocity: Vector } | null {
+    const t = this.contact_s_at_rest;
+    if (t === null || this.rod) return null;
+    if (isSpecial(this.kind)) return advanced(this.threat as FullThreat, this.kind, t);
+    const [x, y, z] = Array.from(this.threat.position) as Vector;
+    const [u, v, w] = Array.from(this.threat.velocity) as Vector;
+    return {
+      position: [x + u * t, y + v * t, z + w * t - (kGravity * t * t) / 2],
+      velocity: [u, v, w - kGravity * t],
+    };
   }
 
   free(): void {
