@@ -75,8 +75,9 @@ class MainPath(ProgramTest):
         self.assertEqual(document, json.loads((report / "report.json").read_text()))
         names = [row["name"] for row in document["rows"]]
         self.assertEqual(names[:3] + names[-1:], ["idle", "random", "nearest_annotation", "oracle"])
+        self.assertEqual(names[3], "rules")  # a response, not a choice, so it has no time
         ahead = {row["name"]: row for row in document["look_ahead"]}
-        self.assertEqual(names[3:-1] + list(ahead), [row["name"] for row in timing])
+        self.assertEqual(names[4:-1] + list(ahead), [row["name"] for row in timing])
         self.assertLessEqual({"network+2", "network+4", "network+8", "network+16", "svm+8", "knn+8",
                               "pairwise_cost+8", "nearest_annotation+8", "random+8"}, set(ahead))
         costs_of_rows = {row["name"]: row["mean_cost"] for row in document["rows"]}

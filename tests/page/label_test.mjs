@@ -37,7 +37,7 @@ async function open(view = "label") {
   await page.waitForFunction(() => globalThis.flinchPage?.alone);
   return page;
 }
-const count = async (page) => Number((await page.locator("#labelling").innerText()).match(/(\d+) labels/)[1]);
+const count = async (page) => Number((await page.locator("#labelling").innerText()).match(/(\d+) labels[,.]/)[1]);
 async function saved(page) {
   const [download] = await Promise.all([
     page.waitForEvent("download"),

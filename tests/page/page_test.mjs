@@ -248,7 +248,7 @@ const tests = {
       [selector.subarray(0, 1000), /cut short/],
       [Buffer.from("HIERARCHY"), /not a selector/],
     ]) {
-      await page.locator("input[type=file]").setInputFiles({ name: "bad.flinch", mimeType: "", buffer });
+      await page.locator('input[accept=".flinch"]').setInputFiles({ name: "bad.flinch", mimeType: "", buffer });
       await page.waitForFunction((t) => new RegExp(t).test(document.getElementById("message").textContent), text.source);
     }
     // Dropped onto the page, here one that is too large.
@@ -259,7 +259,7 @@ const tests = {
     });
     await page.waitForFunction(() => document.getElementById("message").textContent === "large.flinch is larger than 64 MiB.");
     const before = await page.evaluate(() => globalThis.flinchPage.choosers.length);
-    await page.locator("input[type=file]").setInputFiles({ name: "again.flinch", mimeType: "", buffer: selector });
+    await page.locator('input[accept=".flinch"]').setInputFiles({ name: "again.flinch", mimeType: "", buffer: selector });
     await page.waitForFunction((n) => globalThis.flinchPage.choosers.length > n, before);
   },
 

@@ -119,7 +119,7 @@ Offset<schema::Kind> store(FlatBufferBuilder& builder, const features::KnownKind
   const features::KindNumbers of_kind = features::numbers_of(kind);
   const auto numbers = builder.CreateVector(of_kind.data(), of_kind.size());
   Offset<flatbuffers::Vector<double>> rod;
-  if (kind.shape == features::ThreatShape::rod) {
+  if (kind.rod != features::RodRanges{}) {
     const features::RodNumbers of_rod = features::numbers_of(kind.rod);
     rod = builder.CreateVector(of_rod.data(), of_rod.size());
   }
