@@ -99,8 +99,9 @@ class MainPath(ProgramTest):
         for line in lines:
             of_clip = known[int(line["number"])]
             for name in means:
-                cost = of_clip[int(line[name + "_clip"])]
-                self.assertAlmostEqual(float(line[name + "_cost_ns"]), cost, delta=1e-9)
+                cost = float(line[name + "_cost_ns"])
+                if name != "rules":  # which plays no clip
+                    self.assertAlmostEqual(of_clip[int(line[name + "_clip"])], cost, delta=1e-9)
                 means[name] += cost / len(lines)
             self.assertLessEqual(float(line["oracle_cost_ns"]), min(of_clip.values()) * 1.01 + 1e-12)
         for row in document["rows"]:

@@ -124,7 +124,7 @@ const tests = {
     const trained = JSON.parse(flinch("train-realism", "page.flinchlabels", "--into", "a.flinch", "--json"));
     assert.equal(trained.labels, 15);
     assert.equal(trained.judge, "people");
-    assert.ok(trained.sittings >= 3);
+    assert.equal(trained.sittings, 2); // the page closed after the first; Otto's label is of its time
   },
 
   async "the test asks whether a motion is a recording, and the program prints its table"() {
