@@ -186,6 +186,80 @@ TEST_F(RehearsalTest, ImpulsesOfRodsMatchTheFullSimulation) {
   EXPECT_LE(other, 1);
 }
 
+/// The same balls as medicine balls: heavy, slow and dead.
+std::vector<scenes::Hit> heavy(std::vector<scenes::Hit> hits) {
+  for (scenes::Hit& hit : hits) {
+    const features::Ball then = hit.ball.at(0.5);  // near the figure
+    hit.ball.mass_kg = 4;
+    hit.ball.bounce = {0.2, 0.5};
+    hit.ball.velocity = 0.3 * then.velocity;
+    hit.ball.position = then.position - 0.5 * hit.ball.velocity;
+    hit.ball.gravity_mps2 = 0;
+  }
+  return hits;
+}
+
+/// How much the impulses of hits change, with steps of contacts for those that rest; relative to
+/// what all of them give.
+struct RestingChange {
+  double mean = 0;    ///< of the whole impulse of a hit, with its sign
+  double spread = 0;  ///< sum over hits and bodies of |J - J'|
+  double steps = 0;   ///< share of the steps that are left
+};
+
+RestingChange change_by_resting(const motion::Physique& character,
+                                const std::vector<scenes::NamedMotion>& motions,
+                                const std::vector<scenes::Hit>& hits) {
+  SimulationOptions short_steps;
+  short_steps.resting_step_s = short_steps.contact_step_s;
+  const Simulator fine(character, short_steps);
+  const Simulator coarse(character, {});
+  RestingChange change;
+  double whole = 0;
+  double fine_steps = 0;
+  for (const scenes::Hit& hit : hits) {
+    const motion::Motion& motion = motions[hit.motion].motion;
+    const auto exact = fine.simulate(fine.rehearse(motion, 0, 1), hit.ball);
+    const auto found = coarse.simulate(coarse.rehearse(motion, 0, 1), hit.ball);
+    EXPECT_EQ(exact.first_contact_s, found.first_contact_s);
+    whole += total_impulse(exact);
+    change.mean += total_impulse(found) - total_impulse(exact);
+    for (Body body : motion::kBodies)
+      change.spread += std::abs(found.impulse[body] - exact.impulse[body]);
+    fine_steps += exact.steps;
+    change.steps += found.steps;
+  }
+  return {change.mean / whole, change.spread / whole, change.steps / fine_steps};
+}
+
+TEST_F(RehearsalTest, LongStepsOfRestingContactsChangeImpulsesLittle) {
+  const std::pair<const char*, std::vector<scenes::Hit>> cases[] = {
+      {"heavy", heavy(balls(60, 14))},
+      {"struck", struck(balls(60, 15))},
+      {"rods", drawn_out(balls(60, 16))}};
+  for (const auto& [name, hits] : cases) {
+    SCOPED_TRACE(name);
+    const RestingChange change = change_by_resting(character_, motions_, hits);
+    EXPECT_LT(std::abs(change.mean), 0.01);
+    EXPECT_LT(change.spread, 0.05);
+    EXPECT_LT(change.steps, 0.95);
+  }
+}
+
+// What bounces is simulated as ever.
+TEST_F(RehearsalTest, RestingContactsChangeNoBitOfBalls) {
+  for (const scenes::Hit& hit : balls(40, 17)) {
+    SimulationOptions short_steps;
+    short_steps.resting_step_s = short_steps.contact_step_s;
+    const Simulator fine(character_, short_steps);
+    const motion::Motion& motion = motions_[hit.motion].motion;
+    const auto exact = fine.simulate(fine.rehearse(motion, 0, 1), hit.ball);
+    const auto found = simulator_.simulate(simulator_.rehearse(motion, 0, 1), hit.ball);
+    EXPECT_EQ(exact.steps, found.steps);
+    for (Body body : motion::kBodies) EXPECT_EQ(exact.impulse[body], found.impulse[body]);
+  }
+}
+
 // The ball falls before the shins, bounces off the ground and hits them on its way up.
 TEST_F(RehearsalTest, FindsHitsAfterABounceOffTheGround) {
   const Rehearsal standing = simulator_.rehearse(motions_[0].motion, 0, 1);
