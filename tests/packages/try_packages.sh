@@ -60,5 +60,5 @@ LD_LIBRARY_PATH=$(dirname "$PKG_CONFIG_PATH") /tmp/game2 /tmp/out/a.flinch | tai
 say 'a game that fetches Flinch by CMake'
 apt_get install libeigen3-dev libflatbuffers-dev flatbuffers-compiler flatbuffers-compiler-dev python3
 cmake -S fetched -B /tmp/fetched -G Ninja -DCMAKE_BUILD_TYPE=Release -DFLINCH_CHECKOUT=/packages/checkout >/dev/null
-time cmake --build /tmp/fetched >/dev/null
+cmake --build /tmp/fetched >/dev/null
 /tmp/fetched/game /tmp/out/a.flinch | tail -n 1
