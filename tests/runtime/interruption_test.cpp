@@ -113,7 +113,7 @@ void expect_human(const Worst& worst) {
 // A ball every 0.1 to 0.6 s, for half an hour each: hardly any response is ever finished. Selectors
 // that were fitted to other observations choose other clips one after the other.
 TEST(Interruption, BallsLeaveJointsWithinTheirLimitsAndFeetAboveTheGround) {
-  for (std::uint64_t seed : {1, 3, 4}) {
+  for (const std::uint64_t seed : {1U, 3U, 4U}) {
     SCOPED_TRACE("selector " + std::to_string(seed));
     const Library library = tests::loaded_selector(60, tests::ModelKind::knn, seed);
     Workspace workspace;
