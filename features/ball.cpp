@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "features/ball.h"
-#include "features/ball_clearance.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+
+#include "features/ball_clearance.h"
 
 namespace flinch::features {
 

@@ -58,7 +58,7 @@ struct Ball {
   Eigen::Vector3d velocity_of(const Eigen::Vector3d& point) const;
   /// Velocity of the point about which it turns, m/s: of a ball, its own.
   Eigen::Vector3d pivot_velocity() const;
-  /// How much faster than that any point of its axis may move, m/s; 0 for a ball.
+  /// The largest speed that turning gives to a point of its axis, m/s; 0 for a ball.
   double turning_mps() const;
   /// Radius of the sphere about its position that contains it, m.
   double bounding_radius() const;

@@ -82,8 +82,8 @@ class RealismQuery {
   /// Floats of memory that a query needs.
   static std::size_t memory_size(const RealismIndex& index);
 
-  /// `features` have the character and the asked push; the rest is ignored. `index` and `memory`
-  /// (of memory_size()) must outlive this.
+  /// Of `features`, only those of the character and of the asked push are read. `memory` has at
+  /// least memory_size() floats; it and `index` must outlive this.
   RealismQuery(const RealismIndex& index, const RealismFeatures& features,
                std::span<float> memory) noexcept;
 

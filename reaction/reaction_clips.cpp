@@ -9,11 +9,8 @@
 namespace flinch::reaction {
 namespace {
 
-using motion::Body;
-
 constexpr float kRate_hz = 30;
 constexpr float kMinRemaining_s = 0.3F;
-constexpr float kVelocityWeight_s = 0.1F;
 constexpr float kDifference_s = 1.0F / 60;
 constexpr float kPush_s = 0.1F;
 constexpr float kMinPushCosine = 0.5F;           // of the angle between blow and push
@@ -60,17 +57,12 @@ motion::Pose pose_of(const motion::Clip& clip, const ReactionMatch& match,
 
 ReactionClips::ReactionClips(const motion::Physique& character, std::span<const motion::Clip> clips,
                              motion::Purpose purpose)
-    : skeleton_(character.skeleton), model_(make_body_model(character)), order_(motion::kBodies) {
-  std::stable_sort(order_.begin(), order_.end(), [this](Body first, Body second) {
-    return model_[first].mass_kg > model_[second].mass_kg;
-  });
-  for (Body body : motion::kBodies) {
-    weight_[body] = std::sqrt(model_[body].mass_kg / character.mass_kg);
-  }
+    : metric_(character) {
+  const motion::BodyModel model = make_body_model(character);
   for (std::size_t i = 0; i < clips.size(); ++i) {
     const motion::Motion& motion = clips[i].motion;
     if (clips[i].purpose != purpose) continue;
-    const Eigen::Vector2f push_mps = push_of(skeleton_, model_, motion);
+    const Eigen::Vector2f push_mps = push_of(character.skeleton, model, motion);
     const float last_s = motion.duration_s() - kMinRemaining_s;
     for (int k = 0; static_cast<float>(k) / kRate_hz <= last_s; ++k) {
       const float time_s = static_cast<float>(k) / kRate_hz;
@@ -88,28 +80,13 @@ ReactionClips::ReactionClips(const motion::Physique& character, std::span<const 
 
 ReactionClips::Frame ReactionClips::frame_of(const motion::Pose& before, const motion::Pose& now,
                                              float dt_s) const {
-  const motion::JointFrames from = forward_kinematics(skeleton_, before);
-  const motion::JointFrames to = forward_kinematics(skeleton_, now);
-  Frame frame{};
-  frame.facing = facing(now);
-  frame.pelvis = now.root_position.head<2>();
-  const Eigen::Quaternionf into_facing =
-      motion::rotation_about(Eigen::Vector3f::UnitZ(), -frame.facing);
-  const Eigen::Vector3f origin(frame.pelvis.x(), frame.pelvis.y(), 0);
-  for (int column = 0; column < motion::kBodyCount; ++column) {
-    const Body body = order_[static_cast<std::size_t>(column)];
-    const Eigen::Vector3f place = centre_of_mass(model_, to, body);
-    const Eigen::Vector3f velocity = (place - centre_of_mass(model_, from, body)) / dt_s;
-    const Eigen::Vector3f offset = place - origin;
-    frame.features.col(column).head<3>() = weight_[body] * (into_facing * offset);
-    frame.features.col(column).tail<3>() =
-        weight_[body] * kVelocityWeight_s * (into_facing * velocity);
-  }
-  return frame;
+  return {.features = metric_.features(before, now, dt_s),
+          .clip = 0,
+          .time_s = 0,
+          .facing = facing(now),
+          .pelvis = now.root_position.head<2>()};
 }
 
-// Rejects a frame as soon as the distance of its first bodies, which are the heaviest, exceeds the
-// best.
 std::optional<ReactionMatch> ReactionClips::find(const motion::Pose& before,
                                                  const motion::Pose& now, float dt_s,
                                                  const Eigen::Vector2f& blow_mps,
@@ -122,10 +99,7 @@ std::optional<ReactionMatch> ReactionClips::find(const motion::Pose& before,
   const Frame* nearest = nullptr;
   for (const Frame& frame : frames_) {
     if (!fits(blow_from_facing, frame.push_mps)) continue;
-    float squared = 0;
-    for (int column = 0; column < motion::kBodyCount && squared <= best; ++column) {
-      squared += (frame.features.col(column) - wanted.features.col(column)).squaredNorm();
-    }
+    const float squared = motion::squared_distance(frame.features, wanted.features, best);
     if (squared < best || (squared <= best && !nearest)) {
       best = squared;
       nearest = &frame;

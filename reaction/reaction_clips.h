@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <optional>
 #include <span>
 #include <vector>
 
-#include "motion/body.h"
 #include "motion/clip.h"
+#include "motion/pose_distance.h"
 
 namespace flinch::reaction {
 
@@ -33,13 +32,8 @@ motion::Pose pose_of(const motion::Clip& clip, const ReactionMatch& match,
 Eigen::Vector2f push_of(const motion::Physique& character, const motion::Motion& motion);
 
 /// Finds the clip that best continues a simulated motion, as Zordan et al. 2005 do: the frame whose
-/// bodies are nearest, each weighted by its mass, and move most alike. Poses are compared in the
-/// frame of the facing, with its origin on the ground below the pelvis. With the mass m_b, position
-/// x_b and velocity v_b of each body's centre of mass, and the total mass M,
-///
-///     D^2 = sum over b of m_b / M (|x_b - x'_b|^2 + T^2 |v_b - v'_b|^2),   T = 0.1 s.
-///
-/// Velocities stand for the paper's window of frames.
+/// bodies are nearest, each weighted by its mass, and move most alike: the distance D of
+/// motion/pose_distance.h is least.
 ///
 /// A clip must fit the blow, too: a body that was hit from the front does not step forward, as it
 /// would after a push from behind. With the blow b and the clip's own push p (push_of()), both seen
@@ -49,8 +43,8 @@ Eigen::Vector2f push_of(const motion::Physique& character, const motion::Motion&
 ///
 /// At 60 degrees half of the push still goes the way of the blow; clips of four directions, 90
 /// degrees apart, leave no blow unanswered. And 0.75 m/s is the velocity that alone makes half of
-/// the largest distance: T 0.75 m/s = 0.075 m. A blow or push of zero has no direction and admits
-/// by strength.
+/// the largest distance: 0.1 s 0.75 m/s = 0.075 m. A blow or push of zero has no direction and
+/// admits by strength.
 class ReactionClips {
  public:
   /// Prepares 30 frames per second of those `clips` that have this purpose, except for the last
@@ -65,21 +59,16 @@ class ReactionClips {
   /// if D exceeds `max_distance_m` everywhere, if no clip fits the blow, if a pose is not sound
   /// (motion::is_sound), if the blow is not finite or if `dt_s` is not positive and finite. Of
   /// equal frames, the first. Costs about 10 ns per frame; allocates nothing.
-  std::optional<ReactionMatch> find(const motion::Pose& before, const motion::Pose& now, float dt_s,
-                                    const Eigen::Vector2f& blow_mps,
-                                    float max_distance_m = kMaxMatchDistance_m) const noexcept;
-
-  /// The largest distance of a good match, m. In a blend over half a second, a body that is 0.15 m
-  /// off moves 0.3 m/s faster than it would: less than bodies differ in one person's own motion.
-  static constexpr float kMaxMatchDistance_m = 0.15F;
+  std::optional<ReactionMatch> find(
+      const motion::Pose& before, const motion::Pose& now, float dt_s,
+      const Eigen::Vector2f& blow_mps,
+      float max_distance_m = motion::kMaxSeamDistance_m) const noexcept;
 
   std::size_t size() const { return frames_.size(); }  ///< number of frames that are searched
 
  private:
-  // A column per body, heaviest first: weighted position and velocity.
-  using Features = Eigen::Matrix<float, 6, motion::kBodyCount>;
   struct Frame {
-    Features features;
+    motion::PoseFeatures features;
     int clip;
     float time_s;
     float facing;
@@ -88,10 +77,7 @@ class ReactionClips {
   };
   Frame frame_of(const motion::Pose& before, const motion::Pose& now, float dt_s) const;
 
-  motion::Skeleton skeleton_;
-  motion::BodyModel model_;
-  std::array<motion::Body, motion::kBodyCount> order_;
-  motion::PerBody<float> weight_;  // sqrt(m_b / M)
+  motion::PoseMetric metric_;
   std::vector<Frame> frames_;
 };
 

@@ -51,9 +51,9 @@ bool follows(const GraphNode& node, const GraphNode& before) {
   return node.clip == before.clip && node.time_s - before.time_s < 1.5F * kGraphStep_s;
 }
 
-/// The nearest node of each clip within kMaxJump_m.
+/// The nearest node of each clip within kMaxSeamDistance_m.
 std::vector<std::uint32_t> jumps_from(const MotionGraph& graph, std::size_t from) {
-  constexpr float kBound = kMaxJump_m * kMaxJump_m;
+  constexpr float kBound = motion::kMaxSeamDistance_m * motion::kMaxSeamDistance_m;
   std::vector<std::uint32_t> jumps;
   for (std::size_t begin = 0, end = 0; begin < graph.nodes.size(); begin = end) {
     float least = kBound;

@@ -48,19 +48,14 @@ struct MotionGraph {
 /// The time between two nodes of a clip, s.
 inline constexpr float kGraphStep_s = 1.0F / 15;
 
-/// The largest distance D of two poses of which one may follow the other, m. In a blend over half a
-/// second, a body that is 0.15 m off moves 0.3 m/s faster than it would: less than bodies differ in
-/// one person's own motion.
-inline constexpr float kMaxJump_m = 0.15F;
-
 /// Makes the graph of a library with an idle clip. A moment can jump to the nearest one of each
-/// clip, at least 1 s away in its own, if that is within kMaxJump_m. The nodes are those of the
-/// largest strongly connected part. The exit of a response is where in its last second it is
-/// nearest to a node. Costs some 20 ns per pair of nodes; allocates.
+/// clip, at least 1 s away in its own, if that is within motion::kMaxSeamDistance_m. The nodes are
+/// those of the largest strongly connected part. The exit of a response is where in its last second
+/// it is nearest to a node. Costs some 20 ns per pair of nodes; allocates.
 MotionGraph make_motion_graph(const PreparedLibrary& library);
 
-/// The node nearest to a character in pose `now` that was in pose `before` `dt_s` (above 0)
-/// earlier.
+/// The node whose pose and velocities are nearest to a character's, world: it is in pose `now`, and
+/// was in pose `before` dt_s earlier, which is above 0.
 std::uint32_t nearest_node(const MotionGraph& graph, const motion::Pose& before,
                            const motion::Pose& now, float dt_s) noexcept;
 

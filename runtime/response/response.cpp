@@ -246,9 +246,9 @@ bool move_leg(const Response& r, Side side, const JointFrames& frames, const Foo
   return !hip_moves && !ankle_moves;
 }
 
-// The pelvis comes down for feet that are far. A leg whose hip or ankle cannot follow may then have
-// its foot deep in the ground: the pelvis comes up again as much, and the other leg goes to its
-// foot from there.
+// The pelvis was lowered where a foot is out of the leg's reach. A leg that its hip's or ankle's
+// limit then stops may have its foot under the ground: the pelvis is raised by that depth, and the
+// other leg is solved again from there.
 void raise_soles(const Response& r, const motion::PerSide<FootPose>& feet, JointFrames& frames,
                  Pose& pose) {
   constexpr float kMaxDepth_m = 0.005F;

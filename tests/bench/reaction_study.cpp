@@ -194,7 +194,7 @@ void print_search(const Study& study, const database::ClipLibrary& library,
     spent_us += 1e6 * (bench::thread_cpu_s() - begin_s);
     if (match) distances.push_back(static_cast<double>(match->distance_m));
   }
-  const double near = static_cast<double>(reaction::ReactionClips::kMaxMatchDistance_m);
+  const double near = static_cast<double>(motion::kMaxSeamDistance_m);
   const auto found = std::count_if(distances.begin(), distances.end(),
                                    [&](double distance) { return distance <= near; });
   std::printf("\n### Search for a clip to go on with, among %zu frames\n\n", clips.size());

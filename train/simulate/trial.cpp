@@ -29,8 +29,10 @@ std::int16_t millimetres(double metres) {
   return static_cast<std::int16_t>(std::clamp(std::round(1000 * metres), -kMax, kMax));
 }
 
-/// What hits a body within kMergeDistance_m of an earlier place counts there, since a contact takes
-/// several steps. So does, at any distance, what comes after many places: a ball may roll far.
+/// A contact takes several steps: an impulse within kMergeDistance_m of an earlier place of the
+/// same body is added to that place. Once there are kMany places, each impulse is added to the
+/// nearest one of its body, however far: a ball that rolls would need more places than a store
+/// holds.
 std::vector<HitPlace> places_of(int clip, std::span<const sim::PlacedImpulse> impulses) {
   constexpr float kMergeDistance_m = 0.005F;
   constexpr std::size_t kMany = kMaxPlacesPerTrial - motion::kBodyCount;

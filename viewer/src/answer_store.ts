@@ -15,6 +15,13 @@ export class AnswerStore {
     return [...this.kept(), ...this.unkept];
   }
 
+  /** Says where `count` of them are kept; `what` names them. */
+  place(count: number, what: string): string {
+    return this.isKept
+      ? `${count} ${what}, kept in this browser.`
+      : `${count} ${what}. This browser keeps none: save them before you close the page.`;
+  }
+
   /** Adds lines, except for those that are there; returns how many were new. */
   add(lines: readonly string[]): number {
     const known = new Set(this.lines());

@@ -129,9 +129,7 @@ export class LabelMode {
       ? `${agreement} Estimate and judge agree: you may stop.`
       : agreement;
     this.state.classList.toggle("agree", Boolean(is_agreement));
-    this.kept.textContent = store.isKept
-      ? `${label_count} labels, kept in this browser.`
-      : `${label_count} labels. This browser keeps none: save them before you close the page.`;
+    this.kept.textContent = store.place(label_count, "labels");
     this.acts.shown(new LabelRecording(library, labelling));
   }
 

@@ -81,10 +81,7 @@ export class StudyMode {
     const { library, labelling, store } = this;
     if (!library || !labelling || !store) return;
     this.asked = labelling.study(this.seed, this.number++);
-    const count = store.lines().length;
-    this.kept.textContent = store.isKept
-      ? `${count} answers, kept in this browser.`
-      : `${count} answers. This browser keeps none: save them before you close the page.`;
+    this.kept.textContent = store.place(store.lines().length, "answers");
     this.acts.shown(new LabelRecording(library, labelling));
   }
 

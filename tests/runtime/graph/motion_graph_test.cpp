@@ -96,7 +96,7 @@ TEST(MotionGraph, JumpsAreToTheNearestMomentOfAClipWithinTheBound) {
       ++jumps;
       const float distance =
           std::sqrt(motion::squared_distance(from, features_of(graph.nodes[to])));
-      EXPECT_LE(distance, kMaxJump_m + 1e-5F);
+      EXPECT_LE(distance, motion::kMaxSeamDistance_m + 1e-5F);
       const bool is_same = graph.nodes[k].clip == graph.nodes[to].clip;
       EXPECT_TRUE(!is_same || std::abs(graph.nodes[k].time_s - graph.nodes[to].time_s) >= 1);
       for (const GraphNode& other : graph.nodes) {
