@@ -167,6 +167,7 @@ const tests = {
     assert.match(text, /agree: you may stop/);
     assert.ok(answers >= 50);
     if (shot) {
+      await page.locator("#message").click(); // of the files that were refused
       await page.evaluate(() => {
         globalThis.flinchPage.player.pause();
         globalThis.flinchPage.player.seek(0.3);

@@ -498,6 +498,14 @@ const tests = {
     server.close();
   },
 
+  async "the rose is seen whole, with its legend"() {
+    await page.setViewportSize({ width: 1280, height: 800 });
+    await show(linkTo("rose"));
+    await page.waitForFunction(isWholeRose);
+    const legend = await page.locator("#full .legend").boundingBox();
+    assert.ok(legend.y + legend.height <= 800, `the legend ends at ${legend.y + legend.height} px`);
+  },
+
   async "no view is wider than a phone"() {
     await page.setViewportSize(kPhone);
     for (const mode of kViews) {
