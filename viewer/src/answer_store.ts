@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: MIT
 // Answers as they are kept in the browser: each at once, for every library apart, so that a page
-// that is closed loses none.
+// that is closed loses none. Each has a key of its own: windows that answer at the same time would
+// write over each other's where all stood under one, since a window sees another's writes late.
 
 export class AnswerStore {
   /** Whether the browser keeps what is added; some do not for files of the disk. */
   isKept = true;
   private unkept: string[] = [];
+  private added = 0;
+  private readonly window = crypto.getRandomValues(new Uint32Array(2)).join("");
 
-  /** `key` names the kind of answers and the library. */
-  constructor(private readonly key: string) {}
+  /** `name` tells the kind of answers and the library. */
+  constructor(private readonly name: string) {}
 
-  /** All lines: those of earlier sittings, and of other windows. */
+  /** All lines in the order of their times: those of earlier sittings, and of other windows. */
   lines(): string[] {
     return [...this.kept(), ...this.unkept];
   }
@@ -22,22 +25,20 @@ export class AnswerStore {
       : `${count} ${what}. This browser keeps none: save them before you close the page.`;
   }
 
-  /** Adds lines, except for those that are there; returns how many were new. */
-  add(lines: readonly string[]): number {
-    const known = new Set(this.lines());
-    const fresh = lines.filter((line) => !known.has(line));
+  add(line: string): void {
+    const order = `${Date.now()} ${String(this.added++).padStart(6, "0")}`;
     try {
-      localStorage.setItem(this.key, [...this.kept(), ...fresh].join("\n"));
+      localStorage.setItem(`${this.name} ${order} ${this.window}`, line);
     } catch {
       this.isKept = false;
-      this.unkept.push(...fresh);
+      this.unkept.push(line);
     }
-    return fresh.length;
   }
 
   private kept(): string[] {
     try {
-      return (localStorage.getItem(this.key) ?? "").split("\n").filter(Boolean);
+      const keys = Object.keys(localStorage).filter((key) => key.startsWith(`${this.name} `));
+      return keys.sort().map((key) => localStorage.getItem(key) ?? "");
     } catch {
       this.isKept = false;
       return [];

@@ -102,7 +102,7 @@ export class LabelMode {
     const { library, labelling, store } = this;
     if (!judge || !library || !labelling || !store) return;
     const label = { judge, sitting: `${judge} ${this.sitting}`, realism, example: labelling.example() };
-    store.add([lineOf(library, label)]);
+    store.add(lineOf(library, label));
     labelling.judge(realism);
     this.update();
   }
@@ -149,7 +149,7 @@ export class LabelMode {
       const lines = linesOf(text, labelling.libraryHash).filter((line) => !known.has(line));
       const labels = labelsOf(library, lines);
       labelling.add(labels);
-      store.add(lines);
+      for (const line of lines) store.add(line);
       this.update();
     } catch (error) {
       showMessage(error);

@@ -73,7 +73,7 @@ export class StudyMode {
     const { library, labelling, store, asked, sitting } = this;
     if (!judge || !library || !labelling || !store || !asked) return;
     const motion = motionOf(library, labelling.example());
-    store.add([JSON.stringify({ judge, sitting: `${judge} ${sitting}`, ...asked, answer, ...motion })]);
+    store.add(JSON.stringify({ judge, sitting: `${judge} ${sitting}`, ...asked, answer, ...motion }));
     this.next();
   }
 
