@@ -33,6 +33,7 @@ void check_weakest(const EvolveOptions& options) {
   refuse(options.style != defaults.style, "--style");
   refuse(options.pain.has_value(), "--pain");
   refuse(options.figure != defaults.figure, "--figure");
+  refuse(options.gene_map != defaults.gene_map, "--gene-map");
   refuse(options.failed_joints != defaults.failed_joints, "--failed-joints");
   refuse(options.limit_weight != defaults.limit_weight, "--limit-weight");
   refuse(options.extension_weight != defaults.extension_weight, "--extension-weight");
@@ -113,6 +114,10 @@ Command evolve_command() {
              Range{0, 1e5}},
             {"--mutation", "mutation scheme of Rose (2006), figure 5.1", &options->mutation,
              OneOf{names_of(evolve::kMutationSchemes)}},
+            {"--gene-map",
+             "what a gene stands for: an angle within the joint's limits, or of a full turn, held "
+             "at the limits",
+             &options->gene_map, OneOf{names_of(evolve::kGeneMaps)}},
             {"--generations", "maximum number of generations (default: 60; of --weakest 20)",
              &options->generations, Range{1, 1e4}},
             {"--seed", "seed of all random numbers", &options->seed},

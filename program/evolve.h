@@ -26,6 +26,7 @@ struct EvolveOptions {
   std::optional<int> population;
   std::uint64_t tournament = evolve::GeneticOptions{}.tournament;
   std::string mutation{"A"};
+  std::string gene_map{"limits"};
   std::optional<int> generations;
   std::uint64_t seed = 1;
   std::optional<std::string> pain;

@@ -53,6 +53,7 @@ evolve::TrialOptions trial_options(const EvolveOptions& options,
                        motion::radians(options.elevation), options.speed_mps, kTimeToImpact_s);
   trial.style = named(evolve::kStyles, options.style);
   if (options.pain) trial.pain = evolve::read_pain(*options.pain);
+  trial.gene_map = named(evolve::kGeneMaps, options.gene_map);
   trial.simulation.figure = figure_of(options.figure);
   trial.are_limp = options.failed_joints == "limp";
   trial.limit_weight_per_rads = options.limit_weight;
@@ -74,6 +75,7 @@ std::string key_of(const EvolveOptions& options, const database::ClipLibrary& li
                  {"population", genetic.population},
                  {"tournament", options.tournament},
                  {"mutation", options.mutation},
+                 {"gene_map", options.gene_map},
                  {"seed", options.seed},
                  {"figure", options.figure},
                  {"failed_joints", options.failed_joints},
@@ -132,6 +134,7 @@ void run_evolve_throw(const EvolveOptions& options) {
   run.stop = &catch_interrupts();
   database::ClipLibrary library = database::load_library(options.library);
   const evolve::TrialOptions tried = trial_options(options, library);
+  run.genetic.ends = ends_of(tried.gene_map);
   const evolve::PoseTrial trial(library.character, library.idle_clip().motion, tried);
   if (!(trial.idle_pain() > 0))
     throw Error(options.library,

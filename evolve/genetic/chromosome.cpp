@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "evolve/genetic/chromosome.h"
 
+#include <algorithm>
+#include <numbers>
+
 namespace flinch::evolve {
 namespace {
 
@@ -22,6 +25,20 @@ Gene kept_in_range(std::int64_t value, GeneEnds ends) {
 
 double value_of(Gene gene, const GeneRange& range) {
   return range.min + (range.max - range.min) * (static_cast<double>(gene) / kMaxGene);
+}
+
+std::string_view name_of(GeneMap map) {
+  return map == GeneMap::limits ? "limits" : "full_turn";
+}
+
+double angle_of(Gene gene, const GeneRange& limits, GeneMap map) {
+  if (map == GeneMap::limits) return value_of(gene, limits);
+  constexpr GeneRange kTurn{-std::numbers::pi, std::numbers::pi};
+  return std::clamp(value_of(gene, kTurn), limits.min, limits.max);
+}
+
+GeneEnds ends_of(GeneMap map) {
+  return map == GeneMap::limits ? GeneEnds::reflect : GeneEnds::wrap;
 }
 
 void mutate(Chromosome& chromosome, const Mutation& mutation, GeneEnds ends,

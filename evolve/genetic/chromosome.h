@@ -36,6 +36,20 @@ enum class GeneEnds : std::uint8_t {
   wrap,     ///< it goes on at the other end, as unsigned integers do: for whole turns
 };
 
+/// How the genes of a pose stand for the angles of joints.
+enum class GeneMap : std::uint8_t {
+  limits,     ///< from the joint's least angle to its largest: each gene means something
+  full_turn,  ///< from -pi to pi by equation 4.5, held at the limits as the thesis' servos hold the
+              ///< angles that are wanted of them (equation 3.15)
+};
+inline constexpr std::array kGeneMaps{GeneMap::limits, GeneMap::full_turn};
+/// The name in options: "limits" or "full_turn".
+std::string_view name_of(GeneMap map);
+/// Returns the angle that a gene stands for, radians, between the limits of its joint.
+double angle_of(Gene gene, const GeneRange& limits, GeneMap map);
+/// Returns how genes end that are mapped so.
+GeneEnds ends_of(GeneMap map);
+
 /// MUTATE(n, d) of section 4.3.2: `genes` times a random gene, which may be the same again, is
 /// increased or decreased by an amount uniform in [0, distance).
 struct Mutation {

@@ -67,13 +67,14 @@ std::vector<PoseGene> make_whole_body_genes() {
 struct GeneValues {
   std::span<const PoseGene> genes;
   std::span<const Gene> values;
+  GeneMap map;
 
   /// What a row's genes stand for; 0 for axes without a gene.
   Eigen::Vector3f of(std::string_view joint) const {
     Eigen::Vector3f found = Eigen::Vector3f::Zero();
     for (std::size_t i = 0; i < genes.size(); ++i)
       if (genes[i].joint == joint)
-        found[genes[i].axis] = static_cast<float>(value_of(values[i], genes[i].range));
+        found[genes[i].axis] = static_cast<float>(angle_of(values[i], genes[i].range, map));
     return found;
   }
   Eigen::Quaternionf rotation_of(std::string_view joint) const {
@@ -120,8 +121,8 @@ std::span<const PoseGene> whole_body_genes() {
 }
 
 Pose pose_of(const motion::Figure& figure, const Pose& start, std::span<const PoseGene> genes,
-             std::span<const Gene> values) {
-  const GeneValues read{genes, values};
+             std::span<const Gene> values, GeneMap map) {
+  const GeneValues read{genes, values, map};
   const auto half = [](const Eigen::Quaternionf& whole) {
     return motion::slerp(Eigen::Quaternionf::Identity(), whole, 0.5F);
   };
@@ -147,15 +148,16 @@ std::span<const PoseGene> waist_up_genes() {
   return kGenes;
 }
 
-Pose waist_up_pose_of(const motion::Figure& figure, const Pose& start,
-                      std::span<const Gene> values) {
+Pose waist_up_pose_of(const motion::Figure& figure, const Pose& start, std::span<const Gene> values,
+                      GeneMap map) {
   Pose pose = sim::waist_up_pose(start);
   std::size_t gene = 0;
   for (const sim::WaistUpJoint& joint : sim::waist_up_joints()) {
     Eigen::Vector3d angles = Eigen::Vector3d::Zero();
     for (int axis = 0; axis < 3; ++axis)
       if (joint.range.min[axis] < joint.range.max[axis])
-        angles[axis] = value_of(values[gene++], {joint.range.min[axis], joint.range.max[axis]});
+        angles[axis] =
+            angle_of(values[gene++], {joint.range.min[axis], joint.range.max[axis]}, map);
     pose.rotation[role_of(joint.body)] = sim::joint_rotation(joint.range, angles).cast<float>();
   }
   return database::balanced(figure, feet_of(figure, start), pose);

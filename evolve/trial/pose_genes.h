@@ -23,8 +23,7 @@ inline constexpr std::string_view kPelvisTurn = "pelvis_turn";
 
 /// The 20 genes of a pose of the upper body: trunk 3, neck 3, and of each arm shoulder 3, elbow 2,
 /// wrist 2. Trunk and neck have the limits of appendix A of Rose (2006), whose trunk hardly bends;
-/// arms have those of people. They map onto their limits; with equation 4.5 most genes would lie
-/// beyond them.
+/// arms have those of people.
 std::span<const PoseGene> pose_genes();
 /// The 26 genes of a pose of the whole body, which can lean, bend and crouch too: the pelvis 6,
 /// then those of the upper body, trunk and neck with the limits of people.
@@ -35,12 +34,14 @@ std::span<const PoseGene> whole_body_genes();
 std::span<const PoseGene> waist_up_genes();
 /// Returns the pose that they stand for, balanced over the feet of `start`.
 motion::Pose waist_up_pose_of(const motion::Figure& figure, const motion::Pose& start,
-                              std::span<const Gene> values);
+                              std::span<const Gene> values, GeneMap map = GeneMap::limits);
 
 /// Returns the standing pose with what the genes of a table stand for, balanced over the feet of
 /// `start`, which stands there. `values` has one gene for each of `genes`. Half of the trunk's
-/// angles go to the abdomen and half of the neck's to the neck.
+/// angles go to the abdomen and half of the neck's to the neck. Of the pelvis, which has no limits,
+/// there must be no genes with GeneMap::full_turn.
 motion::Pose pose_of(const motion::Figure& figure, const motion::Pose& start,
-                     std::span<const PoseGene> genes, std::span<const Gene> values);
+                     std::span<const PoseGene> genes, std::span<const Gene> values,
+                     GeneMap map = GeneMap::limits);
 
 }  // namespace flinch::evolve

@@ -148,8 +148,8 @@ std::span<const PoseGene> PoseTrial::genes() const {
 
 motion::Pose PoseTrial::pose(const Chromosome& chromosome) const {
   if (options_.simulation.figure == sim::FigureKind::waist_up)
-    return waist_up_pose_of(figure_, start_, chromosome);
-  return pose_of(figure_, start_, pose_genes(), chromosome);
+    return waist_up_pose_of(figure_, start_, chromosome, options_.gene_map);
+  return pose_of(figure_, start_, pose_genes(), chromosome, options_.gene_map);
 }
 
 motion::Motion PoseTrial::motion_to(const motion::Pose& pose, JointFailure failure) const {

@@ -36,6 +36,7 @@ struct TrialOptions {
   ThreatGrid grid;
   Style style = Style::free;
   PainMap pain = thesis_pain();
+  GeneMap gene_map = GeneMap::limits;
   bool fails_joints = true;  ///< all of kJointFailures, or none alone
   bool are_limp = false;     ///< whether failed shoulders have no torque, or stay as they were
   /// Terms that the thesis leaves to future work (sections 6.2.1 and 6.2.2), off by default: what a

@@ -9,7 +9,9 @@ import sqlite3
 import subprocess
 import time
 import unittest
+import unittest.mock
 
+import takes
 from flinch_program import FLINCH, ProgramTest, make_library
 
 DOCS = pathlib.Path(__file__).resolve().parents[2] / "docs"
@@ -176,6 +178,15 @@ class Evolve(ProgramTest):
         self.assertEqual(self.out.read_bytes(), expected.read_bytes())
         self.assertFalse(unfinished.exists())
 
+    def test_reads_genes_as_angles_of_a_full_turn_if_asked(self):
+        small = ["--population", 8, "--generations", 1]
+        for name, options in [("limits", []), ("also_limits", ["--gene-map", "limits"]),
+                              ("turned", ["--gene-map", "full_turn"])]:
+            self.succeed("evolve", self.library, "--out", self.folder / name, *small, *options)
+        limits = (self.folder / "limits").read_bytes()
+        self.assertEqual((self.folder / "also_limits").read_bytes(), limits)
+        self.assertNotEqual((self.folder / "turned").read_bytes(), limits)
+
     def test_runs_the_character_of_the_thesis(self):
         self.succeed("author", "--character", "waist_up_man", "--out", self.library, "--force")
         thesis = [*self.SMALL, "--figure", "waist_up", "--failed-joints", "limp"]
@@ -219,6 +230,7 @@ class Evolve(ProgramTest):
         for arguments, text in [(["--azimuth", 30], "leave out --azimuth"),
                                 (["--style", "hands"], "leave out --style"),
                                 (["--figure", "waist_up"], "leave out --figure"),
+                                (["--gene-map", "full_turn"], "leave out --gene-map"),
                                 (["--failed-joints", "limp"], "leave out --failed-joints"),
                                 (["--limit-weight", 1], "leave out --limit-weight"),
                                 (["--extension-weight", 1], "leave out --extension-weight")]:
@@ -239,6 +251,7 @@ class Evolve(ProgramTest):
                 (2, ["--speed", 1], "not in range"),
                 (2, ["--figure", "robot"], "people"),
                 (2, ["--failed-joints", "broken"], "idle"),
+                (2, ["--gene-map", "half_turn"], "full_turn"),
                 (2, ["--limit-weight", -1], "not in range"),
                 (2, ["--extension-weight", "inf"], "not in range"),
                 (1, ["--population", 0], "a population of 0; it must be even"),
@@ -253,6 +266,24 @@ class Evolve(ProgramTest):
                 self.assertIn(text, line)
         self.assertIn("input", self.fail_with(1, "evolve", self.library, "--out", self.library))
         self.fail_with(1, "evolve", pain, "--out", self.out)
+        self.assertFalse(self.out.exists())
+
+    def test_a_character_without_arms_or_an_idle_makes_no_library_to_evolve(self):
+        whole = self.folder / "whole.bvh"
+        whole.write_text(takes.take(60, lambda time_s: 20))
+        armless = self.folder / "armless.bvh"
+        has_arm = ("Shoulder", "Arm", "Hand")
+        joints = [joint for joint in takes.JOINTS if not joint[0].endswith(has_arm)]
+        with unittest.mock.patch.object(takes, "JOINTS", joints):
+            armless.write_text(takes.take(60, lambda time_s: 0))
+        manifest = self.folder / "library.toml"
+        manifest.write_text('[[clip]]\nname = "a"\nfile = "whole.bvh"\n')
+        line = self.fail_with(1, "import", armless, "--out", self.out)
+        for text in ("armless.bvh: ", "left_upper_arm", "map it in a TOML file"):
+            self.assertIn(text, line)
+        self.assertIn("has no [[idle]]: give the motion that responses start from",
+                      self.fail_with(1, "import", self.folder, "--manifest", manifest,
+                                     "--out", self.out))
         self.assertFalse(self.out.exists())
 
 

@@ -25,6 +25,33 @@ TEST(Gene, StandsForTheAngleOfEquation45) {
   EXPECT_NEAR(value_of(200, turn) - value_of(0, turn), 1.0986 * std::numbers::pi / 180, 1e-5);
 }
 
+TEST(GeneMap, OfLimitsSpansThemAndOfAFullTurnIsEquation45HeldAtThem) {
+  const GeneRange elbow{0, 2.4};
+  EXPECT_DOUBLE_EQ(angle_of(0, elbow, GeneMap::limits), 0);
+  EXPECT_DOUBLE_EQ(angle_of(kMaxGene, elbow, GeneMap::limits), 2.4);
+  EXPECT_NEAR(angle_of(kMaxGene / 2, elbow, GeneMap::limits), 1.2, 1e-4);
+  // 2 pi i / i_max - pi: a quarter of the turn is pi / 2, half of the genes stand for angles below
+  // 0, and a ninth of them for angles above the limit.
+  EXPECT_NEAR(angle_of(49151, elbow, GeneMap::full_turn), std::numbers::pi / 2, 1e-4);
+  EXPECT_EQ(angle_of(kMaxGene / 2, elbow, GeneMap::full_turn), 0);
+  EXPECT_EQ(angle_of(0, elbow, GeneMap::full_turn), 0);
+  EXPECT_EQ(angle_of(kMaxGene, elbow, GeneMap::full_turn), 2.4);
+  int below = 0;
+  int above = 0;
+  for (int gene = 0; gene <= kMaxGene; ++gene) {
+    const double angle = angle_of(static_cast<Gene>(gene), elbow, GeneMap::full_turn);
+    below += angle == elbow.min ? 1 : 0;
+    above += angle == elbow.max ? 1 : 0;
+  }
+  EXPECT_EQ(below, 32768);
+  EXPECT_NEAR(above / 65536.0, (std::numbers::pi - 2.4) / (2 * std::numbers::pi), 1e-4);
+}
+
+TEST(GeneMap, OfAFullTurnHasNoEndsWhileLimitsDo) {
+  EXPECT_EQ(ends_of(GeneMap::full_turn), GeneEnds::wrap);
+  EXPECT_EQ(ends_of(GeneMap::limits), GeneEnds::reflect);
+}
+
 TEST(Crossover, TakesWholeGenesOfBothParentsAndNoOthers) {
   const Chromosome head{1, 2, 3, 4, 5};
   const Chromosome tail{11, 12, 13, 14, 15};

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "database/author/stance.h"
 #include "motion/default_character.h"
@@ -78,6 +79,43 @@ TEST_F(PoseGenesTest, EveryGeneTurnsItsOwnJointByItsAngleAndNoOther) {
           << genes[i].joint << " " << genes[i].axis;
     }
   }
+}
+
+TEST_F(PoseGenesTest, WithEquation45EveryJointTurnsByTheAngleHeldAtItsLimits) {
+  int held = 0;
+  for (int k = 0; k < tests::samples(100); ++k) {
+    const Chromosome chromosome = random_chromosome(pose_genes());
+    const motion::JointFrames frames = forward_kinematics(
+        figure_.skeleton(), pose_of(figure_, start_, pose_genes(), chromosome, GeneMap::full_turn));
+    for (std::size_t i = 0; i < pose_genes().size(); ++i) {
+      const PoseGene& gene = pose_genes()[i];
+      const motion::JointLimits& limits = motion::joint_limits_named(gene.joint);
+      const Eigen::Vector3f angles =
+          joint_angles(limits, relative_rotation(frames, limits.from, limits.to));
+      const double wanted = 2 * std::numbers::pi * chromosome[i] / 65535 - std::numbers::pi;
+      const double expected = std::min(std::max(wanted, gene.range.min), gene.range.max);
+      EXPECT_NEAR(angles[gene.axis], expected, 2e-3) << gene.joint << " " << gene.axis;
+      held += expected != wanted ? 1 : 0;
+    }
+  }
+  EXPECT_GT(held, tests::samples(100) * 10);  // most of the 20: a reason for the default map
+}
+
+TEST_F(PoseGenesTest, TheThesisCharacterReadsEquation45Too) {
+  const std::span<const PoseGene> genes = waist_up_genes();
+  Chromosome turned(genes.size());
+  Chromosome direct(genes.size());
+  for (std::size_t i = 0; i < genes.size(); ++i) {
+    turned[i] = static_cast<Gene>(random_.index(65536));
+    const GeneRange& range = genes[i].range;
+    const double angle = angle_of(turned[i], range, GeneMap::full_turn);
+    direct[i] =
+        static_cast<Gene>(std::lround((angle - range.min) / (range.max - range.min) * kMaxGene));
+  }
+  const motion::Pose a = waist_up_pose_of(figure_, start_, turned, GeneMap::full_turn);
+  const motion::Pose b = waist_up_pose_of(figure_, start_, direct);
+  for (const Role role : motion::kRoles)
+    EXPECT_LT(a.rotation[role].angularDistance(b.rotation[role]), 2e-3F);
 }
 
 TEST_F(PoseGenesTest, PosesKeepHumanLimitsAndStandBalancedOnTheSameFeet) {

@@ -211,6 +211,22 @@ TEST_F(PoseTrialTest, NearAndFarCountTheDistanceOfTheFirstContactWithOppositeSig
   }
 }
 
+TEST_F(PoseTrialTest, ReadsChromosomesByItsMapOfGenes) {
+  TrialOptions turned = options();
+  turned.gene_map = GeneMap::full_turn;
+  const PoseTrial trial(character_, idle_, turned);
+  const Chromosome chromosome = chromosomes(1)[0];
+  const motion::Pose expected =
+      pose_of(trial.figure(), trial.start(), pose_genes(), chromosome, GeneMap::full_turn);
+  const motion::Pose other = PoseTrial(character_, idle_, options()).pose(chromosome);
+  float moved = 0;
+  for (const Role role : motion::kRoles) {
+    EXPECT_EQ(trial.pose(chromosome).rotation[role].coeffs(), expected.rotation[role].coeffs());
+    moved = std::max(moved, other.rotation[role].angularDistance(expected.rotation[role]));
+  }
+  EXPECT_GT(moved, 0.1F);
+}
+
 TEST_F(PoseTrialTest, RefusesThrowsThatNoPoseCanAnswer) {
   TrialOptions slow = options();
   slow.thrown.speed_mps = 3;
