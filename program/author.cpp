@@ -79,6 +79,7 @@ void run_author(const AuthorOptions& options) {
   database::ClipLibrary library =
       database::authored_library(character_of(options), options.startle);
   check_outputs(options, &library);
+  library.provenance = database::authored_provenance(options.character, options.startle);
   library.hash = database::write_library(library, options.library);
   if (options.gallery) draw_gallery(library, *options.gallery);
   const std::string idle = library.idle_clip().name;

@@ -49,11 +49,12 @@ std::vector<train::Method> methods_of(const CompareOptions& options) {
 
 train::ComparisonPlan plan_of(const CompareOptions& options) {
   train::ComparisonPlan plan;
-  plan.version = FLINCH_VERSION;
   plan.feature_set = options.features;
   plan.methods = methods_of(options);
   plan.brawn = options.cost.brawn;
   plan.vulnerability = vulnerability_of(options.cost);
+  plan.vulnerability_choice = options.cost.vulnerability;
+  plan.pain_choice = options.cost.pain;
   plan.curves = options.curves;
   plan.transfer = options.transfer;
   plan.ablation = options.ablation;

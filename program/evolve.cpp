@@ -4,10 +4,12 @@
 #include <iostream>
 #include <memory>
 
+#include "database/files/provenance.h"
 #include "evolve/run/evolution_file.h"
 #include "evolve/trial/pose_trial.h"
 #include "motion/error.h"
 #include "program/threat_options.h"
+#include "train/report/cost_provenance.h"
 
 namespace flinch::program {
 
@@ -74,6 +76,31 @@ void check_evolve_outputs(const EvolveOptions& options, std::string_view log_hea
   database::check_outputs(
       outputs, {options.library, options.pain.value_or(""), vulnerability_file(options.cost)},
       overwrite_of(options.force));
+}
+
+std::string evolved_provenance(const EvolveOptions& options, const database::ClipLibrary& from) {
+  const EvolveOptions usual;
+  database::Provenance made{.command = "evolve", .seed = options.seed};
+  made.inputs.push_back({"library", "", from.hash, from.provenance});
+  add_option("weakest", options.weakest, made);
+  add_option("scenarios", options.scenarios, usual.scenarios, made);
+  train::add_cost_options({options.cost.brawn, options.cost.vulnerability, {}}, made);
+  add_option("target", options.target, usual.target, made);
+  add_option("azimuth", options.azimuth, usual.azimuth, made);
+  add_option("elevation", options.elevation, usual.elevation, made);
+  add_option("speed", options.speed_mps, usual.speed_mps, made);
+  add_option("style", options.style, usual.style, made);
+  add_option("population", options.population, made);
+  add_option("tournament", options.tournament, usual.tournament, made);
+  add_option("mutation", options.mutation, usual.mutation, made);
+  add_option("gene-map", options.gene_map, usual.gene_map, made);
+  add_option("generations", options.generations, made);
+  if (options.pain) add_inputs("pain", {*options.pain}, made);
+  add_option("figure", options.figure, usual.figure, made);
+  add_option("failed-joints", options.failed_joints, usual.failed_joints, made);
+  add_option("limit-weight", options.limit_weight, usual.limit_weight, made);
+  add_option("extension-weight", options.extension_weight, usual.extension_weight, made);
+  return database::provenance_text(made);
 }
 
 void throw_interrupted(const EvolveOptions& options, std::size_t generations) {

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "database/files/output_check.h"
+#include "database/library/library.h"
 #include "evolve/genetic/evolution.h"
 #include "program/command.h"
 
@@ -56,6 +57,9 @@ std::string unfinished_file(const EvolveOptions& options);
 /// Checks all files that the command writes, of which the log begins with `log_header`. Throws
 /// Error.
 void check_evolve_outputs(const EvolveOptions& options, std::string_view log_header);
+
+/// The provenance of the library that a run makes from another. Throws Error.
+std::string evolved_provenance(const EvolveOptions& options, const database::ClipLibrary& from);
 
 /// Tells how to continue a run of this many generations. Throws Error.
 [[noreturn]] void throw_interrupted(const EvolveOptions& options, std::size_t generations);

@@ -133,6 +133,7 @@ void run_evolve_throw(const EvolveOptions& options) {
   run.threads = options.threads.value_or(omp_get_num_procs());
   run.stop = &catch_interrupts();
   database::ClipLibrary library = database::load_library(options.library);
+  const std::string provenance = evolved_provenance(options, library);
   const evolve::TrialOptions tried = trial_options(options, library);
   run.genetic.ends = ends_of(tried.gene_map);
   const evolve::PoseTrial trial(library.character, library.idle_clip().motion, tried);
@@ -162,6 +163,7 @@ void run_evolve_throw(const EvolveOptions& options) {
   const evolve::EvolvedPose pose =
       chosen_pose(trial, run, evolution, library.idle_clip(), description);
   evolve::add_clip(pose.clip.clip, library);
+  library.provenance = provenance;
   library.hash = database::write_library(library, options.out);
   std::filesystem::remove(unfinished);
   const double pain_ns =

@@ -162,6 +162,7 @@ void run_evolve_weakest(const EvolveOptions& options) {
   weakest.threads = options.threads.value_or(omp_get_num_procs());
   weakest.stop = &catch_interrupts();
   database::ClipLibrary library = database::load_library(options.library);
+  const std::string provenance = evolved_provenance(options, library);
   const std::string key = key_of(options, library, weakest);
   EvolutionSeries series =
       evolve::read_evolution(unfinished, key, weakest.genetic.population, evolve::clip_gene_count())
@@ -181,6 +182,7 @@ void run_evolve_weakest(const EvolveOptions& options) {
     mended = mend_weakest(weakest, report, library, series);
   }
   if (!mended) throw_interrupted(options, generations_of(series));
+  library.provenance = provenance;
   library.hash = database::write_library(library, options.out);
   std::filesystem::remove(unfinished);
   print_result(options, library, *mended);

@@ -12,10 +12,10 @@
 #include "program/bvh_options.h"
 #include "program/command.h"
 #include "program/printable.h"
+#include "program/provenance_view.h"
 #include "program/quality.h"
+#include "program/selector_view.h"
 #include "program/table.h"
-#include "train/fit/selector_reader.h"
-#include "train/objective/vulnerability.h"
 #include "train/store/file_opening.h"
 #include "train/store/store.h"
 #include "train/store/store_schema.h"
@@ -64,6 +64,7 @@ Json library_document(const database::ClipLibrary& library) {
   return {{"kind", "library"},
           {"name", library.name},
           {"hash", database::hash_text(library.hash)},
+          {"provenance", provenance_document(library.provenance, library.name)},
           {"rate_hz", shortest(library.rate_hz)},
           {"mass_kg", shortest(library.character.mass_kg)},
           {"sex", motion::name_of(library.character.sex)},
@@ -118,7 +119,8 @@ void print_library(const database::ClipLibrary& library) {
             << '\n'
             << library.clips.size() << " clips at " << library.rate_hz << " Hz, idle "
             << printable(library.idle_clip().name) << ", " << motion::name_of(library.character.sex)
-            << " of " << library.character.mass_kg << " kg\n\n"
+            << " of " << library.character.mass_kg << " kg\n"
+            << provenance_lines(library.provenance, library.name) << '\n'
             << table.text();
 }
 
@@ -144,20 +146,6 @@ struct StoreView {
   train::StoreContents contents;
 };
 
-/// A description in a store's header. Throws Error unless it is JSON as `flinch simulate` writes
-/// it; printing one that is nested deeply would overflow the stack.
-Json description(const std::string& text, const std::string& path) {
-  constexpr int kMaxDepth = 6;
-  const Error error(path, train::kDamagedStore);
-  const auto require_flat = [&error](int depth, Json::parse_event_t, const Json&) {
-    if (depth > kMaxDepth) throw Error(error);
-    return true;
-  };
-  Json document = Json::parse(text, require_flat, false);
-  if (!document.is_object()) throw Error(error);
-  return document;
-}
-
 Json store_document(const StoreView& view) {
   const train::StoreSummary& store = view.summary;
   const train::StoreHeader& header = store.header;
@@ -168,6 +156,8 @@ Json store_document(const StoreView& view) {
                      {"annotation", to_json(header.clips[i])}});
   }
   return {{"kind", "store"},
+          {"hash", database::hash_text(view.contents.hash)},
+          {"provenance", provenance_document(header.provenance, view.path)},
           {"first", store.range.first},
           {"scenarios", store.observation_count},
           {"trials", view.contents.trials},
@@ -179,8 +169,8 @@ Json store_document(const StoreView& view) {
           {"seed", header.seed},
           {"library", header.library_name},
           {"library_hash", database::hash_text(header.library_hash)},
-          {"distribution", description(header.distribution, view.path)},
-          {"simulation", description(header.simulation, view.path)},
+          {"distribution", description(header.distribution, view.path, train::kDamagedStore)},
+          {"simulation", description(header.simulation, view.path, train::kDamagedStore)},
           {"reference_impulse_ns", header.reference_impulse_ns},
           {"reference_work_j", header.reference_work_j},
           {"idle", header.clips[static_cast<std::size_t>(header.idle)].name},
@@ -206,130 +196,12 @@ void print_store(const StoreView& view) {
                                     : "")
             << "; " << fixed(static_cast<double>(view.contents.bytes) / 1e6, 1) << " MB, "
             << fixed(view.bytes_per_scenario(), 0)
-            << " bytes per scenario without the library\ndistribution "
+            << " bytes per scenario without the library\nhash "
+            << database::hash_text(view.contents.hash) << '\n'
+            << provenance_lines(header.provenance, view.path) << "distribution "
             << printable(header.distribution) << "\nsimulation " << printable(header.simulation)
             << "\n\n"
             << table.text();
-}
-
-std::size_t pose_count(const database::ClipLibrary& library) {
-  std::size_t count = 0;
-  for (const motion::Clip& clip : library.clips) count += clip.motion.poses.size();
-  return count;
-}
-
-Json model_document(const models::SvmModel& svm) {
-  return {{"model", svm.kernel == models::SvmKernel::rbf ? "svm_rbf" : "svm"},
-          {"classes", svm.class_count()},
-          {"support_vectors", svm.vector_count()}};
-}
-
-Json model_document(const models::KnnModel& knn) {
-  return {{"model", knn.vote == models::KnnVote::cost ? "knn_cost" : "knn"},
-          {"k", knn.k},
-          {"observations", knn.label.size()}};
-}
-
-Json model_document(const models::NetworkModel& network) {
-  return {{"model", "network"},
-          {"members", network.member_count},
-          {"hidden", network.hidden_count},
-          {"classes", network.clip.size()}};
-}
-
-Json model_document(const models::PairwiseModel& pairwise) {
-  return {{"model", "pairwise_cost"},
-          {"classes", pairwise.clip.size()},
-          {"machines", pairwise.weights.size() / pairwise.row_size()}};
-}
-
-/// The name of a selector's vulnerability table. Files written before it was stored have none.
-std::string vulnerability_name(const models::ResponseCosts& costs) {
-  if (!costs.vulnerability_name.empty()) return costs.vulnerability_name;
-  const std::string_view shipped = train::shipped_name_of(costs.vulnerability);
-  return shipped.empty() ? "unnamed" : std::string(shipped);
-}
-
-Json vulnerability_document(const motion::PerBody<double>& vulnerability) {
-  Json document;
-  for (const motion::Body body : motion::kBodies)
-    document[std::string(name_of(body))] = vulnerability[body];
-  return document;
-}
-
-Json kinds_document(std::span<const features::KnownKind> kinds) {
-  const auto range = [](const features::ValueRange& of) { return Json::array({of.min, of.max}); };
-  Json list = Json::array();
-  for (const features::KnownKind& kind : kinds) {
-    list.push_back({{"name", kind.name},
-                    {"radius_m", range(kind.radius_m)},
-                    {"mass_kg", range(kind.mass_kg)},
-                    {"speed_mps", range(kind.speed_mps)},
-                    {"elevation_degrees",
-                     {rounded_degrees(kind.elevation.min), rounded_degrees(kind.elevation.max)}},
-                    {"time_to_impact_s", range(kind.time_to_impact_s)},
-                    {"restitution", kind.bounce.restitution},
-                    {"friction", kind.bounce.friction},
-                    {"flight", kind.falls ? "falling" : "straight"},
-                    {"shape", name_of(kind.shape)}});
-    if (kind.is_driven()) list.back()["reach_m"] = range(kind.reach_m);
-    if (kind.shape == features::ThreatShape::rod)
-      list.back()["length_m"] = range(kind.rod.length_m);
-  }
-  return list;
-}
-
-Json selector_document(const runtime::SelectorFile& file) {
-  const models::Selector& selector = file.selector;
-  Json clips = Json::array();
-  for (const models::ClipSummary& clip : selector.clips)
-    clips.push_back({{"name", clip.name}, {"annotation", to_json(clip)}});
-  Json document{{"kind", "selector"},
-                {"library_hash", database::hash_text(selector.library_hash)},
-                {"brawn", selector.brawn},
-                {"features", selector.layout.names()},
-                {"threats", kinds_document(selector.kinds)}};
-  if (selector.costs) {
-    document["vulnerability_name"] = vulnerability_name(*selector.costs);
-    document["vulnerability"] = vulnerability_document(selector.costs->vulnerability);
-    for (const features::KindVulnerability& own : selector.costs->of_kind) {
-      const std::string& kind = selector.kinds[static_cast<std::size_t>(own.kind)].name;
-      document["vulnerability_to"][kind] = vulnerability_document(own.vulnerability);
-    }
-  }
-  document.update(
-      std::visit([](const auto& model) { return model_document(model); }, selector.model));
-  document["idle"] = selector.clips[static_cast<std::size_t>(selector.idle)].name;
-  document["clips"] = clips;
-  document["has_clips"] = file.library.has_value();
-  if (file.library) {
-    document["library"] = file.library->name;
-    document["poses"] = pose_count(*file.library);
-  }
-  return document;
-}
-
-void print_selector(const runtime::SelectorFile& file) {
-  const Json document = selector_document(file);
-  std::cout << "selector for library " << document["library_hash"].get<std::string>();
-  for (const char* key : {"model", "classes", "support_vectors", "k", "observations", "members",
-                          "hidden", "machines", "brawn", "vulnerability_name"})
-    if (document.contains(key))
-      std::cout << '\n'
-                << key << ": "
-                << (document[key].is_string() ? document[key].get<std::string>()
-                                              : document[key].dump());
-  std::cout << "\nthreats: ";
-  for (const features::KnownKind& kind : file.selector.kinds)
-    std::cout << (&kind == &file.selector.kinds.front() ? "" : ", ") << printable(kind.name);
-  std::cout << "\nclips: " << file.selector.clips.size();
-  if (file.library) {
-    std::cout << ", in this file: " << pose_count(*file.library) << " poses at "
-              << file.library->rate_hz << " Hz of library " << printable(file.library->name)
-              << '\n';
-  } else {
-    std::cout << ", without motion in this file: train it again to respond with it\n";
-  }
 }
 
 void print_source(const database::SourceReport& source) {
@@ -384,8 +256,7 @@ void run_info(const InfoOptions& options) {
     case FileKind::store:
       return show(options, StoreView(options.file), store_document, print_store);
     case FileKind::selector:
-      return show(options, train::load_selector_file(options.file), selector_document,
-                  print_selector);
+      return show(options, SelectorView(options.file), selector_document, print_selector);
     case FileKind::bvh:
     case FileKind::fbx:
     case FileKind::gltf:

@@ -212,6 +212,7 @@ void simulate(const SimulateOptions& options, train::Messenger& messenger) {
   }
   train::SimulationPlan plan;
   plan.distribution = train::find_threats(options.threats);
+  plan.threats = options.threats;
   const database::ClipLibrary library = database::load_library(options.library);
   plan.distribution.stances = stance_shares(options.stances, library);
   plan.seed = options.seed;

@@ -13,6 +13,7 @@
 #include "train/fit/selector_writer.h"
 #include "train/fit/training.h"
 #include "train/report/report.h"
+#include "train/report/selector_record.h"
 #include "train/store/store.h"
 
 namespace flinch::program {
@@ -58,6 +59,16 @@ train::FixedParameters fixed_parameters(const TrainOptions& options) {
           .degree = options.degree,
           .coef0 = options.coef0,
           .libsvm_defaults = options.parameters == kParameterSources[1]};
+}
+
+train::SelectorChoice choice_of(const TrainOptions& options) {
+  return {.method = *train::method_named(options.model),
+          .feature_set = options.features,
+          .brawn = options.cost.brawn,
+          .vulnerability = options.cost.vulnerability,
+          .pain = options.cost.pain,
+          .seed = options.seed,
+          .fixed = fixed_parameters(options)};
 }
 
 Json summary_of(const TrainOptions& options, const train::Store& store,
@@ -107,7 +118,9 @@ void run_train(const TrainOptions& options) {
   const train::Training training = train::train_selector(
       store.header, store.observations, cost_model, *train::method_named(options.model),
       options.seed.value_or(store.header.seed), fixed_parameters(options));
-  train::write_selector(training.selector, store.header.library_file, options.selector);
+  const train::SelectorRecord record =
+      train::make_selector_record(choice_of(options), store, training);
+  train::write_selector(training.selector, store.header.library_file, &record, options.selector);
   const Json summary = summary_of(options, store, vulnerability.name, training);
   if (options.json) {
     print(summary);

@@ -2,9 +2,12 @@
 #include <algorithm>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <set>
 
+#include "database/files/file_io.h"
 #include "database/files/library_writer.h"
+#include "database/files/provenance.h"
 #include "motion/error.h"
 #include "program/command.h"
 #include "program/printable.h"
@@ -34,6 +37,22 @@ std::string judge_of(const std::vector<train::Label>& labels) {
                                                : "proxy: measured bounds, and people";
 }
 
+/// The selector's record, to which the labels are added; none where it has none.
+std::optional<train::SelectorRecord> record_with_labels(const TrainRealismOptions& options) {
+  const std::string bytes = database::read_file(options.selector);
+  std::optional<train::SelectorRecord> record =
+      train::read_selector_record(std::as_bytes(std::span(bytes)), options.selector);
+  if (!record) return record;
+  std::optional<database::Provenance> made = database::provenance_of(record->provenance);
+  if (!made) throw Error(options.selector, "its provenance is damaged; run `flinch train` again");
+  std::erase_if(made->options, [](const auto& option) { return option.first == "realism"; });
+  std::erase_if(made->inputs, [](const auto& input) { return input.role == "labels"; });
+  made->options.emplace_back("realism", options.realism);
+  add_inputs("labels", {options.labels}, *made);
+  record->provenance = database::provenance_text(*made);
+  return record;
+}
+
 void run_train_realism(const TrainRealismOptions& options) {
   runtime::SelectorFile file = train::load_selector_file(options.selector);
   if (!file.library)
@@ -58,9 +77,11 @@ void run_train_realism(const TrainRealismOptions& options) {
   train::RealismAgreement held_out;
   if (sittings.size() > 1) held_out = train::held_out_agreement(all, kind);
 
+  std::optional<train::SelectorRecord> record = record_with_labels(options);
   file.selector.realism = train::fit_realism(all, kind, judge);
   const std::string library = database::library_bytes(*file.library);
-  train::write_selector(file.selector, std::as_bytes(std::span(library)), options.selector);
+  train::write_selector(file.selector, std::as_bytes(std::span(library)),
+                        record ? &*record : nullptr, options.selector);
   if (options.json) {
     print({{"kind", "realism"},
            {"file", options.selector},

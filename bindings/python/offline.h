@@ -19,6 +19,7 @@ struct Scenarios {
   /// Reads a store; the features are those of a set (features::feature_sets()).
   Scenarios(const std::filesystem::path& path, const std::string& features);
 
+  std::string feature_set;
   train::Store store;
   pybind11::dict arrays;  ///< by name; made once, and not writable
 };

@@ -68,6 +68,10 @@ void save(ClipLibrary& library, const std::filesystem::path& path, bool force) {
   library.hash = database::write_library(library, path.string());
 }
 
+std::optional<std::string> text_of(const std::optional<std::filesystem::path>& path) {
+  return path ? std::optional(path->string()) : std::nullopt;
+}
+
 ClipLibrary author(const std::optional<std::filesystem::path>& character, bool startle,
                    const py::object& progress) {
   ClipLibrary made;
@@ -76,6 +80,7 @@ ClipLibrary author(const std::optional<std::filesystem::path>& character, bool s
     made = database::authored_library(
         character ? database::find_character(character->string()) : motion::default_character(),
         startle);
+    made.provenance = database::authored_provenance(text_of(character), startle);
   });
   return made;
 }
@@ -86,10 +91,6 @@ std::optional<Value> named(const std::optional<std::string>& name, std::optional
                            const char* what) {
   if (name && !value) throw py::value_error("there is no " + std::string(what) + ' ' + *name);
   return value;
-}
-
-std::optional<std::string> text_of(const std::optional<std::filesystem::path>& path) {
-  return path ? std::optional(path->string()) : std::nullopt;
 }
 
 std::vector<std::string> notes_of(const database::ImportReport& report) {

@@ -35,6 +35,7 @@ struct Request {
 train::SimulationProgress run_request(const Request& request, WorkMonitor& monitor) {
   train::SimulationPlan plan;
   plan.distribution = train::find_threats(request.threats);
+  plan.threats = request.threats;
   plan.seed = request.seed;
   const database::ClipLibrary library = database::load_library(request.library);
   const train::SimulationSetup setup(library, plan);

@@ -99,7 +99,7 @@ py::tuple label(const Scenarios& scenarios, double brawn, const std::string& vul
 }  // namespace
 
 Scenarios::Scenarios(const std::filesystem::path& path, const std::string& features)
-    : store(train::read_store(path.string())) {
+    : feature_set(features), store(train::read_store(path.string())) {
   if (features::feature_set_named(features) == nullptr)
     throw py::value_error("there is no set of features " + features);
   derive_features(train::layout_for(features, store.header), store);

@@ -18,6 +18,7 @@
 #include "train/fit/selector_writer.h"
 #include "train/fit/training.h"
 #include "train/report/comparison.h"
+#include "train/report/selector_record.h"
 
 namespace flinch::python {
 
@@ -27,6 +28,7 @@ namespace {
 
 /// A selector that was fitted, with the store that it belongs to.
 struct FittedSelector {
+  train::SelectorChoice choice;
   train::Training training;
   std::shared_ptr<const Scenarios> scenarios;
 };
@@ -46,7 +48,14 @@ FittedSelector fit(std::shared_ptr<const Scenarios> scenarios, const std::string
   const train::Method method = method_of(model);
   const train::CostModel cost_model = cost_model_of(*scenarios, brawn, vulnerability);
   const train::Store& store = scenarios->store;
-  FittedSelector fitted{{}, scenarios};
+  FittedSelector fitted{{.method = method,
+                         .feature_set = scenarios->feature_set,
+                         .brawn = brawn,
+                         .vulnerability = vulnerability,
+                         .seed = seed,
+                         .fixed = fixed},
+                        {},
+                        scenarios};
   run_interruptibly(progress, [&](WorkMonitor& monitor) {
     monitor.tell({"fitting " + model});
     fitted.training = train::train_selector(store.header, store.observations, cost_model, method,
@@ -58,8 +67,10 @@ FittedSelector fit(std::shared_ptr<const Scenarios> scenarios, const std::string
 void save(const FittedSelector& self, const std::filesystem::path& path, bool force) {
   database::check_outputs({{path.string(), database::FileKind::selector, ""}}, {},
                           force ? database::Overwrite::force : database::Overwrite::refuse);
-  train::write_selector(self.training.selector, self.scenarios->store.header.library_file,
-                        path.string());
+  const train::Store& store = self.scenarios->store;
+  const train::SelectorRecord record =
+      train::make_selector_record(self.choice, store, self.training);
+  train::write_selector(self.training.selector, store.header.library_file, &record, path.string());
 }
 
 py::dict parameters_of(const FittedSelector& self) {
@@ -104,7 +115,6 @@ py::object compare(const std::filesystem::path& store,
   if (features::feature_set_named(features) == nullptr)
     throw py::value_error("there is no set of features " + features);
   train::ComparisonPlan plan;
-  plan.version = FLINCH_VERSION;
   plan.feature_set = features;
   for (const std::string& model : models) method_of(model);
   for (const train::Method method : train::methods())  // in the order of flinch compare's rows
@@ -112,6 +122,7 @@ py::object compare(const std::filesystem::path& store,
       plan.methods.push_back(method);
   plan.brawn = brawn;
   plan.vulnerability = train::find_vulnerability(vulnerability);
+  plan.vulnerability_choice = vulnerability;
   plan.curves = curves;
   plan.transfer = transfer;
   plan.ablation = ablation;

@@ -4,10 +4,12 @@
 #include <cmath>
 #include <string>
 
+#include "database/author/character_toml.h"
 #include "database/author/evasion.h"
 #include "database/author/protective_motion.h"
 #include "database/author/stance.h"
 #include "database/author/static_balance.h"
+#include "database/files/provenance.h"
 #include "motion/error.h"
 #include "motion/mirror.h"
 #include "motion/rotation.h"
@@ -180,6 +182,15 @@ ClipLibrary authored_library(const motion::Physique& character, bool with_startl
   }
   library.clips.push_back(guard_clip(context));
   return library;
+}
+
+std::string authored_provenance(const std::optional<std::string>& character, bool with_startle) {
+  Provenance made{.command = "author"};
+  const bool is_file = character && *character != kWaistUpMan;
+  if (!is_file) add_option("character", character, made);
+  add_option("startle", with_startle, false, made);
+  if (is_file) made.inputs.push_back(input_of("character", *character));
+  return provenance_text(made);
 }
 
 }  // namespace flinch::database

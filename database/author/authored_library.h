@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
+#include <string>
+
 #include "database/library/library.h"
 #include "motion/body.h"
 
@@ -13,5 +16,9 @@ namespace flinch::database {
 /// bits. Throws Error where the figure cannot stand or move as the rules require.
 ClipLibrary authored_library(const motion::Physique& character, bool with_startle = false,
                              float rate_hz = 60);
+
+/// The provenance of the library of a character: find_character's argument, or none for the default
+/// one. Throws Error where its file cannot be read.
+std::string authored_provenance(const std::optional<std::string>& character, bool with_startle);
 
 }  // namespace flinch::database

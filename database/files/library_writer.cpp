@@ -79,15 +79,24 @@ Offset<schema::Character> store(FlatBufferBuilder& builder, const motion::Physiq
                                  static_cast<std::uint8_t>(character.sex));
 }
 
-void store(FlatBufferBuilder& builder, const ClipLibrary& library) {
+/// What a file holds beside the library.
+struct Origin {
+  std::string_view provenance;
+  std::uint64_t bare_hash = 0;
+};
+
+void store(FlatBufferBuilder& builder, const ClipLibrary& library, const Origin& origin) {
   const auto name = builder.CreateString(library.name);
   const auto character = store(builder, library.character);
   std::vector<Offset<schema::Clip>> stored;
   for (const motion::Clip& clip : library.clips) stored.push_back(store(builder, clip));
   const auto clips = builder.CreateVector(stored);
+  Offset<flatbuffers::String> provenance;
+  if (!origin.provenance.empty()) provenance = builder.CreateString(origin.provenance);
   schema::FinishLibraryBuffer(
       builder, schema::CreateLibrary(builder, name, character, library.rate_hz,
-                                     static_cast<std::uint32_t>(library.idle), clips));
+                                     static_cast<std::uint32_t>(library.idle), clips, provenance,
+                                     origin.bare_hash));
 }
 
 // Half of the largest file that is read leaves room for everything except poses.
@@ -105,19 +114,9 @@ std::string text_of(const ClipLibrary& library, const LibraryFault& fault) {
          printable_text(library.clips[*fault.clip].name) + ") " + fault.what;
 }
 
-}  // namespace
-
-std::string library_bytes(const ClipLibrary& library) {
-  const std::string where = "library " + printable_text(library.name);
-  if (const auto fault = fault_of(library)) {
-    throw Error(where, "cannot be written: " + text_of(library, *fault));
-  }
-  if (poses_in(library) > kMaxLibraryPoses) {
-    throw Error(where, "cannot be written: holds more than " + std::to_string(kMaxLibraryPoses) +
-                           " poses; split it");
-  }
+std::string sealed_bytes(const ClipLibrary& library, const Origin& origin) {
   FlatBufferBuilder builder;
-  store(builder, library);
+  store(builder, library, origin);
   const std::string_view content(reinterpret_cast<const char*>(builder.GetBufferPointer()),
                                  builder.GetSize());
   const auto seal = make_file_header(format_of(library), bytes_of(content));
@@ -127,10 +126,36 @@ std::string library_bytes(const ClipLibrary& library) {
   return bytes.append(content);
 }
 
+std::uint64_t hash_of_content(const std::string& file) {
+  return content_hash(bytes_of(file).subspan(kFileHeaderSize));
+}
+
+}  // namespace
+
+std::string bare_library_bytes(const ClipLibrary& library) {
+  const std::string where = "library " + printable_text(library.name);
+  if (const auto fault = fault_of(library)) {
+    throw Error(where, "cannot be written: " + text_of(library, *fault));
+  }
+  if (poses_in(library) > kMaxLibraryPoses) {
+    throw Error(where, "cannot be written: holds more than " + std::to_string(kMaxLibraryPoses) +
+                           " poses; split it");
+  }
+  return sealed_bytes(library, {});
+}
+
+std::string library_bytes(const ClipLibrary& library) {
+  const std::string bare = bare_library_bytes(library);
+  if (library.provenance.empty()) return bare;
+  return sealed_bytes(library, {library.provenance, hash_of_content(bare)});
+}
+
 std::uint64_t write_library(const ClipLibrary& library, const std::string& path) {
-  const std::string bytes = library_bytes(library);
-  write_file_atomically(path, bytes);
-  return content_hash(bytes_of(bytes).subspan(kFileHeaderSize));
+  const std::string bare = bare_library_bytes(library);
+  const std::uint64_t hash = hash_of_content(bare);
+  write_file_atomically(
+      path, library.provenance.empty() ? bare : sealed_bytes(library, {library.provenance, hash}));
+  return hash;
 }
 
 ClipLibrary load_library(const std::string& path) {

@@ -10,6 +10,7 @@
 #include <set>
 #include <utility>
 
+#include "database/files/provenance.h"
 #include "database/files/text_encoding.h"
 #include "database/import/loop_closing.h"
 #include "database/import/manifest.h"
@@ -369,6 +370,39 @@ std::string suggestion_of(const std::vector<SkippedFile>& files) {
   return suggested == files.end() ? "" : suggested->suggestion;
 }
 
+/// The roles as a manifest has them: head="Bip01 Head".
+std::string text_of(const RoleOverrides& roles) {
+  std::string text;
+  for (const auto& [role, joint] : roles)
+    text += (text.empty() ? "" : ", ") + std::string(motion::name_of(role)) + "=\"" + joint + '"';
+  return text;
+}
+
+template <class Name>
+std::optional<std::string_view> name_of_given(const std::optional<Name>& given) {
+  return given ? std::optional(name_of(*given)) : std::nullopt;
+}
+
+std::string imported_provenance(const std::optional<std::string>& manifest,
+                                const ImportOptions& options, const ImportReport& report) {
+  const SourceOptions& source = options.source;
+  Provenance made{.command = "import"};
+  add_option("rate", options.rate_hz, made);
+  add_option("unit", name_of_given(source.unit), made);
+  add_option("up", name_of_given(source.up), made);
+  add_option("roles", text_of(source.roles), std::string(), made);
+  add_option("rate-of-file", source.frames.rate_hz, made);
+  if (source.frames.range) made.options.emplace_back("frames", text_of(*source.frames.range));
+  add_option("skip-first", source.frames.skip_first, made);
+  if (manifest) add_inputs("manifest", {*manifest}, made);
+  if (options.skeleton) add_inputs("skeleton", {*options.skeleton}, made);
+  if (source.rest) add_inputs("rest", {*source.rest}, made);
+  std::vector<std::string> files;
+  for (const SourceReport& used : report.sources) files.push_back(used.path);
+  add_inputs("motion", files, made);
+  return provenance_text(made);
+}
+
 }  // namespace
 
 UnusableFiles::UnusableFiles(const std::string& where, std::vector<SkippedFile> files)
@@ -377,8 +411,10 @@ UnusableFiles::UnusableFiles(const std::string& where, std::vector<SkippedFile> 
 ImportResult import_library(const std::vector<std::string>& paths,
                             const std::optional<std::string>& manifest_path,
                             const ImportOptions& options) {
-  return manifest_path ? import_with_manifest(paths, *manifest_path, options)
-                       : import_without_manifest(paths, options);
+  ImportResult result = manifest_path ? import_with_manifest(paths, *manifest_path, options)
+                                      : import_without_manifest(paths, options);
+  result.library.provenance = imported_provenance(manifest_path, options, result.report);
+  return result;
 }
 
 std::vector<std::string> manifest_files(const std::vector<std::string>& paths,

@@ -25,9 +25,10 @@ struct ClipLibrary {
   float rate_hz = 60;               ///< poses per second
   std::vector<motion::Clip> clips;  ///< their indices name them everywhere else
   int idle = 0;  ///< index of the clip that characters stand in, which is always a choice
-  /// Hash of the file's content, which identifies the library in stores and selectors. Reading and
-  /// writing set it.
+  /// Hash of the file's content without the provenance, which identifies the library in stores and
+  /// selectors. Reading and writing set it.
   std::uint64_t hash = 0;
+  std::string provenance{};  ///< how it was made (database/files/provenance.h), or empty
 
   /// By index, which must be one of `clips`.
   const motion::Clip& clip(int index) const { return clips[static_cast<std::size_t>(index)]; }

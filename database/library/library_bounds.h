@@ -17,6 +17,9 @@ inline constexpr std::size_t kMaxPoses = 1'000'000;  ///< of one clip
 inline constexpr std::size_t kMaxNameSize = 255;     ///< bytes of a name or kind
 inline constexpr std::size_t kMaxSourceSize = 4096;  ///< bytes of a clip's source, which has a path
 
+/// Bytes of the text that tells how a library, a store or a selector was made.
+inline constexpr std::size_t kMaxProvenanceSize = std::size_t{1} << 20;
+
 inline constexpr float kMinRate_hz = 1;
 inline constexpr float kMaxRate_hz = 1000;
 inline constexpr float kMinMass_kg = 1;

@@ -163,6 +163,8 @@ std::optional<LibraryFault> fault_of(const ClipLibrary& library) {
     return whole("the rate is not between 1 Hz and 1000 Hz");
   }
   if (const char* what = fault_of(library.character)) return whole(what);
+  if (!is_text(library.provenance, kMaxProvenanceSize))
+    return whole("the provenance is longer than 1 MiB or has control characters");
   if (library.idle < 0 || static_cast<std::size_t>(library.idle) >= library.clips.size()) {
     return whole("there is no idle clip");
   }

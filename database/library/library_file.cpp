@@ -90,7 +90,10 @@ bool read_clip(const schema::Clip& stored, float rate_hz, motion::Clip& clip) {
 bool has_bounded_size(const schema::Library& stored, std::size_t content_size) {
   if (stored.clips()->size() > kMaxClips) return false;
   UnfoldedSize unfolded;
-  unfolded.add(stored.name()).add(stored.character()->offsets()).add(stored.character()->tips());
+  unfolded.add(stored.provenance())
+      .add(stored.name())
+      .add(stored.character()->offsets())
+      .add(stored.character()->tips());
   for (const schema::Clip* clip : *stored.clips()) {
     unfolded.add(clip->name()).add(clip->kind()).add(clip->source());
     unfolded.add(clip->mirrored_from()).add(clip->poses());
@@ -102,6 +105,7 @@ bool has_bounded_size(const schema::Library& stored, std::size_t content_size) {
 bool read_stored(const schema::Library& stored, ClipLibrary& library) {
   const schema::Character& character = *stored.character();
   library.name = stored.name()->str();
+  if (stored.provenance() != nullptr) library.provenance = stored.provenance()->str();
   library.character.mass_kg = character.mass_kg();
   library.character.sex = static_cast<motion::Sex>(character.sex());
   library.rate_hz = stored.rate_hz();
@@ -130,7 +134,7 @@ LoadStatus read_unsealed(const VerifiedFile& file, ClipLibrary& library) {
       fault_of(read) || format_of(read).version != file.version) {
     return LoadStatus::damaged;
   }
-  read.hash = file.hash;
+  read.hash = read.provenance.empty() ? file.hash : stored.bare_hash();
   library = std::move(read);
   return LoadStatus::ok;
 }

@@ -38,7 +38,7 @@ MAP = {
     "database/rules": Folder(RUN_TIME, ["motion", "features"], ["Eigen/"]),
     "database/quality": Folder(OFFLINE, ["motion", "database/library"], ["Eigen/"]),
     "database/files": Folder(OFFLINE, ["motion", "database/library"],
-                             ["Eigen/", "flatbuffers/", "toml++/"]),
+                             ["Eigen/", "flatbuffers/", "nlohmann/", "toml++/"]),
     "database/import": Folder(OFFLINE, ["motion", "database/library", "database/quality",
                                         "database/files"], ["Eigen/", "assimp/"]),
     "database/author": Folder(OFFLINE, ["motion", "features", "database/library",

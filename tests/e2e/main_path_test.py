@@ -7,6 +7,7 @@ import json
 import pathlib
 import re
 import shutil
+import sqlite3
 import subprocess
 import unittest
 
@@ -64,8 +65,12 @@ class MainPath(ProgramTest):
                          [c["name"] for c in library["clips"]])
         poses = [round(c["duration_s"] * library["rate_hz"]) + 1 for c in library["clips"]]
         self.assertEqual(selector["poses"], sum(poses))
-        # The selector's file contains the library's whole file.
-        self.assertIn(self.library.read_bytes(), self.selector.read_bytes())
+        # The selector's file contains the library's file, without its provenance.
+        with sqlite3.connect(self.store) as store:
+            (file,), = store.execute("SELECT file FROM library")
+        self.assertIn(file, self.selector.read_bytes())
+        store, = selector["provenance"]["inputs"]
+        self.assertEqual(store["provenance"]["inputs"], [{"role": "library", "hash": library["hash"]}])
 
     def check_comparison(self):
         report = self.folder / "report"

@@ -164,7 +164,7 @@ TEST(SelectorFile, RoundTripsThroughADiskFile) {
   const auto path =
       (std::filesystem::path(testing::TempDir()) / "selector_file_test.flinch").string();
   const Selector selector = knn_selector();
-  train::write_selector(selector, {}, path);
+  train::write_selector(selector, {}, nullptr, path);
   EXPECT_EQ(database::read_file(path), train::selector_bytes(selector));
   Selector back;
   ASSERT_EQ(read_selector(path, back), LoadStatus::ok);

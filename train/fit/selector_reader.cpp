@@ -1,11 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "train/fit/selector_reader.h"
 
+#include <cmath>
 #include <span>
+#include <vector>
 
 #include "database/files/file_io.h"
 #include "database/files/file_kind.h"
+#include "database/library/library_bounds.h"
+#include "database/library/text_check.h"
 #include "motion/error.h"
+#include "selector_generated.h"
+#include "train/fit/selector_record.h"
 
 namespace flinch::train {
 
@@ -21,6 +27,39 @@ runtime::SelectorFile load_selector_file(const std::string& path) {
   throw Error(path, "the selector " +
                         database::refusal_of(status, database::kSelectorFormat, bytes) +
                         "; run `flinch train` again");
+}
+
+std::optional<SelectorRecord> read_selector_record(std::span<const std::byte> file,
+                                                   const std::string& path) {
+  std::vector<std::byte> storage;
+  const database::VerifiedFile verified =
+      database::verify_file(database::kSelectorFormat, database::aligned(file, storage));
+  flatbuffers::Verifier verifier(reinterpret_cast<const std::uint8_t*>(verified.content.data()),
+                                 verified.content.size());
+  const Error damaged(path, "the selector's record of its training is damaged; train it again");
+  if (verified.status != database::LoadStatus::ok ||
+      !runtime::schema::VerifySelectorBuffer(verifier))
+    throw Error(damaged);
+  const runtime::schema::Selector& stored = *runtime::schema::GetSelector(verified.content.data());
+  const runtime::schema::Training* training = stored.training();
+  if (stored.provenance() == nullptr || training == nullptr) return std::nullopt;
+  const auto text = [&damaged](const flatbuffers::String* stored_text) {
+    if (stored_text->size() > database::kMaxProvenanceSize ||
+        !database::is_printable(stored_text->string_view()))
+      throw Error(damaged);
+    return stored_text->str();
+  };
+  SelectorRecord record;
+  record.provenance = text(stored.provenance());
+  record.scenarios = training->scenarios();
+  record.parameters = text(training->parameters());
+  record.cross_validated_regret_ns = training->cross_validated_regret_ns();
+  record.idle_regret_ns = training->idle_regret_ns();
+  record.distribution = text(training->distribution());
+  record.simulation = text(training->simulation());
+  if (!std::isfinite(record.cross_validated_regret_ns) || !std::isfinite(record.idle_regret_ns))
+    throw Error(damaged);
+  return record;
 }
 
 runtime::Library load_runtime_library(const std::string& path) {

@@ -147,8 +147,17 @@ Offset<flatbuffers::Vector<std::uint8_t>> store(FlatBufferBuilder& builder,
                               library_file.size());
 }
 
+Offset<schema::Training> store(FlatBufferBuilder& builder, const SelectorRecord& record) {
+  const auto parameters = builder.CreateString(record.parameters);
+  const auto distribution = builder.CreateString(record.distribution);
+  const auto simulation = builder.CreateString(record.simulation);
+  return schema::CreateTraining(builder, record.scenarios, parameters,
+                                record.cross_validated_regret_ns, record.idle_regret_ns,
+                                distribution, simulation);
+}
+
 void store(FlatBufferBuilder& builder, const models::Selector& selector,
-           std::span<const std::byte> library_file) {
+           std::span<const std::byte> library_file, const SelectorRecord* record) {
   std::vector<Offset<schema::Clip>> stored;
   for (const models::ClipSummary& clip : selector.clips) stored.push_back(store(builder, clip));
   const auto clips = builder.CreateVector(stored);
@@ -175,18 +184,24 @@ void store(FlatBufferBuilder& builder, const models::Selector& selector,
   }
   Offset<schema::Realism> realism;
   if (selector.realism) realism = store(builder, *selector.realism);
+  Offset<flatbuffers::String> provenance;
+  Offset<schema::Training> training;
+  if (record != nullptr) {
+    provenance = builder.CreateString(record->provenance);
+    training = store(builder, *record);
+  }
   schema::FinishSelectorBuffer(
       builder, schema::CreateSelector(builder, selector.library_hash, clips, selector.idle, names,
                                       least, most, selector.brawn, centres, kind, model, library,
-                                      costs, kinds, realism));
+                                      costs, kinds, realism, provenance, training));
 }
 
 }  // namespace
 
 std::string selector_bytes(const models::Selector& selector,
-                           std::span<const std::byte> library_file) {
+                           std::span<const std::byte> library_file, const SelectorRecord* record) {
   FlatBufferBuilder builder;
-  store(builder, selector, library_file);
+  store(builder, selector, library_file, record);
   const std::string_view content(reinterpret_cast<const char*>(builder.GetBufferPointer()),
                                  builder.GetSize());
   const auto seal =
@@ -203,8 +218,8 @@ std::string selector_bytes(const models::Selector& selector,
 }
 
 void write_selector(const models::Selector& selector, std::span<const std::byte> library_file,
-                    const std::string& path) {
-  database::write_file_atomically(path, selector_bytes(selector, library_file));
+                    const SelectorRecord* record, const std::string& path) {
+  database::write_file_atomically(path, selector_bytes(selector, library_file, record));
 }
 
 }  // namespace flinch::train

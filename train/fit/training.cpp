@@ -242,6 +242,8 @@ Training train_selector(const StoreHeader& header, std::span<const Observation> 
   Fitted fitted = entry_of(method).fit(set, folds, regret, fixed);
   selector.model = std::move(fitted.model);
   training.cross_validated_regret_ns = fitted.mean_regret_ns;
+  for (int i = 0; i < set.size(); ++i) training.idle_regret_ns += regret(i, header.idle);
+  training.idle_regret_ns /= set.size();
   training.parameters = text_of(fitted.parameters);
   training.parameter_values = std::move(fitted.parameters);
   return training;

@@ -48,6 +48,7 @@ struct Training {
   std::vector<NamedValue> parameter_values;
   std::string parameters;                ///< the same as text: "k 10, vote majority"
   double cross_validated_regret_ns = 0;  ///< mean over the folds, each held out once
+  double idle_regret_ns = 0;             ///< mean of standing still, over all scenarios
 };
 
 /// Labels the observations, chooses the parameters that are not fixed from the method's grid by

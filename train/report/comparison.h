@@ -14,11 +14,13 @@ namespace flinch::train {
 
 /// What `flinch compare` fits, and for what.
 struct ComparisonPlan {
-  std::string version;  ///< of the program, for the report
   std::string feature_set{features::feature_sets().front().name};
   std::vector<Method> methods;  ///< in the order of the rows
   double brawn = CostModel{}.brawn;
   VulnerabilityProfile vulnerability = vulnerability_profiles()[0];
+  /// Name or file that it is from, and that of the pain map; for the provenance alone.
+  std::string vulnerability_choice{vulnerability_profiles()[0].name};
+  std::optional<std::string> pain_choice{};
   /// Reads a store, whose damage counts by `vulnerability`.
   std::function<Store(const std::string& path)> read = read_store;
   bool curves = false;    ///< also fit to fewer scenarios

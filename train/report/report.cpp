@@ -243,6 +243,7 @@ Json report_document(const Report& report) {
   for (const RowTiming& row : report.evaluation.timing)
     sizes.push_back({{"name", row.name}, {"file_bytes", row.file_bytes}});
   return {{"version", report.version},
+          {"provenance", Json::parse(report.provenance)},
           {"library", report.library},
           {"library_hash", database::hash_text(report.library_hash)},
           {"seed", report.seed},

@@ -8,7 +8,9 @@
 #include <optional>
 #include <span>
 
+#include "database/files/file_kind.h"
 #include "database/files/library_writer.h"
+#include "database/files/provenance.h"
 #include "database/library/content_hash.h"
 #include "database/library/file_header.h"
 #include "motion/error.h"
@@ -208,10 +210,40 @@ std::string describe(const ScenarioDistribution& distribution) {
   return document.dump();
 }
 
+namespace {
+
+/// The stances with their weights, as --stances has them.
+std::string text_of(std::span<const StanceShare> stances) {
+  std::string text;
+  for (const StanceShare& share : stances)
+    text += (text.empty() ? "" : ",") + share.name + '=' + database::option_text(share.weight);
+  return text;
+}
+
+/// How the store is made: without the range of scenarios, so that parts of a run and the whole of
+/// it agree.
+std::string provenance_of(const SimulationSetup& setup) {
+  const SimulationPlan& plan = setup.plan;
+  const bool is_file = database::names_toml_file(plan.threats);
+  database::Provenance made{.command = "simulate", .seed = plan.seed};
+  if (!is_file) add_option("threats", plan.threats, SimulationPlan{}.threats, made);
+  if (plan.distribution.has_stances())
+    made.options.emplace_back("stances", text_of(plan.distribution.stances));
+  add_option("reference", plan.unabridged, false, made);
+  add_option("places", plan.options.keeps_places, false, made);
+  if (plan.options.figure == sim::FigureKind::waist_up)
+    made.options.emplace_back("figure", "waist_up");
+  made.inputs.push_back({"library", "", setup.library.hash, setup.library.provenance});
+  if (is_file) add_inputs("threats", {plan.threats}, made);
+  return database::provenance_text(made);
+}
+
+}  // namespace
+
 StoreHeader make_store_header(const SimulationSetup& setup) {
   const database::ClipLibrary& library = setup.library;
   StoreHeader header;
-  const std::string file = database::library_bytes(library);
+  const std::string file = database::bare_library_bytes(library);
   const auto bytes = std::as_bytes(std::span(file));
   header.library_file.assign(bytes.begin(), bytes.end());
   header.library_hash = database::verify_file(database::kLibraryFormat, bytes).hash;
@@ -276,7 +308,8 @@ MemoryPlan plan_memory(const SimulationSetup& setup, std::uint64_t max_bytes, in
 
 bool simulate_store(const SimulationSetup& setup, const std::string& path,
                     const SimulationRun& run) {
-  const StoreHeader header = make_store_header(setup);
+  StoreHeader header = make_store_header(setup);
+  header.provenance = provenance_of(setup);
   SingleProcessMessenger nobody;
   Messenger& messenger = run.messenger ? *run.messenger : nobody;
   std::optional<StoreWriter> writer;

@@ -12,6 +12,7 @@
 #include "sim/rehearsal/throw_simulator.h"
 #include "train/objective/observation.h"
 #include "train/scenario/scenario_sampling.h"
+#include "train/scenario/threat_file.h"
 #include "train/simulate/shared_response.h"
 
 namespace flinch::train {
@@ -19,6 +20,8 @@ namespace flinch::train {
 /// Everything that the observations depend on.
 struct SimulationPlan {
   ScenarioDistribution distribution;
+  /// Name or file that the distribution is from; for the provenance alone.
+  std::string threats{threat_files().front().name};
   sim::SimulationOptions options;
   double tail_s = 0.3;  ///< simulated time after the predicted impact, for late and second hits
   std::uint64_t seed = 1;

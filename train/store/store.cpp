@@ -2,10 +2,13 @@
 #include "train/store/store.h"
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <optional>
+#include <span>
 
 #include "database/files/file_io.h"
+#include "database/library/content_hash.h"
 #include "database/library/library_file.h"
 #include "features/feature_vector.h"
 #include "motion/error.h"
@@ -61,6 +64,20 @@ database::ClipLibrary library_of(const StoreHeader& header, const std::string& p
   return library;
 }
 
+/// The hash of a store before its first row.
+std::uint64_t hash_of_run(const StoreHeader& header) {
+  const std::string text = database::hash_text(header.library_hash) + ' ' +
+                           std::to_string(header.seed) + ' ' + header.distribution + ' ' +
+                           header.simulation;
+  return database::content_hash(database::bytes_of(text));
+}
+
+/// The hash of a store after a row more.
+std::uint64_t hash_with(std::uint64_t hash, std::int64_t row_checksum) {
+  const std::array numbers{hash, static_cast<std::uint64_t>(row_checksum)};
+  return database::content_hash(std::as_bytes(std::span(numbers)));
+}
+
 }  // namespace
 
 std::vector<std::string> stance_names(const database::ClipLibrary& library) {
@@ -96,6 +113,7 @@ struct StoreReader::File {
         seal(read_seal(database)),
         library(library_of(header, path)),
         stances(stance_loops(library)),
+        hash(hash_of_run(header)),
         row(prepare_select(database, header)) {}
 
   /// Throws unless this is the number of the next observation.
@@ -107,6 +125,7 @@ struct StoreReader::File {
   std::optional<ScenarioRange> seal;
   database::ClipLibrary library;
   std::vector<motion::Loop> stances;  ///< of the library
+  std::uint64_t hash = 0;
   Statement row;
   ScenarioRange taken;
 };
@@ -139,10 +158,15 @@ bool StoreReader::next(Observation& observation) {
   }
   observation = observation_of(file_->row, file_->header, file_->database.path());
   file_->require_next(observation.number);
+  file_->hash = hash_with(file_->hash, file_->row.integer(file_->row.column_count() - 1));
   const auto stance = static_cast<std::size_t>(observation.scenario.state.stance);
   observation.features =
       features::to_vector(features::features_of(observation.scenario, file_->stances[stance]));
   return true;
+}
+
+std::uint64_t StoreReader::hash() const {
+  return file_->hash;
 }
 
 Store read_store(const std::string& path) {
@@ -151,6 +175,7 @@ Store read_store(const std::string& path) {
   store.header = reader.header();
   Observation observation;
   while (reader.next(observation)) store.observations.push_back(std::move(observation));
+  store.hash = reader.hash();
   return store;
 }
 
@@ -180,6 +205,7 @@ StoreContents count_contents(const std::string& path) {
       contents.impulses += static_cast<std::uint64_t>(
           std::ranges::count_if(trial.impulse, [](float impulse) { return impulse != 0; }));
   }
+  contents.hash = reader.hash();
   return contents;
 }
 

@@ -37,6 +37,7 @@ struct StoreHeader {
   std::uint64_t seed = 0;
   std::string distribution;  ///< JSON text, see describe()
   std::string simulation;    ///< JSON text, see describe()
+  std::string provenance;    ///< how it was made (database/files/provenance.h), or empty
   std::vector<features::KnownKind> kinds =
       std::vector<features::KnownKind>(1);  ///< that Threat::kind counts
   /// Largest impulse that a threat of the distribution can give, N·s; for readers, since D* is a
@@ -69,6 +70,7 @@ void require_same_run(const StoreHeader& stored, const StoreHeader& wanted, cons
 struct Store {
   StoreHeader header;
   std::vector<Observation> observations;
+  std::uint64_t hash = 0;  ///< see StoreReader::hash()
 };
 
 /// Reads and checks a whole store; takes some kilobytes of memory per scenario. Throws Error for a
@@ -87,6 +89,10 @@ class StoreReader {
   const StoreHeader& header() const;
   /// Reads the next observation in ascending order of numbers. Returns false if there is none.
   bool next(Observation& observation);
+  /// Returns the hash of what has been read: of library, seed, distribution and simulation, then of
+  /// each row's checksum. After the last observation it identifies the store's content, without
+  /// its provenance.
+  std::uint64_t hash() const;
 
  private:
   struct File;
@@ -110,6 +116,7 @@ struct StoreContents {
   std::uint64_t trials = 0;    ///< simulations
   std::uint64_t impulses = 0;  ///< bodies with an impulse, over all trials
   std::uint64_t places = 0;    ///< where they were hit
+  std::uint64_t hash = 0;      ///< see StoreReader::hash()
 };
 StoreContents count_contents(const std::string& path);
 

@@ -250,6 +250,12 @@ Statement meta(Database& database, const char* key) {
   return statement;
 }
 
+/// Returns the text of a key of the meta table; an empty one where the key is missing.
+std::string optional_meta(Database& database, const char* key) {
+  Statement statement = database.prepare("SELECT value FROM meta WHERE key = ?");
+  return statement.bind(std::string(key)).step() ? statement.text(0) : std::string();
+}
+
 std::int64_t pragma(Database& database, const std::string& name) {
   Statement statement = database.prepare("PRAGMA " + name);
   return statement.step() ? statement.integer(0) : 0;
@@ -344,6 +350,7 @@ void write_header(Database& database, const StoreHeader& header) {
   write_meta(database, "reference_work_j", header.reference_work_j);
   write_meta(database, "idle_clip", std::int64_t{header.idle});
   write_meta(database, "keeps_places", std::int64_t{header.keeps_places});
+  if (!header.provenance.empty()) write_meta(database, "provenance", header.provenance);
   write_library_file(database, header);
   write_clips(database, header);
   write_bodies_and_targets(database, header);
@@ -355,7 +362,7 @@ StoreHeader read_header(Database& database) {
   header.format_version = require_store(database);
   require_row_count(database, "library", 1, 1);
   const int meta_rows = header.format_version < 6 ? 8 : 9;
-  require_row_count(database, "meta", meta_rows, meta_rows);
+  require_row_count(database, "meta", meta_rows, meta_rows + 1);  // one more with provenance
   require_row_count(database, "body", motion::kBodyCount, motion::kBodyCount);
   require_row_count(database, "target", motion::kTargetCount, motion::kTargetCount);
   require_row_count(database, "seal", 0, 1);
@@ -364,6 +371,7 @@ StoreHeader read_header(Database& database) {
   header.seed = std::strtoull(meta(database, "seed").text(0).c_str(), nullptr, 10);
   header.distribution = meta(database, "distribution").text(0);
   header.simulation = meta(database, "simulation").text(0);
+  header.provenance = optional_meta(database, "provenance");
   header.reference_impulse_ns = meta(database, "reference_impulse_ns").real(0);
   header.reference_work_j = meta(database, "reference_work_j").real(0);
   header.idle = static_cast<int>(meta(database, "idle_clip").integer(0));
@@ -389,7 +397,9 @@ StoreHeader read_header(Database& database) {
   if (header.idle < 0 || header.idle >= static_cast<int>(header.clips.size()) ||
       !is_measure(header.reference_work_j) || !is_measure(header.reference_impulse_ns) ||
       database::fault_of_name(header.library_name) != nullptr ||
-      !is_description(header.distribution) || !is_description(header.simulation) ||
+      header.provenance.size() > database::kMaxProvenanceSize ||
+      !database::is_printable(header.provenance) || !is_description(header.distribution) ||
+      !is_description(header.simulation) ||
       !std::ranges::all_of(header.idle_target_centres, is_near))
     throw Error(database.path(), kDamagedStore);
   return header;

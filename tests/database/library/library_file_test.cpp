@@ -8,6 +8,7 @@
 #include <functional>
 
 #include "database/files/library_writer.h"
+#include "database/library/library_bounds.h"
 #include "tests/database/library/random_library.h"
 #include "tests/scenes/error_of.h"
 #include "tests/scenes/file_damage.h"
@@ -106,6 +107,33 @@ TEST(LibraryFile, HashDependsOnTheContentOnly) {
   library.clips[2].motion.poses[1].root_position.x() += 1e-6F;
   ASSERT_EQ(database::read_library(bytes_of(library_bytes(library)), read), LoadStatus::ok);
   EXPECT_NE(read.hash, hash);
+}
+
+TEST(LibraryFile, ProvenanceChangesTheFileAndNotTheHash) {
+  const tests::TemporaryFolder folder;
+  ClipLibrary library = random_library(1, 3);
+  const std::string bare = library_bytes(library);
+  const std::uint64_t hash = write_library(library, folder / "a.flinchlib");
+  library.provenance = R"({"command":"author"})";
+  EXPECT_EQ(write_library(library, folder / "b.flinchlib"), hash);
+  EXPECT_EQ(bare_library_bytes(library), bare);
+  const std::string bytes = library_bytes(library);
+  EXPECT_NE(bytes, bare);
+  ClipLibrary read_back;
+  ASSERT_EQ(read(bytes, read_back), LoadStatus::ok);
+  EXPECT_EQ(read_back.hash, hash);
+  EXPECT_EQ(read_back.provenance, library.provenance);
+  EXPECT_EQ(library_bytes(read_back), bytes);
+}
+
+TEST(LibraryFile, ProvenanceHasItsBounds) {
+  ClipLibrary library = random_library(1, 3);
+  library.provenance = std::string(kMaxProvenanceSize, 'x');
+  EXPECT_NO_THROW(library_bytes(library));
+  library.provenance += 'x';
+  EXPECT_THAT(tests::error_of([&] { library_bytes(library); }), HasSubstr("the provenance is"));
+  library.provenance = "\x1b[2J";
+  EXPECT_THAT(tests::error_of([&] { library_bytes(library); }), HasSubstr("the provenance is"));
 }
 
 /// A stance that goes 1 m along in a second.
