@@ -16,7 +16,7 @@ using motion::Side;
 
 constexpr float kToleratedOffset_m = 0.04F;  // offset that a foot may keep during a clip
 constexpr float kToleratedYaw = 0.15F;       // radians
-constexpr float kQuickStep_s = 0.18F;        // of a step out of a walk
+constexpr float kQuickStep_s = 0.18F;        // of a step out of a stance
 constexpr float kQuickStepHeight = 1.6F;     // of a slower step's
 
 float yaw_between(const FootPose& from, const FootPose& to) {
@@ -44,7 +44,6 @@ std::optional<Interval> first_swing(const Response& r, Side side) {
 void plan_change(Response& r, Side side, const FootPose& from, const FootPose& to) {
   FootPlan& plan = r.feet[side];
   const bool is_far = differ(from, to, kToleratedOffset_m, kToleratedYaw);
-  const bool walked = has_left_a_walk(r);
   const bool idled = r.state.stance == 0;
   const std::optional<Interval> swing = first_swing(r, side);
   if (swing) plan.correction = *swing;
@@ -55,19 +54,18 @@ void plan_change(Response& r, Side side, const FootPose& from, const FootPose& t
     const float begin_s = std::max(r.begin_s, ready_to_lift_s(r));
     if (swing && swing->begin_s < begin_s + kStepDuration_s)
       return;  // the clip's own comes soon enough
-    plan.correction = {begin_s, begin_s + (walked ? kQuickStep_s : kStepDuration_s)};
-    plan.correction_lift_m = (walked ? kQuickStepHeight : 1) * step_height(from, to);
+    plan.correction = {begin_s, begin_s + (idled ? kStepDuration_s : kQuickStep_s)};
+    plan.correction_lift_m = (idled ? 1 : kQuickStepHeight) * step_height(from, to);
   }
 }
 
 // What a foot rolls over when it comes down flat: its ball if its heel is up, else its heel. A foot
-// that is flat does not roll.
+// that is flat turns on its heel.
 Eigen::Vector3f pivot_of(const motion::Skeleton& skeleton, Side side, const FootPose& foot) {
   constexpr float kFlat = 0.03F;  // sine of the angle to the ground
   const motion::FootDimensions dimensions = motion::measure_foot(skeleton, side);
   const float rise = (foot.orientation * dimensions.forward).z();
-  if (std::abs(rise) < kFlat) return Eigen::Vector3f::Zero();
-  return rise > 0 ? dimensions.heel : skeleton.offset[motion::roles_of(side).toes];
+  return rise > -kFlat ? dimensions.heel : skeleton.offset[motion::roles_of(side).toes];
 }
 
 // The foot when it has come down flat over its pivot.

@@ -209,10 +209,26 @@ bool clamp_joint(const motion::JointLimits& limits, const Eigen::Quaternionf& mo
   return moves;
 }
 
-// The way of the ankle where a foot tilts, horizontal, m: it rolls over its sole, whose points on
-// the ground stay, as they all lie about as far below the ankle.
+// On what a foot turns that comes from a stance, in its own frame: on its heel where it is flat,
+// and the more on its ball the more its heel is up.
+Eigen::Vector3f turning_point(const motion::Skeleton& skeleton, Side side,
+                              const Eigen::Quaternionf& foot) {
+  constexpr float kOnBall = 0.15F;  // sine of the angle to the ground
+  const motion::FootDimensions dimensions = motion::measure_foot(skeleton, side);
+  const float heel_up = std::clamp(-(foot * dimensions.forward).z() / kOnBall, 0.0F, 1.0F);
+  const Eigen::Vector3f& ball = skeleton.offset[motion::roles_of(side).toes];
+  return dimensions.heel + heel_up * (ball - dimensions.heel);
+}
+
+// The way of the ankle where a foot tilts, m: it rolls over its sole, whose points on the ground
+// stay, as they all lie about as far below the ankle. One that comes from a stance may be turned
+// far out, or lifted while its heel is up: it turns on one point, which keeps its height too.
 Eigen::Vector3f roll_over_sole(const Response& r, Side side, const FootPose& foot,
                                const Eigen::Quaternionf& tilted) {
+  if (!r.feet[side].pivot.isZero(0)) {
+    const Eigen::Vector3f point = turning_point(r.library->skeleton(), side, tilted);
+    return foot.orientation * point - tilted * point;
+  }
   const float depth_m =
       motion::min_height(r.library->soles[side].foot, Eigen::Quaternionf::Identity());
   const Eigen::Vector3f sole = depth_m * Eigen::Vector3f::UnitZ();

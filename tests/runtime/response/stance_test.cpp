@@ -115,18 +115,33 @@ TEST(Stance, AWalkerWalksOnAfterwards) {
   }
 }
 
-// Over the whole response and a second of the walk after it. The walk's own feet do not slide.
-TEST(Stance, NoStandingFootSlides) {
+/// The longest slides of 400 responses from a stance and a second of it afterwards, sorted, m.
+std::vector<float> sorted_slides_m(int stance) {
   std::mt19937 random(4);
   std::vector<float> slides_m;
   for (int i = 0; i < 400; ++i) {
-    const Response r = random_response(random, kWalk);
+    const Response r = random_response(random, stance);
     slides_m.push_back(tests::longest_slide(r, 0, duration_s(r) + 1).way_m);
   }
   std::ranges::sort(slides_m);
+  return slides_m;
+}
+
+// The walk's own feet do not slide.
+TEST(Stance, NoStandingFootSlides) {
+  const std::vector<float> slides_m = sorted_slides_m(kWalk);
   EXPECT_LT(slides_m[slides_m.size() / 2], 0.006F);
   EXPECT_LT(slides_m[slides_m.size() * 95 / 100], 0.01F);
   EXPECT_LT(slides_m.back(), 0.02F);
+}
+
+// Feet that stand turned out, far apart: the rear one turns on its heel while hips square up, its
+// heel rises when the body ducks, and it does not drag its toes when it steps.
+TEST(Stance, NoFootOfAGuardSlides) {
+  const std::vector<float> slides_m = sorted_slides_m(kGuard);
+  EXPECT_LT(slides_m[slides_m.size() / 2], 0.01F);
+  EXPECT_LT(slides_m[slides_m.size() * 95 / 100], 0.018F);
+  EXPECT_LT(slides_m.back(), 0.03F);
 }
 
 // From where it swings, with its velocity, and above the ground.
