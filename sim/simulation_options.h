@@ -35,7 +35,7 @@ struct SimulationOptions {
   double contact_step_s = 1.0 / 2000;  ///< step of a contact, s
   /// Longest step of a contact in which something that hardly bounces (kMaxRestingBounce) rests on
   /// the body that it has hit: it is pushed, and does not strike. Only with ContactSearch::on_path.
-  double resting_step_s = 1.0 / 250;
+  double resting_step_s = 1.0 / 60;
   ContactSearch contact_search = ContactSearch::on_path;
   double gravity_mps2 =
       features::kGravity_mps2;      ///< of the figure, downwards; balls have their own

@@ -9,6 +9,10 @@
 namespace flinch::sim {
 namespace {
 
+// How far a rod turns at most in a step in which it rests, radians: where it touches moves along
+// it.
+constexpr double kMaxRestingTurn = 0.05;
+
 /// Returns the first time within `horizon_s` at which the ball may touch one of the shapes.
 std::optional<double> first_contact(const features::Ball& ball, std::span<const MovingShape> shapes,
                                     double horizon_s, double contact_distance_m,
@@ -68,18 +72,18 @@ NextStep next_step(const features::Ball& ball, std::span<const MovingShape> shap
 double resting_step(const features::Ball& ball, const motion::PerBody<MovingShape>& shapes,
                     BodySet meets, const SimulationOptions& options) {
   if (ball.bounce.restitution > kMaxRestingBounce) return options.contact_step_s;
-  double step_s = std::max(options.resting_step_s, options.contact_step_s);
+  double step_s = options.resting_step_s;
+  if (ball.is_rod()) step_s = std::min(step_s, kMaxRestingTurn / ball.rod.angular_velocity.norm());
+  step_s = std::max(step_s, options.contact_step_s);
   for (const motion::Body body : motion::kBodies) {
     if (!contains(meets, body)) continue;
     const MovingShape& shape = shapes[body];
     if (may_be_near(ball, shape, kContactDistance_m)) {
       const motion::Clearance near = clearance(ball, shape);
-      if (hits(ball, shape, near)) {
-        const double closing =
-            -near.normal.dot(ball.velocity_of(near.point) - shape.velocity_at(near.point));
-        if (closing > kMinBounceSpeed_mps) return options.contact_step_s;
-        continue;
-      }
+      const double closing =
+          -near.normal.dot(ball.velocity_of(near.point) - shape.velocity_at(near.point));
+      if (hits(ball, shape, near) && closing > kMinBounceSpeed_mps) return options.contact_step_s;
+      if (near.gap <= kContactDistance_m) continue;  // rests there, or separates
     }
     if (const auto touch_s = time_of_contact(ball, shape, step_s, kContactDistance_m, 0))
       step_s = std::max(*touch_s, options.contact_step_s);

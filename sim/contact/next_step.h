@@ -36,9 +36,10 @@ NextStep next_step(const features::Ball& ball, std::span<const MovingShape> shap
                    const SimulationOptions& options);
 
 /// How long a ball that rests on some of the shapes may be moved at once: until it may touch
-/// another, at most `resting_step_s` and at least `contact_step_s`. Returns the latter where it
-/// does not rest: it bounces, or closes on one of the shapes that it `hits` by more than
-/// kMinBounceSpeed_mps.
+/// another, at most `resting_step_s` and at least `contact_step_s`. A rod may turn by 3 degrees.
+/// Returns `contact_step_s` where it does not rest: it bounces, or closes on one of the shapes that
+/// it `hits` by more than kMinBounceSpeed_mps. Shapes that it touches and that separate from it
+/// shorten nothing.
 double resting_step(const features::Ball& ball, const motion::PerBody<MovingShape>& shapes,
                     BodySet meets, const SimulationOptions& options);
 
