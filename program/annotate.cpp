@@ -9,6 +9,7 @@
 #include "motion/error.h"
 #include "program/bvh_options.h"
 #include "program/command.h"
+#include "program/log.h"
 #include "program/printable.h"
 #include "program/table.h"
 
@@ -125,14 +126,13 @@ std::string clip_table(const database::Draft& draft) {
 
 void print_text(const AnnotateOptions& options, const database::Take& take,
                 const database::Draft& draft) {
-  for (const std::string& warning : take.source.warnings)
-    std::cout << "note: " << printable(warning) << '\n';
+  for (const std::string& warning : take.source.warnings) log_note(warning);
   if (!draft.clips.empty()) std::cout << clip_table(draft) << '\n';
   std::cout << printable(options.out) << ": draft with the idle from "
             << fixed(draft.idle.start_s, 2) << " to " << fixed(draft.idle.end_s, 2) << " s and "
             << draft.clips.size() << " clips; look at " << printable(options.sheet)
             << " and correct it\n";
-  if (draft.clips.empty()) std::cout << "note: nothing moves away from stillness in this take\n";
+  if (draft.clips.empty()) log_note("nothing moves away from stillness in this take");
 }
 
 void run_annotate(const AnnotateOptions& given) {

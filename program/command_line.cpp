@@ -14,6 +14,7 @@
 
 #include "motion/error.h"
 #include "program/config_file.h"
+#include "program/log.h"
 
 namespace flinch::program {
 namespace {
@@ -172,10 +173,24 @@ void add_config_option(CLI::App& command) {
       "--config", read, "TOML file with a table of options, [" + command.get_name() + "]");
 }
 
+/// What is written to stderr. A file may set these too.
+void add_log_options(CLI::App& command) {
+  command
+      .add_option_function<std::string>(
+          "--log-level", [](const std::string& name) { set_log_level(log_level_named(name)); },
+          "least important lines on standard error")
+      ->check(CLI::IsMember(log_level_names()))
+      ->default_str(log_level_names().back());
+  command.add_flag_callback(
+      "--quiet", [] { set_log_level(LogLevel::error); },
+      "write nothing but an error to standard error: as --log-level error");
+}
+
 void add_command(CLI::App& app, const Command& command) {
   CLI::App* added = app.add_subcommand(command.name, command.summary);
   for (const Option& option : command.required) add_option(*added, option)->required();
   for (const Option& option : command.optional) show_default(option, add_option(*added, option));
+  add_log_options(*added);
   add_config_option(*added);
   added->footer(command.notes);
 }

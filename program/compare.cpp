@@ -8,6 +8,7 @@
 #include "database/files/file_io.h"
 #include "program/command.h"
 #include "program/comparison_table.h"
+#include "program/log.h"
 #include "program/page.h"
 #include "train/report/comparison.h"
 
@@ -63,7 +64,7 @@ train::ComparisonPlan plan_of(const CompareOptions& options) {
   };
   plan.clock = now_s;
   if (options.curves || options.transfer || options.ablation)  // which take long
-    plan.progress = [](const std::string& what) { std::cerr << "fitting " << what << '\n'; };
+    plan.progress = [](const std::string& what) { log(LogLevel::info, "fitting " + what); };
   return plan;
 }
 
@@ -103,8 +104,9 @@ void run_compare(const CompareOptions& options) {
   check_report(options);
   const std::string page = options.report.empty() ? "" : find_page(kReportPage);
   if (!options.report.empty() && page.empty()) {
-    std::cerr << "there will be no report.html, only its data: this program was built without the "
-                 "packages of the page; scripts/setup fetches them\n";
+    log(LogLevel::warning,
+        "there will be no report.html, only its data: this program was built without the packages "
+        "of the page; scripts/setup fetches them");
   }
   const train::Comparison comparison =
       train::compare_methods(options.store, options.test, plan_of(options));

@@ -4,6 +4,7 @@
 #include <iostream>
 
 #include "program/evolve.h"
+#include "program/log.h"
 #include "program/table.h"
 
 namespace flinch::program {
@@ -16,7 +17,7 @@ EvolutionDisplay::~EvolutionDisplay() {
 }
 
 void EvolutionDisplay::show(const std::string& what, const evolve::Evolution& evolution) {
-  if (!shows_) return;
+  if (!shows_ || !is_logged(LogLevel::info)) return;
   const evolve::GenerationRecord& last = evolution.history.back();
   std::cerr << (terminal_ ? "\r" : "") << what << "generation " << evolution.history.size()
             << ": best " << fixed(last.best_fitness, 2) << ", mean " << fixed(last.mean_fitness, 2)

@@ -10,6 +10,7 @@
 #include "database/library/library_bounds.h"
 #include "program/bvh_options.h"
 #include "program/command.h"
+#include "program/log.h"
 #include "program/printable.h"
 #include "program/table.h"
 
@@ -85,19 +86,18 @@ std::string located(const std::string& file, const std::string& what) {
 }
 
 std::string skipped_text(const database::SkippedFile& file) {
-  return "skipped " + printable(located(file.path, file.reason)) + '\n';
+  return "skipped " + located(file.path, file.reason);
 }
 
 // The details of files hold their notes already.
 void print_notes(const database::ImportReport& report, bool with_details) {
   for (const database::SourceReport& source : report.sources) {
     if (with_details) break;
-    for (const std::string& warning : source.warnings)
-      std::cout << "note: " << printable(located(source.path, warning)) << '\n';
+    for (const std::string& warning : source.warnings) log_note(located(source.path, warning));
   }
   for (const database::ClipReport& clip : report.clips) {
     for (const std::string& warning : clip.warnings)
-      std::cout << "note: " << clip.source << ": clip " << clip.name << ": " << warning << '\n';
+      log_note(clip.source + ": clip " + clip.name + ": " + warning);
   }
 }
 
@@ -111,10 +111,10 @@ void print_text(const ImportOptions& options, const database::ImportResult& resu
   for (const database::ClipReport& clip : result.report.clips) {
     unannotated += clip.purpose == motion::Purpose::anticipation && !clip.is_annotated ? 1U : 0U;
   }
-  for (const database::SkippedFile& file : result.report.skipped) std::cout << skipped_text(file);
+  for (const database::SkippedFile& file : result.report.skipped)
+    log(LogLevel::warning, skipped_text(file));
   print_notes(result.report, options.verbose);
-  for (const std::string& warning : result.report.warnings)
-    std::cout << "note: " << printable(warning) << '\n';
+  for (const std::string& warning : result.report.warnings) log_note(warning);
   const database::ClipLibrary& library = result.library;
   std::cout << printable(options.library) << ": library " << printable(library.name) << ", "
             << database::hash_text(library.hash) << ", " << library.clips.size() << " clips ("
@@ -144,7 +144,8 @@ database::ImportResult imported(const ImportOptions& options,
                                 const database::ImportOptions& import) try {
   return database::import_library(options.paths, options.manifest, import);
 } catch (const database::UnusableFiles& error) {
-  for (const database::SkippedFile& file : error.skipped) std::cerr << skipped_text(file);
+  for (const database::SkippedFile& file : error.skipped)
+    log(LogLevel::warning, skipped_text(file));
   throw;
 }
 

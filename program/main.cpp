@@ -7,7 +7,7 @@
 #include "database/import/role_map.h"
 #include "program/command.h"
 #include "program/command_line.h"
-#include "program/printable.h"
+#include "program/log.h"
 #include "program/safe_writing.h"
 
 namespace {
@@ -16,7 +16,7 @@ constexpr int kError = 1;
 constexpr int kWrongUsage = 2;
 
 int fail(const std::string& message, int code) {
-  std::cerr << "flinch: " << flinch::program::printable(message) << '\n';
+  flinch::program::log(flinch::program::LogLevel::error, "flinch: " + message);
   return code;
 }
 

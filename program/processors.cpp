@@ -34,7 +34,7 @@ std::string binding_note(const Processors& processors, std::optional<int> thread
   if (processors.own >= expected) return "";
   const std::string cure =
       processors.by_mpirun ? "; give mpirun the option --bind-to none" : "; see taskset";
-  return "note: this process is bound to " + std::to_string(processors.own) + " of " +
+  return "this process is bound to " + std::to_string(processors.own) + " of " +
          std::to_string(processors.launcher) + " processors, where " + std::to_string(expected) +
          " threads could run" + cure;
 }

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "program/document.h"
+#include "program/log.h"
 #include "program/table.h"
 
 namespace flinch::program {
@@ -63,7 +64,7 @@ void ProgressDisplay::begin(const train::SimulationProgress& progress) {
   scenarios_at_start_ = progress.scenarios;
   tenth_shown_ = 10 * progress.scenarios / progress.wanted;
   if (!json_ && progress.scenarios > 0 && progress.scenarios < progress.wanted)
-    std::cerr << "continuing after " << progress.scenarios << " scenarios" << std::endl;
+    log(LogLevel::info, "continuing after " + std::to_string(progress.scenarios) + " scenarios");
 }
 
 /// A bar is always due. Lines are due at every tenth of the work, and after ten seconds without
@@ -102,6 +103,7 @@ void ProgressDisplay::show_json(const train::SimulationProgress& progress) const
 }
 
 void ProgressDisplay::show_text(const train::SimulationProgress& progress) {
+  if (!is_logged(LogLevel::info)) return;
   const Rates now = rates(progress);
   const std::string text =
       std::to_string(progress.scenarios) + "/" + std::to_string(progress.wanted) + " scenarios, " +
@@ -109,7 +111,7 @@ void ProgressDisplay::show_text(const train::SimulationProgress& progress) {
       " simulations), " + fixed(100 * hit_rate(progress), 0) + " % hit, " +
       duration_text(now.left_s) + " left";
   if (!terminal_) {
-    std::cerr << text << std::endl;
+    log(LogLevel::info, text);
     return;
   }
   const double share =

@@ -8,6 +8,7 @@
 #include <iostream>
 #include <memory>
 #include <optional>
+#include <sstream>
 #include <thread>
 
 #include "database/files/file_kind.h"
@@ -17,6 +18,7 @@
 #include "program/command.h"
 #include "program/command_line.h"
 #include "program/interrupt.h"
+#include "program/log.h"
 #include "program/printable.h"
 #include "program/processors.h"
 #include "program/progress.h"
@@ -103,7 +105,7 @@ int thread_count(const SimulateOptions& options, const train::Messenger& messeng
 void print_binding_note(const SimulateOptions& options, const train::Messenger& messenger) {
   const std::string note =
       binding_note(count_processors(), options.threads, messenger.local_size());
-  if (!note.empty()) std::cerr << note << std::endl;
+  if (!note.empty()) log_note(note);
 }
 
 std::string mebibytes(std::uint64_t bytes) {
@@ -113,12 +115,13 @@ std::string mebibytes(std::uint64_t bytes) {
 /// Prints what the run will use, before it starts.
 void print_plan(const train::SimulationRun& run) {
   const train::MemoryPlan& memory = run.memory;
-  std::cerr << "memory: at most " << mebibytes(memory.max_bytes)
-            << (run.messenger->size() > 1 ? " per process" : "") << "; " << memory.response_count
-            << " different responses need about " << mebibytes(memory.all_response_bytes)
-            << ", of which " << (memory.keeps_all() ? "all" : mebibytes(memory.response_bytes))
-            << " is kept for all batches of up to " << memory.batch_size << " scenarios per thread"
-            << std::endl;
+  std::ostringstream text;
+  text << "memory: at most " << mebibytes(memory.max_bytes)
+       << (run.messenger->size() > 1 ? " per process" : "") << "; " << memory.response_count
+       << " different responses need about " << mebibytes(memory.all_response_bytes)
+       << ", of which " << (memory.keeps_all() ? "all" : mebibytes(memory.response_bytes))
+       << " is kept for all batches of up to " << memory.batch_size << " scenarios per thread";
+  log(LogLevel::info, text.str());
 }
 
 Json summary_document(const SimulateOptions& options, const train::StoreSummary& store,
@@ -178,8 +181,7 @@ void print_result(const SimulateOptions& options, const train::SimulationProgres
   if (store.range.first > 0) std::cout << " from number " << store.range.first;
   std::cout << ", seed " << store.header.seed << '\n';
   if (done.counts.simulations > 0) print_summary(done);
-  for (const std::string& line : unanswered(store.header.clips))
-    std::cout << "note: " << line << '\n';
+  for (const std::string& line : unanswered(store.header.clips)) log_note(line);
 }
 
 void write_store(const SimulateOptions& options, const train::SimulationSetup& setup,

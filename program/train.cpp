@@ -6,6 +6,7 @@
 
 #include "database/library/library.h"
 #include "program/command.h"
+#include "program/log.h"
 #include "program/printable.h"
 #include "program/unanswered.h"
 #include "train/fit/feature_derivation.h"
@@ -134,9 +135,8 @@ void run_train(const TrainOptions& options) {
             << training.parameters
             << "\nmean regret in cross-validation: " << training.cross_validated_regret_ns
             << " N s\n";
-  for (const std::string& warning : warnings_on(store)) std::cout << "note: " << warning << '\n';
-  for (const std::string& line : unanswered(store.header.clips))
-    std::cout << "note: " << line << '\n';
+  for (const std::string& warning : warnings_on(store)) log_note(warning);
+  for (const std::string& line : unanswered(store.header.clips)) log_note(line);
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "database/files/provenance.h"
 #include "motion/error.h"
 #include "program/command.h"
+#include "program/log.h"
 #include "program/printable.h"
 #include "program/table.h"
 #include "runtime/response/prepared_library.h"
@@ -97,7 +98,7 @@ void run_train_realism(const TrainRealismOptions& options) {
   std::cout << printable(options.selector) << ": realism of " << all.labels.size()
             << " labels, judged by " << printable(judge) << '\n';
   if (held_out.count == 0) {
-    std::cout << "note: one sitting alone cannot be held out; agreement is not known\n";
+    log_note("one sitting alone cannot be held out; agreement is not known");
     return;
   }
   std::cout << "held out by sitting: agreement " << fixed(held_out.agreement, 3) << " (chance "

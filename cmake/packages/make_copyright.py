@@ -10,7 +10,7 @@ import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 HEADERS = ["libeigen3-dev", "libflatbuffers-dev", "libcli11-dev", "nlohmann-json3-dev", "libtomlplusplus-dev",
-           "libflann-dev"]
+           "libflann-dev", "libspdlog-dev", "libfmt-dev"]
 
 
 def licence_of(folder):

@@ -49,7 +49,7 @@ class Reading(ProgramTest):
                 self.assertEqual(len(document["warnings"]), 1)
                 self.assertIn(f"declares {declared} frames", document["warnings"][0])
                 done = self.succeed("import", path, "--out", self.folder / "out")
-                self.assertIn(f"note: {document['warnings'][0]}\n", done.stdout)
+                self.assertIn(f"note: {document['warnings'][0]}\n", done.stderr)
 
     def test_frames_and_their_rate_can_be_chosen(self):
         path = self.file("take.bvh", STANDING)
@@ -94,7 +94,7 @@ class Reading(ProgramTest):
         note = "a frame lasts 1 s, which is 1 Hz; say the right rate with --rate-of-file"
         self.assertEqual(self.document("info", slow)["warnings"], [note])
         self.assertIn(f"note: {note}\n", self.succeed("info", slow).stdout)
-        self.assertIn(f"note: {slow}: {note}\n", self.succeed("import", slow, "--out", out).stdout)
+        self.assertIn(f"note: {slow}: {note}\n", self.succeed("import", slow, "--out", out).stderr)
         self.assertEqual(self.document("info", slow, "--rate-of-file", 30)["warnings"], [])
 
         first_row = "0 90 0 0 0 0 "
@@ -105,8 +105,8 @@ class Reading(ProgramTest):
         self.assertEqual([clip["warnings"] for clip in made["clips"]], [[note]])
         for options in ([], ["--verbose"]):
             done = self.succeed("import", far, "--out", out, *options)
-            self.assertEqual(done.stdout.count(note), 1)
-            self.assertIn(f"note: {far}: clip far: {note}\n", done.stdout)
+            self.assertEqual((done.stdout + done.stderr).count(note), 1)
+            self.assertIn(f"note: {far}: clip far: {note}\n", done.stderr)
         self.assertEqual(self.document("info", far, "--skip-first")["warnings"], [])
 
     def test_a_clip_that_goes_too_far_names_the_frames_to_keep(self):
@@ -145,7 +145,7 @@ class Reading(ProgramTest):
                          + "".join(" ".join(row) + "\n" for row in radians))
         note = "no rotation is beyond 2, and the figure moves like a human if they are radians"
         self.assertIn(note, self.succeed("info", path).stdout)
-        self.assertIn(note, self.succeed("import", path, "--out", self.folder / "out").stdout)
+        self.assertIn(note, self.succeed("import", path, "--out", self.folder / "out").stderr)
 
     def test_any_bytes_in_names_give_valid_json_and_printable_text(self):
         text = STANDING.encode().replace(b"RightHand", b"Rechte\xe4Hand\x1b")

@@ -82,7 +82,7 @@ class BoundProcesses(RunTest):
         done = subprocess.run(
             [*launcher, FLINCH, *self.command(self.folder / "store", "--threads", threads)],
             capture_output=True, text=True, check=True, preexec_fn=bind)
-        return [line for line in done.stderr.splitlines() if line.startswith("note: ")]
+        return [line for line in done.stderr.splitlines() if line.startswith("note: this process")]
 
     @staticmethod
     def bind_to_one():
