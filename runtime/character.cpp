@@ -112,6 +112,13 @@ Status Character::set_pose(const Pose& before, const Pose& now, float dt_s) noex
   return Status::ok;
 }
 
+Status Character::move_to(const Pose& before, const Pose& now, float dt_s) noexcept {
+  const Walk walk = walk_;
+  const Status status = set_pose(before, now, dt_s);
+  if (status == Status::ok) walk_ = walk;
+  return status;
+}
+
 Status Character::settle() noexcept {
   if (!library_->is_loaded()) return Status::not_loaded;
   walk_ = {};

@@ -76,6 +76,12 @@ struct Notice {
 /// of everyday clips.
 std::shared_ptr<const MotionGraph> make_motion_graph(const Library& library) noexcept;
 
+/// Where a character that walks keeps to: a circle on the ground.
+struct WalkArea {
+  Eigen::Vector2f centre = Eigen::Vector2f::Zero();         ///< world, m
+  float radius_m = std::numeric_limits<float>::infinity();  ///< infinite: anywhere
+};
+
 /// How much of each joint's motion comes from Flinch and how much from the game.
 struct Mask {
   float weight = 1;  ///< scales the weights of all joints, 0 to 1
@@ -115,6 +121,10 @@ class Character {
   /// the game animates the character: perceive() takes it to move on as it has on average over
   /// about the last half second.
   Status set_pose(const motion::Pose& before, const motion::Pose& now, float dt_s) noexcept;
+
+  /// The same for a pose that something else, such as physics, has brought the character to: it
+  /// goes on walking from there (walk()), if it walked.
+  Status move_to(const motion::Pose& before, const motion::Pose& now, float dt_s) noexcept;
 
   /// Stops the response and returns to its stance smoothly, with steps where the feet need them.
   /// While the character is in its stance it does nothing.
@@ -188,11 +198,13 @@ class Character {
   Status push(motion::Role place, const Eigen::Vector3f& velocity, Workspace& workspace) noexcept;
 
   /// From now on the character moves about by the graph of its library (make_motion_graph()), which
-  /// must outlive it, instead of idling: a random walk that `seed` decides. It answers threats and
-  /// pushes as before, and then goes on. place() moves it along; settle(), change_stance() and
-  /// set_pose() end it. Returns not_loaded for the graph of another library. Costs some
-  /// microseconds, as does each jump.
-  Status walk(const MotionGraph& graph, std::uint64_t seed) noexcept;
+  /// must outlive it, instead of idling: a random walk that `seed` decides. Of the ways on that it
+  /// draws, it takes the first that leads into `area` or, of 32, the one that leads least out of
+  /// it. It answers threats and pushes as before, and then goes on. place() moves it along;
+  /// settle(), change_stance() and set_pose() end it. Returns not_loaded for the graph of another
+  /// library, bad_placement for an area without a radius or beyond 1e5 m. Costs some microseconds,
+  /// as does each jump.
+  Status walk(const MotionGraph& graph, std::uint64_t seed, const WalkArea& area = {}) noexcept;
 
   /// Advances the character by `dt_s` (above 0, at most kMaxTimeStep_s), which may differ from
   /// frame to frame.
@@ -205,6 +217,8 @@ class Character {
   /// a weight that is not finite counts as 0.
   motion::Pose pose_over(const motion::Pose& game, const Mask& mask) const noexcept;
 
+  /// Whether it moves about by a motion graph, also while it answers a threat or a push.
+  bool walks() const noexcept { return walk_.graph != nullptr; }
   /// The library that it was made with.
   const Library& library() const noexcept { return *library_; }
   /// What the character is doing.
@@ -262,6 +276,7 @@ class Character {
   /// The way through a motion graph.
   struct Walk {
     const MotionGraph* graph = nullptr;  ///< none: the character does not walk
+    WalkArea area;
     std::uint64_t seed = 0;
     std::uint64_t stays = 0;  ///< in clips so far; each draws its own random numbers
     float leave_s = 0;        ///< when push_ is left, s after it began

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <new>
 
+#include "motion/rotation.h"
 #include "runtime/character.h"
 #include "runtime/graph/motion_graph.h"
 
@@ -10,7 +11,34 @@ namespace flinch::runtime {
 namespace {
 
 constexpr float kWalkVelocityInterval_s = 1.0F / 240;
-constexpr int kMostJumps = 64;  // in one frame
+constexpr int kMostJumps = 64;     // in one frame
+constexpr int kPatientDraws = 16;  // of ways on, each after a stay of at least kMinStay_s
+constexpr int kMostDraws = 32;     // the others may leave at once
+constexpr float kAhead_s = 1.5F;   // that a walker looks ahead beyond a jump
+constexpr float kAheadInterval_s = 0.5F;
+constexpr float kMaxArea_m = 1e5F;
+
+/// How far outside of its area a character in a clip will be some time after this exit, m; negative
+/// inside.
+float leads_out_m(const MotionGraph& graph, const PushMotion& now, const GraphExit& exit,
+                  const WalkArea& area) {
+  const PreparedLibrary& library = *now.library;
+  const motion::Pose leaves = motion::placed(
+      motion::sample(library.clip(now.clip).motion, exit.leave_s), now.yaw, now.translation);
+  const GraphNode& to = graph.nodes[exit.node];
+  const motion::Motion& next = library.clip(to.clip).motion;
+  const float from_s = std::max(std::min(to.time_s, next.duration_s() - kAheadInterval_s), 0.0F);
+  const motion::Pose from = motion::sample(next, from_s);
+  const Eigen::Vector3f way =
+      motion::sample(next, from_s + kAheadInterval_s).root_position - from.root_position;
+  const Eigen::Vector3f ahead =
+      leaves.root_position +
+      kAhead_s / kAheadInterval_s *
+          (motion::rotation_about(Eigen::Vector3f::UnitZ(),
+                                  motion::facing(leaves) - motion::facing(from)) *
+           way);
+  return (ahead.head<2>() - area.centre).norm() - area.radius_m;
+}
 
 }  // namespace
 
@@ -21,11 +49,15 @@ std::shared_ptr<const MotionGraph> make_motion_graph(const Library& library) noe
   return nullptr;
 }
 
-Status Character::walk(const MotionGraph& graph, std::uint64_t seed) noexcept {
+Status Character::walk(const MotionGraph& graph, std::uint64_t seed,
+                       const WalkArea& area) noexcept {
   if (!library_->is_loaded() || graph.library != &library_->prepared() || graph.nodes.empty())
     return Status::not_loaded;
+  const bool is_near = area.centre.allFinite() && area.centre.cwiseAbs().maxCoeff() <= kMaxArea_m;
+  if (!is_near || !(area.radius_m > 0)) return Status::bad_placement;
   walk_ = {};
   walk_.graph = &graph;
+  walk_.area = area;
   walk_.seed = seed;
   walk_on();
   return Status::ok;
@@ -59,9 +91,17 @@ void Character::jump_to(std::uint32_t node) noexcept {
   inertialization_ = {};
   time_s_ = 0;
   features::Random random(walk_.seed, features::RandomStream::motion_walk, walk_.stays++);
-  const GraphExit exit = draw_exit(*walk_.graph, node, random);
-  walk_.leave_s = exit.leave_s - to.time_s;
-  walk_.node = exit.node;
+  float least_m = std::numeric_limits<float>::infinity();
+  for (int k = 0; k < kMostDraws && least_m > 0; ++k) {
+    const float min_stay_s = k < kPatientDraws ? kMinStay_s : 0;
+    const GraphExit exit = draw_exit(*walk_.graph, node, random, min_stay_s);
+    const float leave_s = exit.leave_s - to.time_s;
+    const float out_m = leads_out_m(*walk_.graph, push_, exit, walk_.area);
+    if (k > 0 && !(out_m < least_m)) continue;
+    least_m = out_m;
+    walk_.leave_s = leave_s;
+    walk_.node = exit.node;
+  }
 }
 
 }  // namespace flinch::runtime

@@ -148,15 +148,15 @@ std::uint32_t nearest_node(const MotionGraph& graph, const motion::Pose& before,
 }
 
 // A node that neither goes on nor jumps is the only one of its graph: the walk stays there.
-GraphExit draw_exit(const MotionGraph& graph, std::uint32_t node,
-                    features::Random& random) noexcept {
+GraphExit draw_exit(const MotionGraph& graph, std::uint32_t node, features::Random& random,
+                    float min_stay_s) noexcept {
   const float entered_s = graph.nodes[node].time_s;
   for (;; ++node) {
     const auto jumps = graph.jumps_of(node);
     const bool goes_on = graph.goes_on[node] != 0;
     const float time_s = std::max(graph.nodes[node].time_s, entered_s + kGraphStep_s);
     if (jumps.empty() && !goes_on) return {time_s, node};
-    if (goes_on && (jumps.empty() || time_s - entered_s < kMinStay_s)) continue;
+    if (goes_on && (jumps.empty() || time_s - entered_s < min_stay_s)) continue;
     const std::uint64_t choice = random.index(jumps.size() + (goes_on ? 1 : 0));
     if (choice < jumps.size()) return {time_s, jumps[static_cast<std::size_t>(choice)]};
   }

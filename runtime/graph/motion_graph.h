@@ -59,11 +59,11 @@ MotionGraph make_motion_graph(const PreparedLibrary& library);
 std::uint32_t nearest_node(const MotionGraph& graph, const motion::Pose& before,
                            const motion::Pose& now, float dt_s) noexcept;
 
-/// How a random walk that enters a clip at a node leaves it: it stays for at least kMinStay_s where
-/// it can, and then chooses at every node among going on and all jumps alike. No stay is shorter
-/// than kGraphStep_s.
-GraphExit draw_exit(const MotionGraph& graph, std::uint32_t node,
-                    features::Random& random) noexcept;
+/// How a random walk that enters a clip at a node leaves it: it stays for at least `min_stay_s`
+/// where it can, and then chooses at every node among going on and all jumps alike. No stay is
+/// shorter than kGraphStep_s.
 inline constexpr float kMinStay_s = 1.5F;
+GraphExit draw_exit(const MotionGraph& graph, std::uint32_t node, features::Random& random,
+                    float min_stay_s = kMinStay_s) noexcept;
 
 }  // namespace flinch::runtime

@@ -149,6 +149,37 @@ TEST(CharacterWalk, EndsWhenTheCharacterSettlesOrTheGameMovesIt) {
   EXPECT_EQ(animated.phase(), Phase::idle);
 }
 
+float farthest_m(Character character, const Eigen::Vector2f& centre) {
+  float farthest = 0;
+  for (int k = 0; k < 180 * 60; ++k) {
+    character.update(kWalkFrame_s);
+    farthest = std::max(farthest, (character.pose().root_position.head<2>() - centre).norm());
+  }
+  return farthest;
+}
+
+TEST(CharacterWalk, KeepsToItsArea) {
+  const Eigen::Vector2f centre(0.8F, 1.9F);
+  Character bounded = walker().walking(1);
+  ASSERT_EQ(bounded.walk(*walker().graph, 1, {centre, 1.2F}), Status::ok);
+  EXPECT_LT(farthest_m(bounded, centre), 1.2F);
+  EXPECT_GT(farthest_m(walker().walking(1), centre), 3);
+  EXPECT_EQ(bounded.walk(*walker().graph, 1, {centre, 0}), Status::bad_placement);
+  EXPECT_EQ(bounded.walk(*walker().graph, 1, {{std::nanf(""), 0}, 1}), Status::bad_placement);
+}
+
+TEST(CharacterWalk, GoesOnFromWhereItWasMoved) {
+  Character character = walker().walking(1);
+  for (int k = 0; k < 100; ++k) character.update(kWalkFrame_s);
+  const motion::Pose moved = motion::placed(character.pose(), 0.5F, {3, 0, 0});
+  ASSERT_EQ(character.move_to(moved, moved, kWalkFrame_s), Status::ok);
+  EXPECT_TRUE(character.walks());
+  EXPECT_LT(tests::distance(character.pose(), moved), 1e-3F);
+  character.update(kWalkFrame_s);
+  EXPECT_EQ(character.phase(), Phase::walking);
+  EXPECT_LT(tests::distance(character.pose(), moved), 0.1F);
+}
+
 TEST(CharacterWalk, RefusesTheGraphOfAnotherLibraryAndSurvivesALongFrame) {
   const Library other = walkable();
   Character character(other);
