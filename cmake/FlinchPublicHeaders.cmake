@@ -26,5 +26,4 @@ set(FLINCH_PUBLIC_HEADERS
   runtime/c/flinch.h  # installed as flinch.h
   lookahead/look_ahead.h
   reaction/reaction.h
-  reaction/reaction_clips.h
   reaction/reacting_character.h)

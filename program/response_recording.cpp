@@ -31,10 +31,8 @@ void check(reaction::ReactionStatus status) {
 std::shared_ptr<const reaction::ReactionData> reaction_data(const runtime::Library& library,
                                                             Ending ending) {
   if (ending == Ending::clip) return reaction::make_reaction_data(library);
-  const motion::Physique& character = library.clip_library().character;
   return std::make_shared<const reaction::ReactionData>(
-      reaction::ReactionData{reaction::make_figure_model(character),
-                             reaction::ReactionClips(character, std::span<const motion::Clip>())});
+      reaction::ReactionData{reaction::make_figure_model(library.clip_library().character), false});
 }
 
 /// What the character perceives of the first threat, which it knows to hit; nothing if it does not

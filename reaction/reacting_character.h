@@ -6,7 +6,6 @@
 
 #include "features/threat.h"
 #include "reaction/reaction.h"
-#include "reaction/reaction_clips.h"
 #include "runtime/character.h"
 
 namespace flinch::reaction {
@@ -15,32 +14,38 @@ namespace flinch::reaction {
 /// threads may use it, since it never changes.
 struct ReactionData {
   std::shared_ptr<const sim::FigureModel> figure;  ///< the physical figure
-  ReactionClips clips;  ///< the clips of purpose `push`, which continue a motion after a hit
+  /// Whether a recorded response to a push may continue the motion after a hit.
+  bool continues_by_clips = true;
 };
 
 /// The data of a loaded library, which is not needed afterwards. Null if nothing is loaded or
 /// memory ran out. Allocates; throws nothing.
 std::shared_ptr<const ReactionData> make_reaction_data(const runtime::Library& library) noexcept;
 
+/// The place of motion::kPushPlaces at which a blow on this body pushes the character: the nearest
+/// on the way to the trunk. None for the legs.
+std::optional<motion::Role> push_place_of(motion::Body body) noexcept;
+
 /// What moves a character's body.
 enum class PoseSource : std::uint8_t {
   character,      ///< runtime::Character: it idles or answers a threat
   physics,        ///< Reaction, from react_to() on
-  reaction_clip,  ///< the clip that follows physics, until it ends
+  reaction_clip,  ///< runtime::Character, by the response to a push that follows physics
 };
 /// The source as one or two words, for people; never null.
 const char* name_of(PoseSource pose_source) noexcept;
 
 /// A character that can be hit. runtime::Character moves it until a ball is about to touch it, then
-/// physics. After the hit it blends back to runtime::Character, which has gone on meanwhile, or,
-/// where the data has a clip that fits the blow and is close to how physics moves the body, to that
-/// clip and then to idle. docs/reaction.md explains it.
+/// physics. After the hit it blends back to runtime::Character, which has gone on meanwhile, or to
+/// the recorded response that Character::push() chooses for the blow: at the place that was struck
+/// most, with the velocity that the blow gave to the whole body. docs/reaction.md explains it.
 ///
 /// One thread at a time may use an object. Nothing throws. After react_to() nothing is allocated
 /// (see Reaction).
 class ReactingCharacter {
  public:
-  /// `library` must be loaded and outlive this. `data` of make_reaction_data().
+  /// `library` must be loaded and outlive this. `data` of make_reaction_data(). Allocates memory
+  /// for the choice of a response; without it, none follows a hit.
   ReactingCharacter(const runtime::Library& library, std::shared_ptr<const ReactionData> data,
                     const ReactionOptions& options = {}) noexcept;
 
@@ -54,6 +59,13 @@ class ReactingCharacter {
   /// from then on update() moves the ball too. May be called again while physics or a clip moves
   /// the body. Failure changes nothing.
   ReactionStatus react_to(const features::Ball& ball) noexcept;
+
+  /// Answers a push as runtime::Character::push() does, whatever moves the body. Where no recorded
+  /// response would look real, or there is none, physics moves the body (Reaction::begin_push()),
+  /// and the result is ok, too: afterwards the character walks on or settles where physics has
+  /// brought it, or the reaction's phase says that it was knocked over. A character that lies there
+  /// is not pushed: no_good_answer. Without `data` the result is that of Character::push().
+  runtime::Status push(motion::Role place, const Eigen::Vector3f& velocity) noexcept;
 
   /// Advances by `dt_s`: above 0, and at most kMaxReactionFrame_s while physics moves the body.
   /// Failure changes nothing, except for `failed`: the character then goes on without physics.
@@ -73,20 +85,24 @@ class ReactingCharacter {
   std::optional<int> reaction_clip() const noexcept;
 
  private:
+  enum class Cause : std::uint8_t { ball, push };
+  void begin_physics(Cause cause) noexcept;
   void update_from_physics(float dt_s) noexcept;
-  void update_from_clip(float dt_s) noexcept;
+  runtime::Character at_shown_pose() const noexcept;
+  runtime::Character pushed_away() const noexcept;
+  std::optional<runtime::Character> answer_to_blow() noexcept;
   Eigen::Vector2f blow_mps() const noexcept;  // velocity that the ball has given to the character
-  void resume_from_shown_pose(float dt_s) noexcept;
 
   const runtime::Library* library_;
   std::shared_ptr<const ReactionData> data_;
+  runtime::Workspace workspace_;
   runtime::Character character_;
   Reaction reaction_;
   PoseSource pose_source_ = PoseSource::character;
   ReactionStatus status_ = ReactionStatus::ok;  ///< of the last step of physics
-  bool has_searched_ = false;                   ///< for a clip, in this reaction
-  std::optional<ReactionMatch> match_;
-  float match_age_s_ = 0;
+  Cause cause_ = Cause::ball;                   ///< of this reaction
+  bool has_answered_ = false;                   ///< whether it is decided where it leads
+  std::optional<runtime::Character> answer_;    ///< that will move the body when physics is over
   motion::Pose pose_;
   motion::Pose before_;  ///< shown `step_s_` before it
   float step_s_ = 1.0F / 60;

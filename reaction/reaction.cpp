@@ -33,6 +33,10 @@ bool is_in_range(const features::RodShape& rod) {
          rod.to_pivot_m <= length && rod.angular_velocity.norm() * length <= kMaxBallSpeed_mps;
 }
 
+bool is_in_range(const SuddenPush& push) {
+  return motion::is_push_place(push.place) && push.velocity.norm() <= kMaxBallSpeed_mps;
+}
+
 bool is_in_range(const features::Ball& ball) {
   return ball.position.allFinite() && ball.velocity.norm() <= kMaxBallSpeed_mps &&
          ball.radius >= kMinBallRadius_m && ball.radius <= kMaxBallRadius_m &&
@@ -57,8 +61,9 @@ struct Reaction::State {
   motion::Pose wanted_at_return;  ///< both motions at the time at which the return began
   motion::Pose returning_at_return;
 
-  void begin(const motion::Pose& before, const motion::Pose& now, double dt_s,
-             const features::Ball* ball);
+  ReactionStatus check(const motion::Pose& before, const motion::Pose& now, double dt_s) const;
+  ReactionStatus begin(const motion::Pose& before, const motion::Pose& now, double dt_s,
+                       const features::Ball* ball, const std::optional<SuddenPush>& push) noexcept;
   void advance(double dt_s, const motion::Pose& wanted, const motion::Pose& returning);
   void simulate(double dt_s, const motion::Pose& destination, double weight);
   double since_contact_s() const;
@@ -77,7 +82,7 @@ std::shared_ptr<const sim::FigureModel> make_figure_model(
 
 /// Seconds since the contact; negative before it.
 double Reaction::State::since_contact_s() const {
-  return time_s - std::min(run->encounter().first_contact_s(), kMaxWaitForContact_s);
+  return time_s - std::min(run->contact_s(), kMaxWaitForContact_s);
 }
 
 motion::Pose Reaction::State::destination(const motion::Pose& wanted, const motion::Pose& returning,
@@ -93,15 +98,28 @@ motion::Pose Reaction::State::destination(const motion::Pose& wanted, const moti
                                          wanted_at_return, returning_at_return);
 }
 
-void Reaction::State::begin(const motion::Pose& before, const motion::Pose& now, double dt_s,
-                            const features::Ball* ball) {
-  run.emplace(*figure_model, options, before, now, dt_s, ball);
-  phase = ReactionPhase::waiting;
+ReactionStatus Reaction::State::check(const motion::Pose& before, const motion::Pose& now,
+                                      double dt_s) const {
+  if (!figure_model || !is_in_range(options)) return ReactionStatus::bad_options;
+  if (!is_frame_time(dt_s)) return ReactionStatus::bad_time;
+  return is_sound(before) && is_sound(now) ? ReactionStatus::ok : ReactionStatus::bad_pose;
+}
+
+ReactionStatus Reaction::State::begin(const motion::Pose& before, const motion::Pose& now,
+                                      double dt_s, const features::Ball* ball,
+                                      const std::optional<SuddenPush>& push) noexcept try {
+  run.emplace(*figure_model, options, before, now, dt_s, ball, push);
+  phase = push ? ReactionPhase::struck : ReactionPhase::waiting;
   shown = now;
   initial_ball = ball ? *ball : features::Ball{};
   time_s = 0;
   has_failed = false;
   is_returning = false;
+  return ReactionStatus::ok;
+} catch (...) {
+  has_failed = true;
+  phase = ReactionPhase::over;
+  return ReactionStatus::failed;
 }
 
 void Reaction::State::advance(double dt_s, const motion::Pose& wanted,
@@ -154,6 +172,8 @@ const char* message_of(ReactionStatus status) noexcept {
     case ReactionStatus::bad_ball:
       return "the ball is not finite, or outside 1 mm to 10 m of radius, 1 g to 1000 kg and 1000 "
              "m/s";
+    case ReactionStatus::bad_push:
+      return "a push is at chest, neck, head or a shoulder, and at most 1000 m/s";
     case ReactionStatus::failed:
       break;
   }
@@ -176,19 +196,22 @@ Reaction& Reaction::operator=(Reaction&&) noexcept = default;
 
 ReactionStatus Reaction::begin(const motion::Pose& before, const motion::Pose& now, double dt_s,
                                const features::Ball* ball) noexcept {
-  if (!state_ || !state_->figure_model || !is_in_range(state_->options))
-    return ReactionStatus::bad_options;
-  if (!is_frame_time(dt_s)) return ReactionStatus::bad_time;
-  if (!is_sound(before) || !is_sound(now)) return ReactionStatus::bad_pose;
+  if (!state_) return ReactionStatus::bad_options;
+  if (const auto status = state_->check(before, now, dt_s); status != ReactionStatus::ok)
+    return status;
   if (ball && !is_in_range(*ball)) return ReactionStatus::bad_ball;
-  try {
-    state_->begin(before, now, dt_s, ball);
-  } catch (...) {
-    state_->has_failed = true;
-    state_->phase = ReactionPhase::over;
-    return ReactionStatus::failed;
-  }
-  return ReactionStatus::ok;
+  return state_->begin(before, now, dt_s, ball, {});
+}
+
+ReactionStatus Reaction::begin_push(const motion::Pose& before, const motion::Pose& now,
+                                    double dt_s, motion::Role place,
+                                    const Eigen::Vector3d& velocity) noexcept {
+  if (!state_) return ReactionStatus::bad_options;
+  if (const auto status = state_->check(before, now, dt_s); status != ReactionStatus::ok)
+    return status;
+  const SuddenPush push{place, velocity};
+  if (!is_in_range(push)) return ReactionStatus::bad_push;
+  return state_->begin(before, now, dt_s, nullptr, push);
 }
 
 ReactionStatus Reaction::advance(double dt_s, const motion::Pose& wanted,
@@ -224,8 +247,7 @@ features::Ball Reaction::ball() const noexcept {
 }
 
 double Reaction::contact_s() const noexcept {
-  return state_ && state_->run ? state_->run->encounter().first_contact_s()
-                               : std::numeric_limits<double>::infinity();
+  return state_ && state_->run ? state_->run->contact_s() : std::numeric_limits<double>::infinity();
 }
 
 motion::PerBody<double> Reaction::impulse() const noexcept {

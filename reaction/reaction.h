@@ -6,6 +6,7 @@
 
 #include "features/ball.h"
 #include "motion/body.h"
+#include "motion/clip.h"
 
 namespace flinch::sim {
 struct FigureModel;  // opaque
@@ -66,6 +67,7 @@ enum class ReactionStatus : std::uint8_t {
   bad_time,     ///< a time step that is not in (0, kMaxReactionFrame_s]
   bad_pose,     ///< a number that is not finite, or a rotation that is not unit (to 1e-3)
   bad_ball,     ///< a number that is not finite, or a mass, radius or speed out of range
+  bad_push,     ///< not one of motion::kPushPlaces, or a velocity above kMaxBallSpeed_mps
   failed,       ///< the simulation failed; from now on pose() is the motion to return to
 };
 /// The status in words; never null.
@@ -82,9 +84,9 @@ enum class ReactionPhase : std::uint8_t {
   knocked_over,  ///< out of balance beyond what a step can save: falls until the game intervenes
 };
 
-/// A character's physical reaction to a ball. The figure, contacts and equations are those of
-/// training; weaker joint springs track the kinematic response, so that the hit shows. A double
-/// blend then returns to animation (see RecoverySchedule). docs/reaction.md explains it.
+/// A character's physical reaction to a ball or a push. The figure, contacts and equations are
+/// those of training; weaker joint springs track the kinematic response, so that the hit shows. A
+/// double blend then returns to animation (see RecoverySchedule). docs/reaction.md explains it.
 ///
 /// World frame: Z up, the ground at z = 0. Each object owns its simulation: equal calls give
 /// equal bits, whatever else is simulated on whatever threads. One thread at a time may call an
@@ -107,6 +109,13 @@ class Reaction {
   ReactionStatus begin(const motion::Pose& before, const motion::Pose& now, double dt_s,
                        const features::Ball* ball) noexcept;
 
+  /// The same for a character that is pushed now: the joint `place` (one of motion::kPushPlaces)
+  /// moves with `velocity` (world, m/s) more, and any other body with velocity exp(-d^2 / m^2),
+  /// where d is the distance of its centre of mass from the place: the taper of Arikan et al. 2005,
+  /// section 3.2, with w = 1 / m^2. The push counts as the contact.
+  ReactionStatus begin_push(const motion::Pose& before, const motion::Pose& now, double dt_s,
+                            motion::Role place, const Eigen::Vector3d& velocity) noexcept;
+
   /// Advances by `dt_s`, in (0, kMaxReactionFrame_s], which may differ from frame to frame.
   /// `wanted` is the pose of the protective motion at the new time, `returning` that of the motion
   /// to return to; they may be the same. Bad input changes nothing.
@@ -119,7 +128,7 @@ class Reaction {
   ReactionPhase phase() const noexcept;
   /// The ball now. It flies and bounces until the phase is over. Without one, the default ball.
   features::Ball ball() const noexcept;
-  /// When the ball first touched the figure, s after begin(); infinite if it has not.
+  /// When the ball first touched the figure, s after begin(); infinite if it has not. 0 for a push.
   double contact_s() const noexcept;
   /// Impulse on each body so far, N·s: from the ball, and from other bodies that the ball drove
   /// into it.

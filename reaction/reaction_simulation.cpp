@@ -23,6 +23,7 @@ constexpr double kNegligibleStep_s = 1e-6;  // remainders below this are not sim
 constexpr double kImpactStiffnessShare = 1e-4;
 // Largest force that pulls the figure back, as a share of its weight.
 constexpr double kPelvisForceShare = 0.7;
+constexpr double kPushTaper = 1;  // of the velocities of a push over the body, 1/m^2
 
 sim::SimulationOptions simulation_options() {
   sim::SimulationOptions options;
@@ -39,19 +40,34 @@ sim::BodyState between(const sim::BodyState& from, const sim::BodyState& to, dou
           (1 - share) * from.angular_velocity + share * to.angular_velocity};
 }
 
+sim::ReferenceState pushed(sim::ReferenceState state, const motion::Skeleton& skeleton,
+                           const motion::Pose& pose, const std::optional<SuddenPush>& push) {
+  if (!push) return state;
+  const Eigen::Vector3d place =
+      motion::forward_kinematics(skeleton, pose).position[push->place].cast<double>();
+  for (sim::BodyState& body : state.body) {
+    const double share = std::exp(-kPushTaper * (body.position - place).squaredNorm());
+    body.velocity += share * push->velocity;
+  }
+  return state;
+}
+
 }  // namespace
 
 ReactionSimulation::ReactionSimulation(const sim::FigureModel& figure_model,
                                        const ReactionOptions& options, const motion::Pose& before,
                                        const motion::Pose& now, double dt_s,
-                                       const features::Ball* ball)
+                                       const features::Ball* ball,
+                                       const std::optional<SuddenPush>& push)
     : figure_model_(figure_model),
+      is_pushed_(push.has_value()),
       struck_strength_{
           options.stiffness, options.stiffness,
           kPelvisForceShare * simulation_options().gravity_mps2 * figure_model.mass_kg},
       encounter_(figure_model, simulation_options(), 0, figure_model,
-                 LiveReference(figure_model, before, now, dt_s).at(0), ball,
-                 simulation_options().gravity_mps2),
+                 pushed(LiveReference(figure_model, before, now, dt_s).at(0), figure_model.skeleton,
+                        now, push),
+                 ball, simulation_options().gravity_mps2),
       wanted_(figure_model, before, now, dt_s),
       feedforward_(wanted_.at(0)),
       before_(snapshot()),
@@ -91,7 +107,7 @@ void ReactionSimulation::step() {
 sim::Drive ReactionSimulation::drive() const {
   const double to_ground = encounter_.is_ball_hit() ? kImpactStiffnessShare : 1;
   sim::Drive drive;
-  if (std::isfinite(encounter_.first_contact_s())) drive.strength = struck_strength_;
+  if (std::isfinite(contact_s())) drive.strength = struck_strength_;
   drive.strength.pelvis *= to_ground;
   drive.is_falling = is_falling_;
   if (!is_falling_) {

@@ -7,6 +7,12 @@
 
 namespace flinch::reaction {
 
+/// What sets a figure in motion when a reaction begins, beside its own motion.
+struct SuddenPush {
+  motion::Role place = motion::Role::chest;            ///< the pushed joint
+  Eigen::Vector3d velocity = Eigen::Vector3d::Zero();  ///< that it gets, world, m/s
+};
+
 /// The simulated part of one reaction.
 ///
 /// Its steps do not depend on the frames. The simulation runs ahead of the displayed time by less
@@ -17,7 +23,7 @@ class ReactionSimulation {
   /// `figure_model` must outlive this.
   ReactionSimulation(const sim::FigureModel& figure_model, const ReactionOptions& options,
                      const motion::Pose& before, const motion::Pose& now, double dt_s,
-                     const features::Ball* ball);
+                     const features::Ball* ball, const std::optional<SuddenPush>& push = {});
 
   /// Simulates for `dt_s` more, at the end of which the motion is at `wanted`. Throws Error if the
   /// figure's state is no longer finite.
@@ -31,6 +37,8 @@ class ReactionSimulation {
   /// Momentum that the ball has passed to the figure so far, world, N·s.
   const Eigen::Vector3d& ball_momentum() const { return ball_momentum_; }
   const sim::Encounter<sim::TreeScene>& encounter() const { return encounter_; }
+  /// When the figure was first struck, s; 0 if it was pushed, infinite if nothing has hit it.
+  double contact_s() const { return is_pushed_ ? 0 : encounter_.first_contact_s(); }
 
   /// Whether the blow has put the figure so far out of balance that no step can save it, and
   /// farther than the motion itself.
@@ -51,6 +59,7 @@ class ReactionSimulation {
   double share_of_last_step() const;
 
   const sim::FigureModel& figure_model_;
+  bool is_pushed_;
   sim::MotorStrength struck_strength_;  // from the first contact on; until then the figure is as
                                         // stiff as the trainer's
   sim::Encounter<sim::TreeScene> encounter_;

@@ -15,9 +15,12 @@ flinch_status flinch_character_push(flinch_character* character, int32_t joint,
   if (velocity == nullptr) return FLINCH_NULL_POINTER;
   if (character->content->library != workspace->content->library) return FLINCH_OTHER_LIBRARY;
   if (!runtime::is_index(joint, flinch::motion::kRoleCount)) return FLINCH_BAD_PUSH;
-  return status_of(character->content->character().push(static_cast<flinch::motion::Role>(joint),
-                                                        {velocity[0], velocity[1], velocity[2]},
-                                                        workspace->content->workspace));
+  const auto place = static_cast<flinch::motion::Role>(joint);
+  const Eigen::Vector3f asked(velocity[0], velocity[1], velocity[2]);
+  if (auto* reacting = character->content->reacting())
+    return status_of(reacting->push(place, asked));
+  return status_of(
+      character->content->character().push(place, asked, workspace->content->workspace));
 }
 
 flinch_status flinch_character_push_candidates(const flinch_character* character,

@@ -79,6 +79,8 @@ flinch_status status_of(reaction::ReactionStatus status) noexcept {
       return FLINCH_BAD_POSE;
     case ReactionStatus::bad_ball:
       return FLINCH_BAD_THREAT;
+    case ReactionStatus::bad_push:
+      return FLINCH_BAD_PUSH;
     case ReactionStatus::not_begun:  // these two cannot happen through the C interface
     case ReactionStatus::bad_options:
     case ReactionStatus::failed:

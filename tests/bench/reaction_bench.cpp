@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "reaction/reaction_clips.h"
 #include "tests/bench/measures.h"
 #include "tests/reaction/reaction_scenes.h"
 
@@ -69,25 +68,6 @@ void begin(benchmark::State& state) {
   for (auto _ : state) scenes::begin(reaction, cases[next++ % cases.size()]);
 }
 BENCHMARK(begin)->Unit(benchmark::kMicrosecond);
-
-/// Searches 120 clips of two seconds, none of them near, so that no good match ends the search
-/// early.
-void find_clip(benchmark::State& state) {
-  const motion::Physique man = motion::default_character();
-  std::vector<motion::Clip> clips(120);
-  const motion::Pose stand = scenes::standing(man.skeleton);
-  for (std::size_t i = 0; i < clips.size(); ++i) {
-    clips[i].purpose = motion::Purpose::push;
-    clips[i].motion.poses.assign(120, stand);
-  }
-  const reaction::ReactionClips index(man, clips);
-  const motion::Pose raised = scenes::arms_raised(man.skeleton);
-  for (auto _ : state) {
-    benchmark::DoNotOptimize(index.find(raised, raised, 1.0F / 60, {0, 0}, 10.0F));
-  }
-  state.counters["frames"] = static_cast<double>(index.size());
-}
-BENCHMARK(find_clip)->Unit(benchmark::kMicrosecond);
 
 }  // namespace
 }  // namespace flinch

@@ -9,7 +9,6 @@
 
 #include "database/files/library_writer.h"
 #include "motion/rotation.h"
-#include "reaction/reaction_clips.h"
 #include "tests/bench/measures.h"
 #include "tests/bench/study.h"
 #include "tests/reaction/reaction_scenes.h"
@@ -49,7 +48,6 @@ struct Played {
   bool knocked_over = false;
   double fastest_turn = 0;  // of the pelvis while the figure falls, rad/s
   motion::Body most_hit = motion::Body::pelvis;
-  Eigen::Vector2f blow_mps = Eigen::Vector2f::Zero();
 };
 
 Played play(const Study& study, const ReactionCase& reaction_case, double frame_s) {
@@ -73,9 +71,6 @@ Played play(const Study& study, const ReactionCase& reaction_case, double frame_
     const double turned = static_cast<double>(motion::rotation_vector(turn).norm());
     played.fastest_turn = std::max(played.fastest_turn, turned / frame_s);
   }
-  played.blow_mps =
-      (reaction.ball_momentum().head<2>() / static_cast<double>(study.character.mass_kg))
-          .cast<float>();
   const auto impulse = reaction.impulse();
   for (motion::Body body : motion::kBodies) {
     if (impulse[body] > impulse[played.most_hit]) played.most_hit = body;
@@ -179,41 +174,13 @@ void print_fall(const Study& study) {
   }
 }
 
-/// Searches the clips for the pose at the end of the time in which only the simulation acts.
-void print_search(const Study& study, const database::ClipLibrary& library,
-                  const std::vector<ReactionCase>& cases) {
-  const reaction::ReactionClips clips(library.character, library.clips,
-                                      motion::Purpose::anticipation);
-  std::vector<double> distances;
-  double spent_us = 0;
-  for (const ReactionCase& reaction_case : cases) {
-    const Played played = play(study, reaction_case, kFrame_s);
-    const double begin_s = bench::thread_cpu_s();
-    const auto match = clips.find(played.poses[5], played.poses[6], static_cast<float>(kFrame_s),
-                                  played.blow_mps, 10.0F);
-    spent_us += 1e6 * (bench::thread_cpu_s() - begin_s);
-    if (match) distances.push_back(static_cast<double>(match->distance_m));
-  }
-  const double near = static_cast<double>(motion::kMaxSeamDistance_m);
-  const auto found = std::count_if(distances.begin(), distances.end(),
-                                   [&](double distance) { return distance <= near; });
-  std::printf("\n### Search for a clip to go on with, among %zu frames\n\n", clips.size());
-  std::printf("| D median | p90 | within %.2f m | us a search |\n| --- | --- | --- | --- |\n",
-              near);
-  std::printf("| %.3f m | %.3f m | %.0f %% | %.0f |\n", quantile(distances, 0.5),
-              quantile(distances, 0.9),
-              100 * static_cast<double>(found) / static_cast<double>(cases.size()),
-              spent_us / static_cast<double>(cases.size()));
-}
-
-std::vector<ReactionCase> print(const char* title, const Study& study) {
+void print(const char* title, const Study& study) {
   std::printf("\n## %s: %zu motions\n", title, study.motions.size());
-  auto cases = scenes::random_reaction_cases(study.character, study.motions, kCases, 1);
+  const auto cases = scenes::random_reaction_cases(study.character, study.motions, kCases, 1);
   print_effect(study, cases);
   print_frame_rates(study, cases);
   print_knock_overs(study);
   print_fall(study);
-  return cases;
 }
 
 void run(const bench::StudyArguments& arguments) {
@@ -224,7 +191,7 @@ void run(const bench::StudyArguments& arguments) {
   const database::ClipLibrary library = database::load_library(arguments.text(0));
   Study study{library.character, {}, reaction::make_figure_model(library.character)};
   for (const motion::Clip& clip : library.clips) study.motions.push_back({clip.name, clip.motion});
-  print_search(study, library, print("The library's clips", study));
+  print("The library's clips", study);
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "motion/rotation.h"
 #include "tests/reaction/reaction_player.h"
 #include "tests/runtime/made_up_selector.h"
+#include "tests/runtime/push/push_scene.h"
 #include "tests/scenes/not_finite.h"
 
 namespace flinch::reaction {
@@ -24,41 +25,34 @@ constexpr float kImpact_s = 0.6F;
 
 constexpr int kClip = 1;
 
-/// Loads the synthetic library and, if asked for, adds a clip of purpose push that moves as the
-/// protective clip kClip does, and by `pushed_m` in half a second.
-runtime::Library loaded(std::optional<Eigen::Vector2f> pushed_m) {
-  database::ClipLibrary clips = tests::made_up_library(5, 120);
-  if (pushed_m) {
-    motion::Clip push = clips.clips[kClip];
-    push.name = "recover";
-    push.purpose = motion::Purpose::push;
-    push.annotation.reset();
-    for (std::size_t k = 0; k < push.motion.poses.size(); ++k) {
-      const float time_s = static_cast<float>(k) / push.motion.rate_hz;
-      push.motion.poses[k].root_position.head<2>() += motion::minimum_jerk(2 * time_s) * *pushed_m;
-    }
-    clips.clips.push_back(push);
-  }
+runtime::Library loaded(const database::ClipLibrary& clips, float realism) {
+  tests::MadeUpSelector made = tests::made_up_selector(clips, 60, tests::ModelKind::knn);
+  made.selector.realism = tests::constant_realism(realism);
+  const std::string file = made.file();
   runtime::Library library;
-  const std::string file = tests::made_up_selector(clips, 60, tests::ModelKind::knn).file();
   EXPECT_EQ(library.load(std::as_bytes(std::span(file))), database::LoadStatus::ok);
   return library;
 }
 
 const runtime::Library& plain() {
-  static const runtime::Library library = loaded(std::nullopt);
+  static const runtime::Library library = loaded(tests::made_up_library(5, 120), 0.9F);
   return library;
 }
-const runtime::Library& with_push_from_the_front() {
-  static const runtime::Library library = loaded(Eigen::Vector2f(-0.15F, 0));
+/// Any response to a push counts as good.
+const runtime::Library& with_pushes() {
+  static const runtime::Library library = loaded(tests::library_with_pushes(), 0.9F);
   return library;
 }
-const runtime::Library& with_push_from_behind() {
-  static const runtime::Library library = loaded(Eigen::Vector2f(0.15F, 0));
+/// None does.
+const runtime::Library& with_bad_pushes() {
+  static const runtime::Library library = loaded(tests::library_with_pushes(), 0.4F);
   return library;
 }
 
-/// A volleyball that hits the middle of the displayed chest in 0.05 s.
+constexpr double kHeavy_kg =
+    2;  // a ball whose blow moves the body at about half a metre per second
+
+/// A ball that hits the middle of the displayed chest in 0.05 s.
 features::Ball ball_at_chest(const runtime::Library& library, const motion::Pose& pose,
                              double mass_kg) {
   const motion::Skeleton& skeleton = library.clip_library().character.skeleton;
@@ -116,9 +110,9 @@ TEST(ReactingCharacter, MatchesTheRunTimeBeforeAndAfterTheReaction) {
   EXPECT_EQ(hit.character().phase(), runtime::Phase::idle);
 }
 
-TEST(ReactingCharacter, ContinuesWithASimilarClipAndThenIdles) {
-  ReactingCharacter hit(with_push_from_the_front(), make_reaction_data(with_push_from_the_front()));
-  const Played played = play(hit, with_push_from_the_front(), 7);
+TEST(ReactingCharacter, ContinuesWithAResponseAndThenIdles) {
+  ReactingCharacter hit(with_pushes(), make_reaction_data(with_pushes()));
+  const Played played = play(hit, with_pushes(), 7, kHeavy_kg);
   const auto first = std::ranges::find(played.pose_sources, PoseSource::reaction_clip);
   ASSERT_NE(first, played.pose_sources.end());
   EXPECT_EQ(*(first - 1), PoseSource::physics);
@@ -131,26 +125,66 @@ TEST(ReactingCharacter, ContinuesWithASimilarClipAndThenIdles) {
   EXPECT_EQ(hit.character().phase(), runtime::Phase::idle);
 }
 
-// The body moves as in the test above; but the ball comes from the front and the clip's push from
-// behind.
-TEST(ReactingCharacter, NoClipContinuesABlowThatItDoesNotFit) {
-  ReactingCharacter hit(with_push_from_behind(), make_reaction_data(with_push_from_behind()));
-  const Played played = play(hit, with_push_from_behind(), 3);
+/// The velocity that the ball has given to the whole body.
+Eigen::Vector3f blow_of(const ReactingCharacter& hit, const runtime::Library& library) {
+  const double mass_kg = static_cast<double>(library.clip_library().character.mass_kg);
+  const Eigen::Vector3d velocity = hit.reaction().ball_momentum() / mass_kg;
+  return {static_cast<float>(velocity.x()), static_cast<float>(velocity.y()), 0};
+}
+
+TEST(ReactingCharacter, AnswersABlowAsAPushOfTheSamePlaceAndVelocityIsAnswered) {
+  const runtime::Library& library = with_pushes();
+  runtime::Workspace workspace;
+  workspace.reserve_memory(library.selection_bytes());
+  ReactingCharacter hit(library, make_reaction_data(library));
+  hit.character().respond(kClip, kImpact_s);
+  for (float time_s = 0; time_s < kImpact_s; time_s += kFrame_s) hit.update(kFrame_s);
+  ASSERT_EQ(hit.react_to(ball_at_chest(library, hit.pose(), kHeavy_kg)), ReactionStatus::ok);
+  motion::Pose before = hit.pose();
+  while (hit.reaction().phase() != ReactionPhase::recovering) {
+    before = hit.pose();
+    ASSERT_EQ(hit.update(kFrame_s), ReactionStatus::ok);
+  }
+  runtime::Character twin = hit.character();
+  ASSERT_EQ(twin.move_to(before, hit.pose(), kFrame_s), runtime::Status::ok);
+  ASSERT_EQ(twin.push(Role::chest, blow_of(hit, library), workspace), runtime::Status::ok);
+  EXPECT_EQ(hit.reaction_clip(), twin.clip());
+  int alike = 0;
+  for (int frame = 0; frame < 240; ++frame) {
+    hit.update(kFrame_s);
+    twin.update(kFrame_s);
+    if (hit.pose_source() == PoseSource::physics) continue;
+    EXPECT_TRUE(same_bits(hit.pose(), twin.pose())) << "frame " << frame;
+    ++alike;
+  }
+  EXPECT_GT(alike, 180);
+}
+
+TEST(ReactingCharacter, NoResponseContinuesABlowIfNoneWouldLookReal) {
+  ReactingCharacter hit(with_bad_pushes(), make_reaction_data(with_bad_pushes()));
+  const Played played = play(hit, with_bad_pushes(), 3, kHeavy_kg);
   EXPECT_TRUE(std::isfinite(hit.reaction().contact_s()));
   EXPECT_EQ(std::ranges::count(played.pose_sources, PoseSource::reaction_clip), 0);
   EXPECT_EQ(hit.reaction().phase(), ReactionPhase::over);
 }
 
-// The body moves as in the first of these tests, where a clip continues it; but the ball passes 2 m
-// away.
-TEST(ReactingCharacter, NoClipContinuesAMotionThatNothingHit) {
-  ReactingCharacter missed(with_push_from_the_front(),
-                           make_reaction_data(with_push_from_the_front()));
+TEST(ReactingCharacter, NoResponseContinuesABlowWhereTheCallerWantsNone) {
+  auto data = *make_reaction_data(with_pushes());
+  data.continues_by_clips = false;
+  ReactingCharacter hit(with_pushes(), std::make_shared<const ReactionData>(data));
+  const Played played = play(hit, with_pushes(), 3, kHeavy_kg);
+  EXPECT_EQ(std::ranges::count(played.pose_sources, PoseSource::reaction_clip), 0);
+}
+
+// The body moves as in the first of these tests, where a response continues it; but the ball passes
+// 2 m away.
+TEST(ReactingCharacter, NoResponseContinuesAMotionThatNothingHit) {
+  ReactingCharacter missed(with_pushes(), make_reaction_data(with_pushes()));
   ASSERT_EQ(missed.character().respond(kClip, kImpact_s), runtime::Status::ok);
   bool met = false;
   for (float time_s = 0; time_s < 3; time_s += kFrame_s) {
     if (!met && time_s > kImpact_s) {
-      features::Ball ball = ball_at_chest(with_push_from_the_front(), missed.pose(), 0.27);
+      features::Ball ball = ball_at_chest(with_pushes(), missed.pose(), kHeavy_kg);
       ball.position.y() += 2;
       ASSERT_EQ(missed.react_to(ball), ReactionStatus::ok);
       met = true;
@@ -161,6 +195,22 @@ TEST(ReactingCharacter, NoClipContinuesAMotionThatNothingHit) {
   EXPECT_EQ(missed.reaction().phase(), ReactionPhase::over);
   EXPECT_EQ(missed.reaction().contact_s(), tests::kInfinityDouble);
   EXPECT_EQ(missed.pose_source(), PoseSource::character);
+}
+
+TEST(ReactingCharacter, ABlowPushesAtItsBodyOrNextToItButNotByTheLegs) {
+  using motion::Body;
+  for (const Body body : motion::kBodies) {
+    const auto place = push_place_of(body);
+    const bool is_leg = motion::target_of(body) == motion::Target::legs;
+    EXPECT_EQ(place.has_value(), !is_leg) << static_cast<int>(body);
+    if (place) {
+      EXPECT_TRUE(motion::is_push_place(*place));
+    }
+  }
+  EXPECT_EQ(push_place_of(Body::left_hand), Role::left_upper_arm);
+  EXPECT_EQ(push_place_of(Body::right_forearm), Role::right_upper_arm);
+  EXPECT_EQ(push_place_of(Body::head), Role::head);
+  EXPECT_EQ(push_place_of(Body::abdomen), Role::chest);
 }
 
 /// Largest change of a joint's velocity between frames, rad/s.
@@ -177,9 +227,9 @@ float velocity_step(const std::vector<motion::Pose>& poses, std::size_t k) {
 }
 
 TEST(ReactingCharacter, PoseIsContinuousWhenItsSourceChanges) {
-  for (const runtime::Library* library : {&plain(), &with_push_from_the_front()}) {
+  for (const runtime::Library* library : {&plain(), &with_pushes()}) {
     ReactingCharacter hit(*library, make_reaction_data(*library));
-    const Played played = play(hit, *library, 7);
+    const Played played = play(hit, *library, 7, library == &plain() ? 0.27 : kHeavy_kg);
     int changes = 0;
     for (std::size_t k = 2; k + 1 < played.poses.size(); ++k) {
       if (played.pose_sources[k] == played.pose_sources[k - 1]) continue;
