@@ -49,6 +49,7 @@ struct flinch_character : flinch::runtime::HandleHeader {
   struct Content {
     flinch::runtime::SharedLibrary library;
     std::variant<flinch::runtime::Character, flinch::reaction::ReactingCharacter> body;
+    std::shared_ptr<const flinch::runtime::MotionGraph> graph = nullptr;  ///< of its walk
 
     flinch::reaction::ReactingCharacter* reacting() {
       return std::get_if<flinch::reaction::ReactingCharacter>(&body);
@@ -74,6 +75,18 @@ struct flinch_character : flinch::runtime::HandleHeader {
   };
   static_assert(sizeof(Content) <= std::size_t{16} * 1024);
   explicit flinch_character(Content made)
+      : HandleHeader(kMark), content(std::make_unique<Content>(std::move(made))) {}
+
+  std::unique_ptr<Content> content;
+};
+
+struct flinch_motion_graph : flinch::runtime::HandleHeader {
+  static constexpr std::uint32_t kMark = 0xF11C0005;
+  struct Content {
+    flinch::runtime::SharedLibrary library;
+    std::shared_ptr<const flinch::runtime::MotionGraph> graph;
+  };
+  explicit flinch_motion_graph(Content made)
       : HandleHeader(kMark), content(std::make_unique<Content>(std::move(made))) {}
 
   std::unique_ptr<Content> content;

@@ -220,6 +220,7 @@ flinch_status flinch_character_copy(flinch_character* character, const flinch_ch
   if (to == nullptr || from == nullptr) return FLINCH_BAD_HANDLE;
   if (character->content->library != saved->content->library) return FLINCH_OTHER_LIBRARY;
   *to = *from;
+  character->content->graph = saved->content->graph;
   return FLINCH_OK;
 }
 

@@ -393,7 +393,8 @@ FLINCH_API flinch_status flinch_character_respond(flinch_character* character, i
 /* Pushes the character: the joint `joint` (chest, neck, head or an upper arm, by its number) shall
  * move with `velocity` (world, m/s, 0.05 to 20). Starts the recorded response that will look most
  * real when it is bent to this push, also during another. FLINCH_NO_GOOD_ANSWER where none would:
- * nothing changes then but the candidates. */
+ * nothing changes then but the candidates. A character with reactions is moved by physics then,
+ * with FLINCH_OK, unless it has been knocked over; see flinch_character_reaction. */
 FLINCH_API flinch_status flinch_character_push(flinch_character* character, int32_t joint,
                                                const float velocity[3],
                                                flinch_workspace* workspace);
@@ -412,6 +413,24 @@ typedef struct flinch_push_candidate {
 FLINCH_API flinch_status flinch_character_push_candidates(const flinch_character* character,
                                                           flinch_push_candidate* out,
                                                           int32_t capacity, int32_t* count);
+
+/* ---- Walking (docs/pushing.md) --------------------------------------------------------------- */
+
+/* A graph of the moments of a library's everyday clips that can follow each other. */
+typedef struct flinch_motion_graph flinch_motion_graph;
+/* Makes the graph, which never changes; any threads may use it. Takes a few tenths of a second for
+ * two minutes of everyday clips. */
+FLINCH_API flinch_status flinch_motion_graph_create(const flinch_library* library,
+                                                    flinch_motion_graph** out);
+/* Frees a graph. Characters that walk by it go on. */
+FLINCH_API flinch_status flinch_motion_graph_free(flinch_motion_graph* graph);
+/* From now on the character moves about by the graph instead of idling: a random walk that `seed`
+ * decides. It keeps to the circle about (x, y) as far as the graph has a way; INFINITY: anywhere.
+ * It answers threats and pushes as before, and then walks on. Placing moves it along; settling,
+ * another stance and a pose from the game end the walk. */
+FLINCH_API flinch_status flinch_character_walk(flinch_character* character,
+                                               const flinch_motion_graph* graph, uint64_t seed,
+                                               float x, float y, float radius);
 
 /* Advances the character by `dt_s`, above 0 and at most 1e6, which may differ from frame to frame.
  */
