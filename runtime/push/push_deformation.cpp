@@ -19,16 +19,15 @@ struct Bone {
   Role end;
 };
 // Parents first.
-constexpr std::array kBones{Bone{Role::pelvis, Role::chest},
-                            Bone{Role::abdomen, Role::chest},
-                            Bone{Role::chest, Role::neck},
-                            Bone{Role::neck, Role::head},
-                            Bone{Role::left_clavicle, Role::left_upper_arm},
-                            Bone{Role::left_upper_arm, Role::left_forearm},
-                            Bone{Role::left_forearm, Role::left_hand},
-                            Bone{Role::right_clavicle, Role::right_upper_arm},
-                            Bone{Role::right_upper_arm, Role::right_forearm},
-                            Bone{Role::right_forearm, Role::right_hand}};
+constexpr std::array kTrunkBones{Bone{Role::pelvis, Role::chest},
+                                 Bone{Role::abdomen, Role::chest},
+                                 Bone{Role::chest, Role::neck},
+                                 Bone{Role::neck, Role::head},
+                                 Bone{Role::left_clavicle, Role::left_upper_arm},
+                                 Bone{Role::right_clavicle, Role::right_upper_arm}};
+constexpr std::array kArmBones{
+    Bone{Role::left_upper_arm, Role::left_forearm}, Bone{Role::left_forearm, Role::left_hand},
+    Bone{Role::right_upper_arm, Role::right_forearm}, Bone{Role::right_forearm, Role::right_hand}};
 constexpr std::array kKept{Role::head, Role::left_hand, Role::right_hand};
 
 /// The turn about `axis` (unit) that brings the direction `from` nearest to `to`.
@@ -37,6 +36,50 @@ Eigen::Quaternionf twist_between(const Eigen::Vector3f& axis, const Eigen::Vecto
   const Eigen::Vector3f a = from - axis.dot(from) * axis;
   const Eigen::Vector3f b = to - axis.dot(to) * axis;
   return motion::rotation_about(axis, std::atan2(axis.dot(a.cross(b)), a.dot(b)));
+}
+
+/// A pose whose joints are being shifted, and where they have come.
+struct Shifting {
+  const motion::Skeleton& skeleton;
+  const JointFrames& frames;  ///< of the pose before
+  const motion::PerRole<Eigen::Vector3f>& shifts;
+  JointFrames moved;
+  motion::Pose& pose;
+
+  Shifting(const motion::Skeleton& of, const JointFrames& from,
+           const motion::PerRole<Eigen::Vector3f>& by, motion::Pose& to)
+      : skeleton(of), frames(from), shifts(by), moved(from), pose(to) {
+    moved.position[Role::pelvis] += shifts[Role::pelvis];
+    pose.root_position = moved.position[Role::pelvis];
+  }
+  Eigen::Vector3f wanted(Role role) const { return frames.position[role] + shifts[role]; }
+  void turn(const Bone& bone);
+};
+
+void Shifting::turn(const Bone& bone) {
+  const auto [joint, end] = bone;
+  const Role parent = motion::kParents[joint];
+  if (joint != Role::pelvis) {
+    moved.position[joint] =
+        moved.position[parent] + motion::rotated(skeleton.offset[joint], moved.orientation[parent]);
+  }
+  const Eigen::Vector3f direction = wanted(end) - moved.position[joint];
+  Eigen::Quaternionf turn =
+      motion::rotation_between<float>(frames.position[end] - frames.position[joint], direction);
+  if (joint == Role::chest) {
+    const auto across = [](const Eigen::Vector3f& left, const Eigen::Vector3f& right) {
+      return Eigen::Vector3f(left - right);
+    };
+    const Eigen::Vector3f shoulders = turn * across(frames.position[Role::left_upper_arm],
+                                                    frames.position[Role::right_upper_arm]);
+    turn = twist_between(direction.normalized(), shoulders,
+                         across(wanted(Role::left_upper_arm), wanted(Role::right_upper_arm))) *
+           turn;
+  }
+  moved.orientation[joint] = (turn * frames.orientation[joint]).normalized();
+  pose.rotation[joint] = joint == Role::pelvis
+                             ? moved.orientation[joint]
+                             : moved.orientation[parent].conjugate() * moved.orientation[joint];
 }
 
 }  // namespace
@@ -65,40 +108,19 @@ motion::PerRole<float> deformation_shares(const PushDeformation& deformation,
 
 void shift_joints(const motion::Skeleton& skeleton, const JointFrames& frames,
                   const motion::PerRole<Eigen::Vector3f>& shifts, motion::Pose& pose) noexcept {
-  JointFrames moved = frames;
-  moved.position[Role::pelvis] += shifts[Role::pelvis];
-  const auto wanted = [&](Role role) -> Eigen::Vector3f {
-    return frames.position[role] + shifts[role];
-  };
-  for (const auto [joint, end] : kBones) {
-    const Role parent = motion::kParents[joint];
-    if (joint != Role::pelvis) {
-      moved.position[joint] = moved.position[parent] +
-                              motion::rotated(skeleton.offset[joint], moved.orientation[parent]);
-    }
-    const Eigen::Vector3f bone = frames.position[end] - frames.position[joint];
-    const Eigen::Vector3f direction = wanted(end) - moved.position[joint];
-    Eigen::Quaternionf turn = motion::rotation_between<float>(bone, direction);
-    if (joint == Role::chest) {
-      const auto across = [](const Eigen::Vector3f& left, const Eigen::Vector3f& right) {
-        return Eigen::Vector3f(left - right);
-      };
-      const Eigen::Vector3f shoulders = turn * across(frames.position[Role::left_upper_arm],
-                                                      frames.position[Role::right_upper_arm]);
-      turn = twist_between(direction.normalized(), shoulders,
-                           across(wanted(Role::left_upper_arm), wanted(Role::right_upper_arm))) *
-             turn;
-    }
-    moved.orientation[joint] = (turn * frames.orientation[joint]).normalized();
-    pose.rotation[joint] = joint == Role::pelvis
-                               ? moved.orientation[joint]
-                               : moved.orientation[parent].conjugate() * moved.orientation[joint];
-  }
+  Shifting shifting(skeleton, frames, shifts, pose);
+  for (const Bone& bone : kTrunkBones) shifting.turn(bone);
+  for (const Bone& bone : kArmBones) shifting.turn(bone);
   for (const Role role : kKept) {
     pose.rotation[role] =
-        moved.orientation[motion::kParents[role]].conjugate() * frames.orientation[role];
+        shifting.moved.orientation[motion::kParents[role]].conjugate() * frames.orientation[role];
   }
-  pose.root_position = moved.position[Role::pelvis];
+}
+
+void shift_trunk(const motion::Skeleton& skeleton, const JointFrames& frames,
+                 const motion::PerRole<Eigen::Vector3f>& shifts, motion::Pose& pose) noexcept {
+  Shifting shifting(skeleton, frames, shifts, pose);
+  for (const Bone& bone : kTrunkBones) shifting.turn(bone);
 }
 
 }  // namespace flinch::runtime

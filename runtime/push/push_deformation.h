@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
+
 #include "motion/skeleton.h"
 
 namespace flinch::runtime {
@@ -29,6 +31,12 @@ float deformation_offset(float rise_s, float time_s) noexcept;
 motion::PerRole<float> deformation_shares(const PushDeformation& deformation,
                                           const motion::JointFrames& frames) noexcept;
 
+/// The joints at which a character can be pushed, and those that lead there; parents first.
+inline constexpr std::array kTrunkRoles{
+    motion::Role::pelvis,         motion::Role::abdomen,        motion::Role::chest,
+    motion::Role::neck,           motion::Role::head,           motion::Role::left_clavicle,
+    motion::Role::left_upper_arm, motion::Role::right_clavicle, motion::Role::right_upper_arm};
+
 /// Moves the joints of trunk and arms by their `shifts` (world, m) as far as the bones, which keep
 /// their lengths, allow: parents first, each with the least turn that points its bone at where the
 /// next joint should be. The pelvis turns the trunk as a whole; the chest also turns about its axis
@@ -36,5 +44,10 @@ motion::PerRole<float> deformation_shares(const PushDeformation& deformation,
 /// pelvis. `frames` are those of `pose`. Allocates nothing.
 void shift_joints(const motion::Skeleton& skeleton, const motion::JointFrames& frames,
                   const motion::PerRole<Eigen::Vector3f>& shifts, motion::Pose& pose) noexcept;
+
+/// The same for kTrunkRoles alone, of which it places all where shift_joints() does. The
+/// orientation of the head and of the upper arms stays as it is in their parents.
+void shift_trunk(const motion::Skeleton& skeleton, const motion::JointFrames& frames,
+                 const motion::PerRole<Eigen::Vector3f>& shifts, motion::Pose& pose) noexcept;
 
 }  // namespace flinch::runtime

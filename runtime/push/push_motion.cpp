@@ -28,9 +28,10 @@ constexpr float kReachShare = 0.9995F;  // of a leg: nearly straight
 constexpr std::array kLegs{Role::pelvis,      Role::left_thigh, Role::left_shin, Role::left_foot,
                            Role::right_thigh, Role::right_shin, Role::right_foot};
 
-Pose clip_pose(const PushMotion& motion, float time_s) {
+Pose clip_pose(const PushMotion& motion, float time_s,
+               std::span<const Role> roles = motion::kRoles) {
   return motion::placed(
-      motion::sample(motion.library->clip(motion.clip).motion, motion.contact_s + time_s),
+      motion::sample(motion.library->clip(motion.clip).motion, motion.contact_s + time_s, roles),
       motion.yaw, motion.translation);
 }
 
@@ -122,11 +123,12 @@ FootPose foot_at(const PushFoot& foot, const FootPose& clip, float time_s) {
 }
 
 /// The response with what is left of the character's difference.
-Pose transition_pose(const PushMotion& motion, const Pose& clip, float time_s) {
+Pose transition_pose(const PushMotion& motion, const Pose& clip, float time_s,
+                     std::span<const Role> roles = motion::kRoles) {
   const motion::OffsetSpring spring = motion::offset_spring(time_s);
   Pose pose = clip;
   pose.root_position += spring.position * motion.root + spring.velocity * motion.root_velocity;
-  for (const Role role : motion::kRoles) {
+  for (const Role role : roles) {
     const Eigen::Vector3f turn =
         spring.position * motion.rotation[role] + spring.velocity * motion.rotation_velocity[role];
     pose.rotation[role] =
@@ -153,9 +155,21 @@ void place_feet(const PushMotion& motion, const motion::PerSide<FootPose>& feet,
   }
 }
 
+motion::PerRole<Eigen::Vector3f> shifts_at(const PushMotion& motion, float time_s) {
+  const Eigen::Vector3f offset = deformation_offset(motion.rise_s, time_s) * motion.deformation;
+  motion::PerRole<Eigen::Vector3f> shifts;
+  for (const Role role : motion::kRoles) shifts[role] = motion.share[role] * offset;
+  return shifts;
+}
+
+/// Where the pushed joint is, but for its height: the pelvis is not lowered to where legs reach.
 Eigen::Vector3f pushed_joint(const PushMotion& motion, float time_s) {
-  return motion::forward_kinematics(motion.library->skeleton(), pose_at(motion, time_s))
-      .position[motion.place];
+  const motion::Skeleton& skeleton = motion.library->skeleton();
+  const float time = std::min(time_s, motion.duration_s);
+  Pose pose = transition_pose(motion, clip_pose(motion, time, kTrunkRoles), time, kTrunkRoles);
+  shift_trunk(skeleton, motion::forward_kinematics(skeleton, pose, kTrunkRoles),
+              shifts_at(motion, time), pose);
+  return motion::forward_kinematics(skeleton, pose, kTrunkRoles).position[motion.place];
 }
 
 /// Lays the clip so that at contact it faces `facing` where the character is, and measures what the
@@ -220,10 +234,7 @@ Pose pose_at(const PushMotion& motion, float time_s) noexcept {
   const float time = std::min(time_s, motion.duration_s);
   const Pose clip = clip_pose(motion, time);
   Pose pose = transition_pose(motion, clip, time);
-  const Eigen::Vector3f offset = deformation_offset(motion.rise_s, time) * motion.deformation;
-  motion::PerRole<Eigen::Vector3f> shifts;
-  for (const Role role : motion::kRoles) shifts[role] = motion.share[role] * offset;
-  shift_joints(skeleton, motion::forward_kinematics(skeleton, pose), shifts, pose);
+  shift_joints(skeleton, motion::forward_kinematics(skeleton, pose), shifts_at(motion, time), pose);
   motion::PerSide<FootPose> feet;
   for (const Side side : motion::kSides)
     feet[side] = foot_at(motion.feet[side], foot_of(skeleton, clip, side), time);
@@ -234,7 +245,10 @@ Pose pose_at(const PushMotion& motion, float time_s) noexcept {
 Eigen::Vector3f velocity_at_peak(const PushMotion& motion) noexcept {
   const float from_s = std::max(motion.rise_s - kClipVelocityInterval_s / 2, 0.0F);
   const float to_s = std::min(motion.rise_s + kClipVelocityInterval_s / 2, motion.duration_s);
-  return (pushed_joint(motion, to_s) - pushed_joint(motion, from_s)) / (to_s - from_s);
+  Eigen::Vector3f velocity =
+      (pushed_joint(motion, to_s) - pushed_joint(motion, from_s)) / (to_s - from_s);
+  velocity.z() = 0;
+  return velocity;
 }
 
 Eigen::Vector3f peak_velocity(const PushMotion& motion, const Eigen::Vector3f& wanted) noexcept {
@@ -248,7 +262,8 @@ Eigen::Vector3f peak_velocity(const PushMotion& motion, const Eigen::Vector3f& w
     const Eigen::Vector3f now = pushed_joint(motion, time_s);
     Eigen::Vector3f& before = last[k % kSteps];
     if (k >= kSteps) {
-      const Eigen::Vector3f velocity = (now - before) / kClipVelocityInterval_s;
+      Eigen::Vector3f velocity = (now - before) / kClipVelocityInterval_s;
+      velocity.z() = 0;
       if (velocity.dot(wanted) > fastest.dot(wanted)) fastest = velocity;
     }
     before = now;
@@ -270,7 +285,6 @@ void match_velocity(const Eigen::Vector3f& wanted, PushMotion& motion) noexcept 
   constexpr int kRounds = 4;
   for (int round = 0; round < kRounds; ++round) {
     Eigen::Vector3f missing = wanted - velocity_at_peak(motion);
-    missing.z() = 0;
     if (missing.norm() < 0.01F * wanted.norm()) return;
     motion.deformation += missing;
   }

@@ -86,15 +86,15 @@ PushMotion make_transition(const PreparedLibrary& library, int clip, float time_
 /// microseconds; allocates nothing.
 motion::Pose pose_at(const PushMotion& motion, float time_s) noexcept;
 
-/// The velocity of the pushed joint when the response's own push is at its peak, world, m/s: over
-/// kClipVelocityInterval_s.
+/// The horizontal velocity of the pushed joint when the response's own push is at its peak, world,
+/// m/s: over kClipVelocityInterval_s.
 Eigen::Vector3f velocity_at_peak(const PushMotion& motion) noexcept;
 
 /// Changes the deformation until velocity_at_peak() is `wanted` (horizontal), to 1 % as seen from
 /// above, in at most four rounds.
 void match_velocity(const Eigen::Vector3f& wanted, PushMotion& motion) noexcept;
 
-/// The velocity of the pushed joint when it is fastest along `wanted` within
+/// The horizontal velocity of the pushed joint when it is fastest along `wanted` within
 /// motion::kMaxPushRise_s of the push, world, m/s: over kClipVelocityInterval_s.
 Eigen::Vector3f peak_velocity(const PushMotion& motion, const Eigen::Vector3f& wanted) noexcept;
 

@@ -100,6 +100,17 @@ TEST(PushMotion, StandingFootStaysUntilTheResponseLiftsIt) {
   EXPECT_GT(standing, 100);
 }
 
+/// The same as velocity_at_peak(), of the whole pose that is shown.
+Eigen::Vector3f shown_velocity_at_peak(const PushMotion& motion) {
+  const auto place_at = [&](float time_s) {
+    return motion::forward_kinematics(scene().prepared.skeleton(), pose_at(motion, time_s))
+        .position[motion.place];
+  };
+  const float from_s = std::max(motion.rise_s - kClipVelocityInterval_s / 2, 0.0F);
+  const float to_s = std::min(motion.rise_s + kClipVelocityInterval_s / 2, motion.duration_s);
+  return (place_at(to_s) - place_at(from_s)) / (to_s - from_s);
+}
+
 TEST(PushMotion, PushedJointReachesTheAskedVelocityAlsoFortyFiveDegreesOff) {
   for (std::size_t response = 0; response < scene().responses.responses.size(); ++response) {
     const Shown state = shown("idle", 0.7F);
@@ -121,6 +132,7 @@ TEST(PushMotion, PushedJointReachesTheAskedVelocityAlsoFortyFiveDegreesOff) {
         match_velocity(wanted, motion);
         const Eigen::Vector3f reached = velocity_at_peak(motion);
         EXPECT_LT((reached - wanted).head<2>().norm(), 0.02F * wanted.norm());
+        EXPECT_LT((reached - shown_velocity_at_peak(motion)).head<2>().norm(), 1e-4F);
         EXPECT_TRUE(is_faithful(peak_velocity(motion, wanted), wanted))
             << response << motion::push_place_name(place) << degrees;
       }
