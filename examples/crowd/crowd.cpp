@@ -11,10 +11,11 @@ namespace {
 using motion::Role;
 
 constexpr float kRadius_m = 0.24F;        // of a body that is seen as a disc
+constexpr float kMinTouch_mps = 0.15F;    // slower bodies do not run into a wall, they sway
 constexpr float kMinPush_mps = 0.5F;      // a touch moves people apart, however slow they are
 constexpr float kMaxPush_mps = 1.3F;      // about the strongest of recorded pushes
 constexpr float kRestAfterPush_s = 0.6F;  // hands and walls push for about as long
-constexpr float kRestAfterRefusal_s = 0.1F;
+constexpr float kOnTheGround_s = 2;       // until who was knocked over gets up
 
 /// The joint that something pushes which comes from this direction, seen from the facing.
 Role place_of(float bearing) {
@@ -30,24 +31,25 @@ float wrapped(float angle) {
 }  // namespace
 
 Crowd::Crowd(const runtime::Library& library, const runtime::MotionGraph& graph,
-             const Options& options, runtime::Workspace& workspace)
-    : options_(options),
-      skeleton_(library.clip_library().character.skeleton),
-      workspace_(workspace) {
+             const Options& options)
+    : options_(options), skeleton_(library.clip_library().character.skeleton) {
+  const auto data = reaction::make_reaction_data(library);
+  const runtime::WalkArea area{Eigen::Vector2f::Zero(), options.half_side_m - kRadius_m};
   std::mt19937 random(static_cast<unsigned>(options.seed));
   const auto columns = static_cast<int>(std::ceil(std::sqrt(options.characters)));
   const float step_m = 2 * options.half_side_m / static_cast<float>(columns);
   for (int k = 0; k < options.characters; ++k) {
-    runtime::Character character(library);
+    reaction::ReactingCharacter character(library, data);
     const auto at = [&](int index) {
       return (static_cast<float>(index) + 0.5F) * step_m - options.half_side_m;
     };
     // mt19937's bits are the same everywhere; the distributions of the library are not.
     const float facing = static_cast<float>(random() % 360) * static_cast<float>(M_PI) / 180;
     const float idle_s = static_cast<float>(random() % 100) / 50;
-    character.place({at(k % columns), at(k / columns)}, facing, idle_s);
-    character.walk(graph, options.seed * 1000 + static_cast<std::uint64_t>(k));
-    characters_.push_back(character);
+    character.character().place({at(k % columns), at(k / columns)}, facing, idle_s);
+    character.character().walk(graph, options.seed * 1000 + static_cast<std::uint64_t>(k), area);
+    character.stop();  // physics moves nobody yet: pose() is the character's
+    characters_.push_back(std::move(character));
   }
   bodies_.resize(characters_.size());
   observe(1);
@@ -67,9 +69,10 @@ void Crowd::observe(float dt_s) {
 }
 
 void Crowd::update(float dt_s) {
-  for (runtime::Character& character : characters_) character.update(dt_s);
+  for (reaction::ReactingCharacter& character : characters_) character.update(dt_s);
   observe(dt_s);
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    help_up(i, dt_s);
     for (std::size_t j = i + 1; j < bodies_.size(); ++j) bump(i, j);
     touch_walls(i);
   }
@@ -95,7 +98,7 @@ void Crowd::touch_walls(std::size_t one) {
     const float side = body.chest[axis] > 0 ? 1.0F : -1.0F;
     const float outward_mps = side * body.velocity[axis];
     const bool is_beyond = side * body.chest[axis] > options_.half_side_m - kRadius_m;
-    if (!is_beyond || outward_mps <= 0) continue;
+    if (!is_beyond || outward_mps < kMinTouch_mps) continue;
     if (body.rest_s <= 0) ++tally_.walls;
     Eigen::Vector2f inward = Eigen::Vector2f::Zero();
     inward[axis] = -side * std::clamp(outward_mps, kMinPush_mps, kMaxPush_mps);
@@ -103,22 +106,31 @@ void Crowd::touch_walls(std::size_t one) {
   }
 }
 
-// A push that finds no good answer is tried weaker: at worst the bodies overlap for a moment.
 void Crowd::push(std::size_t one, const Eigen::Vector2f& velocity) {
   Body& body = bodies_[one];
   if (body.rest_s > 0) return;
   const float bearing = wrapped(std::atan2(-velocity.y(), -velocity.x()) - body.facing);
-  for (const float share : {1.0F, 0.75F, 0.5F}) {
-    const Eigen::Vector3f asked(share * velocity.x(), share * velocity.y(), 0);
-    if (characters_[one].push(place_of(bearing), asked, workspace_) != runtime::Status::ok)
-      continue;
-    ++tally_.answered;
-    tally_.weaker += share < 1 ? 1 : 0;
-    body.rest_s = kRestAfterPush_s;
-    return;
-  }
-  ++tally_.refused;
-  body.rest_s = kRestAfterRefusal_s;
+  reaction::ReactingCharacter& character = characters_[one];
+  if (character.push(place_of(bearing), {velocity.x(), velocity.y(), 0}) != runtime::Status::ok)
+    return;  // it lies on the ground
+  const bool is_physical = character.pose_source() == reaction::PoseSource::physics;
+  ++(is_physical ? tally_.physical : tally_.answered);
+  body.rest_s = kRestAfterPush_s;
+}
+
+// Who was knocked over gets up by the offset spring alone: there is no clip of it.
+void Crowd::help_up(std::size_t one, float dt_s) {
+  reaction::ReactingCharacter& character = characters_[one];
+  Body& body = bodies_[one];
+  const bool lies = character.pose_source() == reaction::PoseSource::physics &&
+                    character.reaction().phase() == reaction::ReactionPhase::knocked_over;
+  if (lies && body.lying_s == 0) ++tally_.knocked_over;
+  body.lying_s = lies ? body.lying_s + dt_s : 0;
+  if (body.lying_s < kOnTheGround_s) return;
+  const motion::Pose pose = character.pose();
+  character.character().move_to(pose, pose, dt_s);
+  character.stop();
+  body.lying_s = 0;
 }
 
 }  // namespace flinch::crowd

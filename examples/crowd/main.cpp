@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Twenty characters in a square, who walk about, bump into each other and into its walls, and are
-// pushed away. Usage: crowd SELECTOR [OUT.glb [SECONDS]]. SELECTOR is a file with pushes and a
-// realism model (docs/pushing.md); 60 s unless said otherwise.
+// pushed away: by recorded responses where one would look real, by physics elsewhere. Usage: crowd
+// SELECTOR [OUT.glb [SECONDS]]. SELECTOR is a file with pushes and a realism model
+// (docs/pushing.md); 60 s unless said otherwise.
 //
 // Left out: steering. Nobody avoids anybody, as in figure 7 of Arikan et al. 2005.
 #include <cinttypes>
@@ -48,12 +49,11 @@ double cpu_s() {
   return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
 
-int play(const runtime::Library& library, runtime::Workspace& workspace, const char* out,
-         float seconds) {
+int play(const runtime::Library& library, const char* out, float seconds) {
   const auto graph = runtime::make_motion_graph(library);
   if (!graph) return 1;
   const crowd::Options options;
-  crowd::Crowd crowd(library, *graph, options, workspace);
+  crowd::Crowd crowd(library, *graph, options);
   std::vector<motion::Motion> motions(crowd.characters().size());
   PoseHash hash;
   double updating_s = 0;
@@ -73,8 +73,8 @@ int play(const runtime::Library& library, runtime::Workspace& workspace, const c
   const crowd::Tally& tally = crowd.tally();
   std::printf("%zu characters for %.0f s: %zu bumps, %zu touches of a wall\n", motions.size(),
               static_cast<double>(seconds), tally.bumps, tally.walls);
-  std::printf("%zu pushes answered, %zu of them weaker; %zu refused; at most %.2f m outside\n",
-              tally.answered, tally.weaker, tally.refused,
+  std::printf("%zu pushes answered, %zu by physics, %zu knocked over; at most %.2f m outside\n",
+              tally.answered, tally.physical, tally.knocked_over,
               static_cast<double>(std::max(farthest_m - options.half_side_m, 0.0F)));
   std::printf("%.2f %% of a core; hash %016" PRIx64 "; %s\n",
               100 * updating_s / static_cast<double>(seconds), hash.value(),
@@ -87,15 +87,13 @@ int play(const runtime::Library& library, runtime::Workspace& workspace, const c
 
 int main(int argument_count, char** arguments) try {
   runtime::Library library;
-  runtime::Workspace workspace;
   if (argument_count < 2 || argument_count > 4 ||
-      library.load(arguments[1]) != database::LoadStatus::ok ||
-      workspace.reserve_memory(library.selection_bytes()) != database::LoadStatus::ok) {
+      library.load(arguments[1]) != database::LoadStatus::ok) {
     std::fprintf(stderr, "usage: crowd SELECTOR [OUT.glb [SECONDS]]; SELECTOR can be loaded\n");
     return 2;
   }
   const float seconds = argument_count > 3 ? std::strtof(arguments[3], nullptr) : 60;
-  return play(library, workspace, argument_count > 2 ? arguments[2] : nullptr, seconds);
+  return play(library, argument_count > 2 ? arguments[2] : nullptr, seconds);
 } catch (const std::exception& error) {
   std::fprintf(stderr, "crowd: %s\n", error.what());
   return 1;
