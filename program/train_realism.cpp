@@ -12,6 +12,7 @@
 #include "program/command.h"
 #include "program/log.h"
 #include "program/printable.h"
+#include "program/realism_report.h"
 #include "program/table.h"
 #include "runtime/response/prepared_library.h"
 #include "train/fit/selector_reader.h"
@@ -26,7 +27,9 @@ namespace {
 struct TrainRealismOptions {
   std::string labels;
   std::string selector;
+  std::string report;
   std::string realism{"ours"};
+  bool force = false;
   bool json = false;
 };
 
@@ -55,6 +58,8 @@ std::optional<train::SelectorRecord> record_with_labels(const TrainRealismOption
 }
 
 void run_train_realism(const TrainRealismOptions& options) {
+  if (!options.report.empty())
+    check_realism_report(options.report, {options.labels, options.selector}, options.force);
   runtime::SelectorFile file = train::load_selector_file(options.selector);
   if (!file.library)
     throw Error(options.selector, "the selector has no clips; run `flinch train` again");
@@ -75,6 +80,11 @@ void run_train_realism(const TrainRealismOptions& options) {
       train::configurations_of(responses, std::move(set.labels));
   std::set<std::string> sittings;
   for (const train::Label& label : all.labels) sittings.insert(label.sitting);
+  if (sittings.size() < 2 && !options.report.empty()) {
+    throw Error(options.labels,
+                "holds one sitting alone, so there is nothing to hold out for a "
+                "report; label in a second sitting, or leave out --report");
+  }
   train::RealismAgreement held_out;
   if (sittings.size() > 1) held_out = train::held_out_agreement(all, kind);
 
@@ -83,6 +93,10 @@ void run_train_realism(const TrainRealismOptions& options) {
   const std::string library = database::library_bytes(*file.library);
   train::write_selector(file.selector, std::as_bytes(std::span(library)),
                         record ? &*record : nullptr, options.selector);
+  if (!options.report.empty()) {
+    write_realism_report(all, {file.library->name, file.library->hash, judge, kind}, options.report,
+                         options.json);
+  }
   if (options.json) {
     print({{"kind", "realism"},
            {"file", options.selector},
@@ -115,10 +129,15 @@ Command train_realism_command() {
       .summary = "Fit the realism of pushed motions to labels, into a selector",
       .required = {{"LABELS", "label file made by flinch label", &options->labels},
                    {"--into", "selector file that gets the model", &options->selector}},
-      .optional = {{"--realism", "model: ours, or the paper's, which does not see the asked push",
+      .optional = {{"--report",
+                    "folder for a page with learning curves and its data, created if missing",
+                    &options->report},
+                   {"--realism", "model: ours, or the paper's, which does not see the asked push",
                     &options->realism, OneOf{{"ours", "paper"}}},
+                   force_option(options->force),
                    json_option(options->json)},
-      .notes = "Example:\n  flinch train-realism real.flinchlabels --into real.flinch",
+      .notes =
+          "Example:\n  flinch train-realism real.flinchlabels --into real.flinch --report report",
       .run = [options] { run_train_realism(*options); }};
 }
 

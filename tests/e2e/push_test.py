@@ -62,6 +62,38 @@ class Push(ProgramTest):
         self.assertNotEqual(copy.read_bytes(), self.selector.read_bytes())
         self.assertGreater(trained["auc"], 0)
 
+    def test_the_report_has_learning_curves_and_names_the_proxy(self):
+        copy, report = self.folder / "c.flinch", self.folder / "report"
+        copy.write_bytes(self.selector.read_bytes())
+        trained = self.document("train-realism", self.labels, "--into", copy, "--report", report)
+        document = json.loads((report / "report.json").read_text())
+        self.assertTrue(document["is_proxy"])
+        self.assertEqual(document["labels"], 150)
+        ours = document["rows"][0]
+        self.assertEqual([ours["name"], ours["agreement"], ours["auc"]],
+                         ["ours", trained["agreement"], trained["auc"]])
+        self.assertEqual(document["chance"], trained["chance"])
+        self.assertEqual([(row["name"], row["labels"]) for row in document["curve"]],
+                         [("ours", 50), ("ours", 100), ("paper", 50), ("paper", 100)])
+        lines = (report / "learning_curve.csv").read_text().splitlines()
+        self.assertEqual(lines[0], "name,labels,agreement,auc")
+        self.assertEqual(len(lines), 5)
+        # The selector is the same with and without a report, which is not written over.
+        again = self.folder / "d.flinch"
+        again.write_bytes(self.selector.read_bytes())
+        self.document("train-realism", self.labels, "--into", again)
+        self.assertEqual(copy.read_bytes(), again.read_bytes())
+        self.assertIn("is there already", self.fail_with(
+            1, "train-realism", self.labels, "--into", copy, "--report", report))
+        header, *lines = self.labels.read_text().splitlines()
+        one = self.folder / "one.flinchlabels"
+        sitting = json.loads(lines[0])["sitting"]
+        one.write_text("\n".join([header, *(line for line in lines
+                                            if json.loads(line)["sitting"] == sitting)]) + "\n")
+        self.assertIn("one sitting", self.fail_with(
+            1, "train-realism", one, "--into", copy, "--report", self.folder / "none"))
+        self.assertFalse((self.folder / "none").exists())
+
     def test_questions_are_asked_answered_and_merged_once(self):
         questions, labels = self.folder / "questions", self.folder / "b.flinchlabels"
         asked = self.document("label", self.library, "--out", self.labels, "--ask", questions,

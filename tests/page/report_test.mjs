@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
 // The page of a report in a real browser: usage:
-// node report_test.mjs FLINCH SOURCE_FOLDER FOLDER [SHOTS REPORT_HTML]
-// Everything it makes is in FOLDER. With SHOTS writes pictures of REPORT_HTML into that folder.
+// node report_test.mjs FLINCH SOURCE_FOLDER MAKE_LIBRARY FOLDER [SHOTS REPORT_HTML]
+// Everything it makes is in FOLDER. MAKE_LIBRARY writes a library with pushes. With SHOTS writes
+// pictures of REPORT_HTML into that folder.
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { mkdirSync, readFileSync, readdirSync, rmSync } from "node:fs";
 import { createRequire } from "node:module";
 import { pathToFileURL } from "node:url";
 
-const [program, source, folder, shots, pictured] = process.argv.slice(2);
+const [program, source, make_library, folder, shots, pictured] = process.argv.slice(2);
 const { chromium } = createRequire(`${source}/viewer/package.json`)("playwright-core");
 rmSync(folder, { recursive: true, force: true });
 mkdirSync(folder, { recursive: true });
@@ -17,6 +18,11 @@ const run = (command, ...parts) =>
 run(program, "author", "--out", "a.flinchlib");
 run(program, "simulate", "a.flinchlib", "--out", "a.flinchobs", "-n", 120, "--seed", 1);
 run(program, "compare", "a.flinchobs", "--models", "knn,knn_cost,svm", "--report", "report", "--curves", "--transfer");
+run(make_library, "p.flinchlib", "pushes");
+run(program, "simulate", "p.flinchlib", "--out", "p.flinchobs", "-n", 12);
+run(program, "train", "p.flinchobs", "--out", "p.flinch", "--model", "knn");
+run(program, "label", "p.flinchlib", "--out", "p.flinchlabels", "--proxy", 120);
+run(program, "train-realism", "p.flinchlabels", "--into", "p.flinch", "--report", "realism");
 const report = JSON.parse(readFileSync(`${folder}/report/report.json`, "utf8"));
 const timing = JSON.parse(readFileSync(`${folder}/report/timing.json`, "utf8"));
 
@@ -155,6 +161,33 @@ const tests = {
     const { width, height } = await alone.locator("svg").boundingBox();
     assert.equal(width, 640);
     assert.ok(height > 200);
+  },
+
+  async "the report of a realism model has its figures, its curves and whose labels they are"() {
+    const realism = JSON.parse(readFileSync(`${folder}/realism/report.json`, "utf8"));
+    const one = await open(1180, "light", `${folder}/realism/report.html`);
+    assert.match(await one.locator("#proxy").textContent(), /proxy .*not of people/);
+    assert.match(await one.locator("header").textContent(), new RegExp(`120 labels in ${realism.sittings} sittings`));
+    const rows = await cells(one.locator("section table").first());
+    assert.deepEqual(rows, [
+      ...realism.rows.map((row, i) => [["ours, in the selector", "the paper's"][i], number(row.agreement, 3), number(row.auc, 3)]),
+      ["nearest configuration", "–", number(realism.baseline_auc, 3)],
+      ["chance", number(realism.chance, 3), "0.500"],
+    ]);
+    assert.deepEqual(realism.curve.map(({ labels }) => labels), [50, 100, 50, 100]);
+    // A dot for each point of both curves, and for the level line.
+    for (const id of ["auc", "agreement"])
+      assert.equal(await one.locator(`#${id} .drawing svg [aria-label="dot"] > *`).count(), realism.curve.length + 2);
+    await one.locator("#auc summary").click();
+    const numbers = await cells(one.locator("#auc table"));
+    assert.deepEqual(numbers[0].slice(0, 2), ["ours", "50"]);
+    const [saved] = await Promise.all([
+      one.waitForEvent("download"),
+      one.locator("#auc").getByRole("button", { name: "Save SVG" }).click(),
+    ]);
+    assert.equal(saved.suggestedFilename(), "auc.svg");
+    const phone = await open(390, "dark", `${folder}/realism/report.html`);
+    assert.equal(await phone.evaluate(() => document.documentElement.scrollWidth), 390);
   },
 
   async "nothing is wider than a phone, and dark screens get dark charts"() {

@@ -75,8 +75,8 @@ TEST(ReactingPush, WithAGoodAnswerIsThatOfTheRunTime) {
 }
 
 TEST(ReactingPush, WithoutAGoodAnswerPhysicsMovesTheBodyAlongThePush) {
-  for (const Eigen::Vector3f& velocity :
-       {Eigen::Vector3f(-0.8F, 0, 0), Eigen::Vector3f(0, 0.8F, 0), Eigen::Vector3f(0.5F, -0.5F, 0)}) {
+  for (const Eigen::Vector3f& velocity : {Eigen::Vector3f(-0.8F, 0, 0), Eigen::Vector3f(0, 0.8F, 0),
+                                          Eigen::Vector3f(0.5F, -0.5F, 0)}) {
     ReactingCharacter one = standing(bad());
     ASSERT_EQ(one.push(Role::chest, velocity), Status::ok);
     EXPECT_EQ(one.pose_source(), PoseSource::physics);
@@ -84,11 +84,13 @@ TEST(ReactingPush, WithoutAGoodAnswerPhysicsMovesTheBodyAlongThePush) {
     EXPECT_EQ(one.reaction().contact_s(), 0);
     const motion::Pose start = one.pose();
     const auto poses = play(one, 4);
-    // In the first frame the chest has nearly the asked velocity: its joints spread it over the body.
+    // In the first frame the chest has nearly the asked velocity: its joints spread it over the
+    // body.
     const auto moved = [&](std::size_t frame) {
       return (chest_of(poses[frame]) - chest_of(start)).dot(velocity.normalized());
     };
-    EXPECT_NEAR(moved(1), kPushedFrame_s * velocity.norm(), 0.3F * kPushedFrame_s * velocity.norm());
+    EXPECT_NEAR(moved(1), kPushedFrame_s * velocity.norm(),
+                0.3F * kPushedFrame_s * velocity.norm());
     EXPECT_GT(moved(6), 0.03F * velocity.norm());
     // Its feet have stood, so it comes back to where they are.
     EXPECT_EQ(one.pose_source(), PoseSource::character);

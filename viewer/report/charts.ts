@@ -6,16 +6,16 @@ import { bars, heat, intervals, lines, stackedShares, type Drawing } from "./plo
 import { polarMaps } from "./polar";
 import { valuesOf, type Report, type Row } from "./report";
 
-export interface Chart {
+export interface Chart<R = Report> {
   id: string; // the name of its SVG file
   title: string;
   about: string;
   is_wide?: boolean;
   /** Values of which a reader picks one, the first unless they do. */
-  choices?: (report: Report) => readonly string[];
+  choices?: (report: R) => readonly string[];
   /** The numbers that are drawn, of the selectors that are shown; none: there is no such chart. */
-  rows(report: Report, shown: ReadonlySet<string>, choice: string): Row[];
-  draw(rows: readonly Row[], frame: Frame, choice: string, report: Report): Drawing;
+  rows(report: R, shown: ReadonlySet<string>, choice: string): Row[];
+  draw(rows: readonly Row[], frame: Frame, choice: string, report: R): Drawing;
 }
 
 const isShown = (shown: ReadonlySet<string>) => (row: Row) => shown.has(String(row.name));

@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: MIT
-// The page of a report: tables, charts of the selectors that a reader picks, and what made it.
+// The page of a report of `flinch compare`: tables, charts of the selectors that a reader picks, and what made it.
 import { element } from "../src/dom";
 import { kCharts, type Chart } from "./charts";
-import { colourOf, kDark, kLight, type Frame } from "./look";
+import { figureOf, frameOf, onScreenChange } from "./figure";
+import { colourOf, type Frame } from "./look";
 import { originOf } from "./origin";
+import { RealismPage } from "./realism";
 import { embeddedReport, type Report } from "./report";
-import { download, svgFile } from "./svg_file";
-import { lookAheadTable, methodsTable, plainTable, selectorsTable } from "./tables";
+import { fileName, svgFile } from "./svg_file";
+import { lookAheadTable, methodsTable, selectorsTable } from "./tables";
 import "../src/colours.css";
 import "./report.css";
-
-const kMinWidth = 260; // px, of a chart
-const kMaxWidth = 1000;
-const dark = matchMedia("(prefers-color-scheme: dark)");
 
 class Page {
   readonly names: string[]; // of all selectors
@@ -45,13 +43,7 @@ class Page {
       element("section", {}, element("h2", { textContent: "How this was made" }), originOf(report)),
     );
     this.redraw();
-    dark.addEventListener("change", () => this.redraw());
-    let width = root.clientWidth;
-    new ResizeObserver(() => {
-      if (root.clientWidth === width) return;
-      width = root.clientWidth;
-      this.redraw();
-    }).observe(root);
+    onScreenChange(root, () => this.redraw());
   }
 
   /** Every chart as an SVG file: name and text. */
@@ -73,8 +65,7 @@ class Page {
   }
 
   private frame(width: number): Frame {
-    const { names, shown } = this;
-    return { names, shown, width: Math.min(width, kMaxWidth), theme: dark.matches ? kDark : kLight };
+    return frameOf(this.names, this.shown, width);
   }
 
   private summary(): string {
@@ -99,55 +90,16 @@ class Page {
   }
 
   private figure(chart: Chart): HTMLElement {
-    const { report, shown } = this;
-    let choice = this.firstChoice(chart);
-    const place = element("div", { className: "drawing", tabIndex: 0 });
-    place.role = "img";
-    place.ariaLabel = `${chart.title}. ${chart.about} Its numbers stand below.`;
-    const numbers = element("details", {}, element("summary", { textContent: "Numbers" }));
-    const draw = () => {
-      const rows = chart.rows(report, shown, choice);
-      const width = Math.max(place.clientWidth, kMinWidth);
-      if (rows.length === 0) place.replaceChildren(element("p", { className: "quiet", textContent: "No selector is picked." }));
-      else place.replaceChildren(chart.draw(rows, this.frame(width), choice, report));
-      fill();
-    };
-    const fill = () => {
-      numbers.querySelector(".scroller")?.remove();
-      if (numbers.open) numbers.append(plainTable(chart.title, chart.rows(report, shown, choice)));
-    };
-    numbers.ontoggle = fill;
-    const save = element("button", {
-      type: "button", textContent: "Save SVG",
-      onclick: () => download(fileName(chart, choice), svgFile(report, chart, this, choice)),
-    });
-    const tools = element("div", { className: "tools" }, save);
-    const choices = chart.choices?.(report) ?? [];
-    if (choices.length > 1) {
-      const pick = element("select", {}, ...choices.map((one) => element("option", { value: one, textContent: one.replaceAll("_", " ") })));
-      pick.ariaLabel = `${chart.title}: what is shown`;
-      pick.onchange = () => {
-        choice = pick.value;
-        draw();
-      };
-      tools.prepend(pick);
-    }
+    const { figure, draw } = figureOf(chart, this.report, this);
     this.redraws.push(draw);
-    return element("figure", { id: chart.id, className: chart.is_wide ? "wide" : "" },
-      element("figcaption", {},
-        element("div", {}, element("h2", { textContent: chart.title }), tools),
-        element("p", { textContent: chart.about })),
-      place, numbers);
+    return figure;
   }
-}
-
-function fileName(chart: Chart, choice: string): string {
-  return `${choice ? `${chart.id}_${choice}` : chart.id}.svg`;
 }
 
 const root = document.querySelector("main")!;
 try {
-  const page = new Page(embeddedReport());
+  const report = embeddedReport();
+  const page = "kind" in report ? new RealismPage(report) : new Page(report);
   page.show(root);
   // For scripts/charts, the tests in a browser, and the curious.
   Object.assign(window, { flinchReport: page });

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The report of `flinch compare`, as report.json and timing.json have it (docs/program.md).
+// The reports of `flinch compare` and `flinch train-realism`, as report.json and timing.json have
+// them (docs/program.md, docs/pushing.md).
 
 export type Number = number | null; // null: not a number
 export type Interval = [Number, Number];
@@ -29,10 +30,14 @@ export interface Origin {
   simulation: unknown;
 }
 
-export interface Report {
+/** What every report tells of its origin. */
+export interface Source {
   version: string;
   library: string;
   library_hash: string;
+}
+
+export interface Report extends Source {
   options: Record<string, unknown>;
   stores: { fitted: Origin; tested: Origin };
   test_store: boolean;
@@ -64,11 +69,33 @@ export interface Report {
   timing: Timing[];
 }
 
+/** How well a realism model agrees with labels that it was not fitted to. */
+export interface Agreement extends Row {
+  name: string; // "ours" or "paper": what the model sees
+  labels: number; // that it was fitted to, at most
+  agreement: Number;
+  auc: Number;
+}
+
+export interface RealismReport extends Source {
+  kind: "realism";
+  judge: string;
+  is_proxy: boolean;
+  realism: string; // the model that the selector got: "ours" or "paper"
+  labels: number;
+  good: number; // labels above 0.5
+  sittings: number;
+  chance: Number; // agreement of always saying what most labels say
+  baseline_auc: Number; // of the nearest configuration
+  rows: Agreement[]; // fitted to all labels
+  curve: Agreement[]; // fitted to fewer
+}
+
 /** Reads the report that the program has put into the page. Throws if there is none. */
-export function embeddedReport(): Report {
+export function embeddedReport(): Report | RealismReport {
   const text = document.getElementById("report")?.textContent;
-  if (!text) throw new Error("this page holds no report: flinch compare --report writes one that does");
-  return JSON.parse(text) as Report;
+  if (!text) throw new Error("this page holds no report: --report of flinch compare and train-realism writes one that does");
+  return JSON.parse(text) as Report | RealismReport;
 }
 
 /** A number as people read it, with so many decimals. */

@@ -2,14 +2,14 @@
 // Charts as files of their own, for papers: light colours, one width, no style from outside.
 import type { Chart } from "./charts";
 import { kLight, type Frame } from "./look";
-import type { Report } from "./report";
+import type { Source } from "./report";
 
 const kWidth = 640; // px
 const kStyle = ".plot text, .plot tspan { white-space: pre; }";
 
 /** Returns the text of an SVG file, the same for the same report, selectors and choice. */
-export function svgFile(
-  report: Report, chart: Chart, { names, shown }: Pick<Frame, "names" | "shown">, choice: string,
+export function svgFile<R extends Source>(
+  report: R, chart: Chart<R>, { names, shown }: Pick<Frame, "names" | "shown">, choice: string,
 ): string {
   const rows = chart.rows(report, shown, choice);
   const drawing = chart.draw(rows, { names, shown, theme: kLight, width: kWidth }, choice, report);
@@ -26,6 +26,11 @@ export function svgFile(
   );
   drawing.setAttribute("xmlns", "http://www.w3.org/2000/svg");
   return `${new XMLSerializer().serializeToString(drawing)}\n`;
+}
+
+/** The name of a chart's file. */
+export function fileName<R>(chart: Chart<R>, choice: string): string {
+  return `${choice ? `${chart.id}_${choice}` : chart.id}.svg`;
 }
 
 /** Hands a file to the browser's downloads. */

@@ -123,17 +123,19 @@ TEST_F(CApiWalk, RefusesBadArguments) {
   flinch_motion_graph* made = nullptr;
   refuses(FLINCH_NULL_POINTER, [&] { return flinch_motion_graph_create(nullptr, &made); });
   EXPECT_EQ(made, nullptr);
-  refuses(FLINCH_NULL_POINTER, [&] { return flinch_character_walk(character, nullptr, 1, 0, 0, 3); });
+  refuses(FLINCH_NULL_POINTER,
+          [&] { return flinch_character_walk(character, nullptr, 1, 0, 0, 3); });
   refuses(FLINCH_BAD_HANDLE, [&] {
-    return flinch_character_walk(character, reinterpret_cast<flinch_motion_graph*>(library), 1, 0, 0,
-                                 3);
+    return flinch_character_walk(character, reinterpret_cast<flinch_motion_graph*>(library), 1, 0,
+                                 0, 3);
   });
   flinch_library* other = tests::load(walking_file(0.9F));
   flinch_motion_graph* its = nullptr;
   ASSERT_EQ(flinch_motion_graph_create(other, &its), FLINCH_OK);
   refuses(FLINCH_OTHER_LIBRARY, [&] { return flinch_character_walk(character, its, 1, 0, 0, 3); });
   for (const float bad : {0.0F, -1.0F, tests::kNan})
-    refuses(FLINCH_BAD_PLACEMENT, [&] { return flinch_character_walk(character, graph, 1, 0, 0, bad); });
+    refuses(FLINCH_BAD_PLACEMENT,
+            [&] { return flinch_character_walk(character, graph, 1, 0, 0, bad); });
   refuses(FLINCH_BAD_PLACEMENT,
           [&] { return flinch_character_walk(character, graph, 1, tests::kNan, 0, 3); });
   EXPECT_EQ(flinch_motion_graph_free(its), FLINCH_OK);
