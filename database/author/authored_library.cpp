@@ -9,6 +9,7 @@
 #include "database/author/protective_motion.h"
 #include "database/author/stance.h"
 #include "database/author/static_balance.h"
+#include "database/files/pose_packer.h"
 #include "database/files/provenance.h"
 #include "motion/error.h"
 #include "motion/mirror.h"
@@ -164,6 +165,13 @@ std::vector<Clip> clips_from(const AuthoringContext& context, std::size_t direct
 }  // namespace
 
 ClipLibrary authored_library(const motion::Physique& character, bool with_startle, float rate_hz) {
+  ClipLibrary library = authored_library_off_grid(character, with_startle, rate_hz);
+  snap(library);
+  return library;
+}
+
+ClipLibrary authored_library_off_grid(const motion::Physique& character, bool with_startle,
+                                      float rate_hz) {
   AuthoringContext context{motion::make_figure(character), {}, {}, {}, with_startle, rate_hz};
   context.start = standing_pose(context.figure);
   context.idle = idle_motion(context.figure, rate_hz);

@@ -7,11 +7,14 @@
 
 #include "database/files/file_io.h"
 #include "database/files/file_kind.h"
+#include "database/files/pose_packer.h"
 #include "database/files/text_encoding.h"
 #include "database/library/library_file.h"
 #include "database/library/library_layout.h"
+#include "database/library/pose_grid.h"
 #include "library_generated.h"
 #include "motion/error.h"
+#include "motion/mirror.h"
 
 namespace flinch::database {
 namespace {
@@ -56,20 +59,66 @@ Offset<schema::Push> store(FlatBufferBuilder& builder, const motion::Push& push)
                             push.velocity.x(), push.velocity.y(), push.velocity.z());
 }
 
+/// How a file of format 4 has a clip's poses: packed, or as the mirror image of another clip's.
+struct StoredPoses {
+  std::vector<std::uint8_t> packed;
+  std::optional<std::uint32_t> mirror_of;
+};
+
+bool are_same(const std::vector<motion::Pose>& a, const std::vector<motion::Pose>& b) {
+  const auto is_same = [](const motion::Pose& one, const motion::Pose& other) {
+    return one.root_position == other.root_position &&
+           std::equal(one.rotation.begin(), one.rotation.end(), other.rotation.begin(),
+                      [](const auto& p, const auto& q) { return p.coeffs() == q.coeffs(); });
+  };
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), is_same);
+}
+
+/// The index of the clip that `clip` says it mirrors, if its poses are the mirror images.
+std::optional<std::uint32_t> original_of(const ClipLibrary& library, const motion::Clip& clip) {
+  const auto named = std::ranges::find(library.clips, clip.mirrored_from, &motion::Clip::name);
+  if (named == library.clips.end() || !named->mirrored_from.empty()) return std::nullopt;
+  if (!are_same(clip.motion.poses, motion::mirrored(*named).motion.poses)) return std::nullopt;
+  return static_cast<std::uint32_t>(named - library.clips.begin());
+}
+
+/// How each clip is stored in format 4; none unless all poses are on the grid.
+std::optional<std::vector<StoredPoses>> packed(const ClipLibrary& library) {
+  std::vector<StoredPoses> stored;
+  for (const motion::Clip& clip : library.clips) {
+    std::optional<std::vector<std::uint8_t>> own = pack_poses(clip.motion.poses);
+    if (!own) return std::nullopt;
+    StoredPoses& poses = stored.emplace_back();
+    poses.mirror_of = original_of(library, clip);
+    if (!poses.mirror_of) poses.packed = std::move(*own);
+  }
+  return stored;
+}
+
 // Each part is stored in a statement of its own: the order in which arguments are evaluated is
-// unspecified, and the bytes must not depend on it.
-Offset<schema::Clip> store(FlatBufferBuilder& builder, const motion::Clip& clip) {
+// unspecified, and the bytes must not depend on it. Without `stored`, the poses are floats.
+Offset<schema::Clip> store(FlatBufferBuilder& builder, const motion::Clip& clip,
+                           const StoredPoses* stored) {
   const auto name = builder.CreateString(clip.name);
   const auto kind = builder.CreateString(clip.kind);
   const auto source = builder.CreateString(clip.source);
   const auto mirrored_from = builder.CreateString(clip.mirrored_from);
   Offset<schema::Annotation> annotation;
   if (clip.annotation) annotation = store(builder, *clip.annotation);
-  const auto poses = builder.CreateVector(floats_of(clip.motion.poses));
+  Offset<flatbuffers::Vector<float>> poses;
+  Offset<flatbuffers::Vector<std::uint8_t>> packed;
+  flatbuffers::Optional<std::uint32_t> mirror_of;
+  if (stored == nullptr) {
+    poses = builder.CreateVector(floats_of(clip.motion.poses));
+  } else if (stored->mirror_of) {
+    mirror_of = *stored->mirror_of;
+  } else {
+    packed = builder.CreateVector(stored->packed);
+  }
   Offset<schema::Push> push;
   if (clip.push) push = store(builder, *clip.push);
   return schema::CreateClip(builder, name, static_cast<std::uint8_t>(clip.purpose), kind, source,
-                            mirrored_from, annotation, poses, push);
+                            mirrored_from, annotation, poses, push, packed, mirror_of);
 }
 
 Offset<schema::Character> store(FlatBufferBuilder& builder, const motion::Physique& character) {
@@ -85,11 +134,14 @@ struct Origin {
   std::uint64_t bare_hash = 0;
 };
 
-void store(FlatBufferBuilder& builder, const ClipLibrary& library, const Origin& origin) {
+std::string content_of(const ClipLibrary& library, const Origin& origin,
+                       const std::vector<StoredPoses>* poses) {
+  FlatBufferBuilder builder;
   const auto name = builder.CreateString(library.name);
   const auto character = store(builder, library.character);
   std::vector<Offset<schema::Clip>> stored;
-  for (const motion::Clip& clip : library.clips) stored.push_back(store(builder, clip));
+  for (std::size_t i = 0; i < library.clips.size(); ++i)
+    stored.push_back(store(builder, library.clips[i], poses != nullptr ? &(*poses)[i] : nullptr));
   const auto clips = builder.CreateVector(stored);
   Offset<flatbuffers::String> provenance;
   if (!origin.provenance.empty()) provenance = builder.CreateString(origin.provenance);
@@ -97,6 +149,17 @@ void store(FlatBufferBuilder& builder, const ClipLibrary& library, const Origin&
       builder, schema::CreateLibrary(builder, name, character, library.rate_hz,
                                      static_cast<std::uint32_t>(library.idle), clips, provenance,
                                      origin.bare_hash));
+  return {reinterpret_cast<const char*>(builder.GetBufferPointer()), builder.GetSize()};
+}
+
+std::string sealed(std::uint8_t version, const std::string& content) {
+  FileFormat format = kLibraryFormat;
+  format.version = version;
+  const auto header = make_file_header(format, bytes_of(content));
+  std::string bytes(header.size(), '\0');
+  std::ranges::transform(header, bytes.begin(),
+                         [](std::byte byte) { return static_cast<char>(byte); });
+  return bytes.append(content);
 }
 
 // Half of the largest file that is read leaves room for everything except poses.
@@ -115,15 +178,13 @@ std::string text_of(const ClipLibrary& library, const LibraryFault& fault) {
 }
 
 std::string sealed_bytes(const ClipLibrary& library, const Origin& origin) {
-  FlatBufferBuilder builder;
-  store(builder, library, origin);
-  const std::string_view content(reinterpret_cast<const char*>(builder.GetBufferPointer()),
-                                 builder.GetSize());
-  const auto seal = make_file_header(format_of(library), bytes_of(content));
-  std::string bytes(seal.size(), '\0');
-  std::transform(seal.begin(), seal.end(), bytes.begin(),
-                 [](std::byte byte) { return static_cast<char>(byte); });
-  return bytes.append(content);
+  if (const auto stored = packed(library)) {
+    const std::string content = content_of(library, origin, &*stored);
+    // Readers refuse more, which only a library of half an hour without motion can have.
+    if (poses_in(library) * sizeof(motion::Pose) <= max_unpacked_size(content.size()))
+      return sealed(kPackedVersion, content);
+  }
+  return sealed(float_version_of(library), content_of(library, origin, nullptr));
 }
 
 std::uint64_t hash_of_content(const std::string& file) {

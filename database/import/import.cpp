@@ -10,6 +10,7 @@
 #include <set>
 #include <utility>
 
+#include "database/files/pose_packer.h"
 #include "database/files/provenance.h"
 #include "database/files/text_encoding.h"
 #include "database/import/loop_closing.h"
@@ -163,6 +164,7 @@ void add_clip(const ManifestEntry& entry, const LoadedSource& loaded, const moti
         annotation_in(entry, loaded.motion.start_s + segment.start_s, clip.motion.duration_s());
   }
   if (entry.purpose == motion::Purpose::stance) clip.motion = closed_loop(clip.motion, entry.where);
+  snap(clip.motion);
   if (entry.push) {
     clip.push =
         push_in(*entry.push, loaded.motion.start_s + segment.start_s, skeleton, clip.motion);
@@ -177,7 +179,10 @@ void add_clip(const ManifestEntry& entry, const LoadedSource& loaded, const moti
         "nothing moves as if pushed, so it answers no push; say when with contact = SECONDS");
   }
   library.clips.push_back(clip);
-  if (is_mirrored(entry)) library.clips.push_back(motion::mirrored(clip));
+  if (is_mirrored(entry)) {
+    library.clips.push_back(motion::mirrored(clip));
+    snap(library.clips.back().motion);
+  }
 }
 
 void warn_of_unannotated(ImportReport& report) {

@@ -23,9 +23,12 @@ struct FileFormat {
   std::uint8_t version = 1;            ///< that is written
   std::uint8_t newest_read = version;  ///< the last of those that are read; `version` is the first
 };
-/// Version 3 is that of libraries with stances, see format_of(). Others are written in version 2,
+/// Version 4 is that of libraries whose poses are all on the grid of pose_grid.h, as authored and
+/// imported ones are. Others are written in version 3 if they have stances and in version 2 if not,
 /// to the same bytes as ever.
-inline constexpr FileFormat kLibraryFormat{.magic = "FLINCHL", .version = 2, .newest_read = 3};
+inline constexpr FileFormat kLibraryFormat{.magic = "FLINCHL", .version = 2, .newest_read = 4};
+inline constexpr std::uint8_t kStanceVersion = 3;
+inline constexpr std::uint8_t kPackedVersion = 4;
 inline constexpr FileFormat kSelectorFormat{.magic = "FLINCHS", .version = 3};
 
 inline constexpr std::size_t kFileHeaderSize = 16;

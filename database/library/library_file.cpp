@@ -8,8 +8,11 @@
 
 #include "database/library/library_bounds.h"
 #include "database/library/library_layout.h"
+#include "database/library/packed_poses.h"
+#include "database/library/pose_grid.h"
 #include "database/library/unfolded_size.h"
 #include "library_generated.h"
+#include "motion/mirror.h"
 
 namespace flinch::database {
 namespace {
@@ -74,6 +77,12 @@ motion::Push push_of(const schema::Push& stored) {
           .velocity = {stored.velocity_x(), stored.velocity_y(), stored.velocity_z()}};
 }
 
+/// Reads the poses of a clip that is no mirror image.
+bool read_own_poses(const schema::Clip& stored, std::vector<motion::Pose>& poses) {
+  if (stored.packed() == nullptr) return read_poses(*stored.poses(), poses);
+  return unpack_poses({stored.packed()->data(), stored.packed()->size()}, poses);
+}
+
 bool read_clip(const schema::Clip& stored, float rate_hz, motion::Clip& clip) {
   clip.name = stored.name()->str();
   clip.purpose = static_cast<motion::Purpose>(stored.purpose());
@@ -83,12 +92,51 @@ bool read_clip(const schema::Clip& stored, float rate_hz, motion::Clip& clip) {
   if (stored.annotation() != nullptr) clip.annotation = annotation_of(*stored.annotation());
   if (stored.push() != nullptr) clip.push = push_of(*stored.push());
   clip.motion.rate_hz = rate_hz;
-  return read_poses(*stored.poses(), clip.motion.poses);
+  return stored.mirror_of() || read_own_poses(stored, clip.motion.poses);
+}
+
+void mirror_poses(const std::vector<motion::Pose>& from, std::vector<motion::Pose>& to) {
+  to.reserve(from.size());
+  for (const motion::Pose& pose : from)
+    make_zeros_positive(to.emplace_back(motion::mirrored(pose)));
+}
+
+using StoredClips = flatbuffers::Vector<flatbuffers::Offset<schema::Clip>>;
+
+/// Whether each clip has its poses in the one way that the version has.
+bool has_poses(const StoredClips& clips, std::uint8_t version) {
+  for (const schema::Clip* clip : clips) {
+    if (version < kPackedVersion) {
+      if (clip->poses() == nullptr || clip->packed() != nullptr || clip->mirror_of()) return false;
+      continue;
+    }
+    if (clip->poses() != nullptr || (clip->packed() != nullptr) == clip->mirror_of().has_value())
+      return false;
+    if (const auto original = clip->mirror_of())
+      if (*original >= clips.size() || clips.Get(*original)->packed() == nullptr) return false;
+  }
+  return true;
+}
+
+/// The bytes in memory of the poses that packed clips and their mirror images claim; none if a
+/// count is out of bounds. For clips that has_poses().
+std::optional<std::size_t> unpacked_size(const StoredClips& clips) {
+  std::size_t size = 0;  // cannot overflow: at most kMaxClips of kMaxPoses
+  for (const schema::Clip* clip : clips) {
+    const auto original = clip->mirror_of();
+    const auto* packed = original ? clips.Get(*original)->packed() : clip->packed();
+    if (packed == nullptr) continue;
+    const auto count = packed_pose_count({packed->data(), packed->size()});
+    if (!count || *count > kMaxPoses) return std::nullopt;
+    size += *count * sizeof(motion::Pose);
+  }
+  return size;
 }
 
 /// Whether counts are within their bounds, and no more is read than the file holds.
 bool has_bounded_size(const schema::Library& stored, std::size_t content_size) {
-  if (stored.clips()->size() > kMaxClips) return false;
+  const std::optional<std::size_t> unpacked = unpacked_size(*stored.clips());
+  if (!unpacked || *unpacked > max_unpacked_size(content_size)) return false;
   UnfoldedSize unfolded;
   unfolded.add(stored.provenance())
       .add(stored.name())
@@ -96,7 +144,7 @@ bool has_bounded_size(const schema::Library& stored, std::size_t content_size) {
       .add(stored.character()->tips());
   for (const schema::Clip* clip : *stored.clips()) {
     unfolded.add(clip->name()).add(clip->kind()).add(clip->source());
-    unfolded.add(clip->mirrored_from()).add(clip->poses());
+    unfolded.add(clip->mirrored_from()).add(clip->poses()).add(clip->packed());
   }
   return unfolded.is_within(content_size);
 }
@@ -120,6 +168,10 @@ bool read_stored(const schema::Library& stored, ClipLibrary& library) {
   for (flatbuffers::uoffset_t i = 0; i < clips.size(); ++i) {
     if (!read_clip(*clips.Get(i), library.rate_hz, library.clips[i])) return false;
   }
+  for (flatbuffers::uoffset_t i = 0; i < clips.size(); ++i) {
+    if (const auto original = clips.Get(i)->mirror_of())
+      mirror_poses(library.clips[*original].motion.poses, library.clips[i].motion.poses);
+  }
   return true;
 }
 
@@ -130,8 +182,9 @@ LoadStatus read_unsealed(const VerifiedFile& file, ClipLibrary& library) {
   if (!schema::VerifyLibraryBuffer(verifier)) return LoadStatus::damaged;
   const schema::Library& stored = *schema::GetLibrary(file.content.data());
   ClipLibrary read;
-  if (!has_bounded_size(stored, file.content.size()) || !read_stored(stored, read) ||
-      fault_of(read) || format_of(read).version != file.version) {
+  if (stored.clips()->size() > kMaxClips || !has_poses(*stored.clips(), file.version) ||
+      !has_bounded_size(stored, file.content.size()) || !read_stored(stored, read) ||
+      fault_of(read) || (file.version < kPackedVersion && float_version_of(read) != file.version)) {
     return LoadStatus::damaged;
   }
   read.hash = read.provenance.empty() ? file.hash : stored.bare_hash();
@@ -141,10 +194,8 @@ LoadStatus read_unsealed(const VerifiedFile& file, ClipLibrary& library) {
 
 }  // namespace
 
-FileFormat format_of(const ClipLibrary& library) {
-  FileFormat format = kLibraryFormat;
-  if (stance_clips(library).size() > 1) format.version = format.newest_read;
-  return format;
+std::uint8_t float_version_of(const ClipLibrary& library) {
+  return stance_clips(library).size() > 1 ? kStanceVersion : kLibraryFormat.version;
 }
 
 LoadStatus read_library(std::span<const std::byte> bytes, ClipLibrary& library) noexcept try {

@@ -22,8 +22,18 @@ LoadStatus read_library(const std::string& path, ClipLibrary& library) noexcept;
 /// verify_embedded_file().
 LoadStatus read_embedded_library(std::span<const std::byte> bytes, ClipLibrary& library) noexcept;
 
-/// The format in which a library is written: the first version that can hold it.
-FileFormat format_of(const ClipLibrary& library);
+/// The version of a file whose poses are floats: kStanceVersion if the library has stances, else
+/// the first.
+std::uint8_t float_version_of(const ClipLibrary& library);
+
+/// The most bytes of poses that a library with this much content may hold. Packed poses and mirror
+/// images take less room in a file than in memory, usually a seventh to a tenth; a forged file
+/// could claim any number.
+constexpr std::size_t max_unpacked_size(std::size_t content_size) {
+  constexpr std::size_t kMaxRatio = 16;
+  constexpr std::size_t kAnyFile = std::size_t{32} << 20;
+  return kMaxRatio * content_size + kAnyFile;
+}
 
 /// Why a library could not be used.
 struct LibraryFault {

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "database/author/protective_motion.h"
+#include "database/files/pose_packer.h"
 #include "motion/error.h"
 #include "motion/mirror.h"
 #include "sim/rehearsal/throw_simulator.h"
@@ -82,8 +83,10 @@ void add_clip(const motion::Clip& clip, database::ClipLibrary& library) {
     if (other.name == clip.name || other.name == mirror.name)
       throw Error("", "the library has a clip '" + other.name + "' already");
   }
-  library.clips.push_back(clip);
-  library.clips.push_back(std::move(mirror));
+  for (const motion::Clip& added : {clip, mirror}) {
+    library.clips.push_back(added);
+    database::snap(library.clips.back().motion);
+  }
 }
 
 }  // namespace flinch::evolve

@@ -15,7 +15,7 @@ CHOSEN = {"selector-3-knn.flinch": "cover_mirrored", "selector-3-svm.flinch": "i
           "selector-3-pairwise_cost.flinch": "cover_mirrored"}
 # Of each kind those that are refused, and those that are read; the last is today's.
 REFUSED = {"library": (1,), "store": (1, 2), "selector": (1, 2)}
-READ = {"library": (2, 3), "store": (3, 4, 5, 6, 7), "selector": (3,)}
+READ = {"library": (2, 3, 4), "store": (3, 4, 5, 6, 7), "selector": (3,)}
 
 
 class Formats(ProgramTest):
@@ -66,6 +66,19 @@ class Formats(ProgramTest):
                          [("idle", "idle"), ("cover", "anticipation"),
                           ("cover_mirrored", "anticipation"), ("guard", "stance")])
         self.succeed("simulate", path, "--out", self.folder / "new", "-n", 1)
+
+    def test_a_library_of_packed_poses_is_read_and_written_again_to_the_same_bytes(self):
+        path, = self.files("library", 4)
+        library = self.document("info", path)
+        self.assertEqual((library["name"], library["hash"]), ("frozen", "bfee1e0a82003cd8"))
+        self.assertEqual([(clip["name"], clip["purpose"]) for clip in library["clips"]],
+                         [("idle", "idle"), ("cover", "anticipation"),
+                          ("cover_mirrored", "anticipation"), ("guard", "stance")])
+        store = self.folder / "new"
+        self.succeed("simulate", path, "--out", store, "-n", 1)
+        with sqlite3.connect(store) as database:
+            (copy,), = database.execute("SELECT file FROM library")
+        self.assertEqual(copy, path.read_bytes())
 
     def test_libraries_without_stances_are_read(self):
         path, = self.files("library", 2)

@@ -12,7 +12,9 @@
 #include <utility>
 
 #include "database/author/authored_library.h"
+#include "database/files/pose_packer.h"
 #include "motion/default_character.h"
+#include "motion/mirror.h"
 #include "tests/runtime/made_up_selector.h"
 #include "tests/scenes/file_damage.h"
 #include "train/simulate/simulate.h"
@@ -31,6 +33,11 @@ void write(const std::filesystem::path& path, const std::string& bytes) {
 void write_seeds(const std::filesystem::path& folder) {
   const database::ClipLibrary library = made_up_library(3, 90);
   write(folder / "library" / "three_clips", content_of(library_bytes(library)));
+  database::ClipLibrary packed = library;
+  snap(packed);
+  packed.clips.push_back(motion::mirrored(packed.clips.back()));
+  snap(packed);
+  write(folder / "library" / "packed", content_of(library_bytes(packed)));
   const std::pair<const char*, ModelKind> kinds[] = {{"svm", ModelKind::svm},
                                                      {"knn", ModelKind::knn},
                                                      {"knn_cost", ModelKind::knn_cost},

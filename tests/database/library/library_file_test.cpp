@@ -149,7 +149,7 @@ ClipLibrary library_with_stance() {
   return library;
 }
 
-TEST(LibraryFile, OnlyALibraryWithStancesIsOfFormat3) {
+TEST(LibraryFile, OfFloatsIsOfFormat3OnlyWithStances) {
   const std::string without = library_bytes(random_library(6, 3));
   const std::string with = library_bytes(library_with_stance());
   EXPECT_EQ(without[7], 2);
@@ -336,7 +336,7 @@ TEST(LoadLibrary, NamesTheActualFileKind) {
   EXPECT_THAT(message_for("some text\n"), HasSubstr("is a text file,"));
   EXPECT_THAT(message_for("\x01\x02"), HasSubstr("no file that Flinch knows,"));
   EXPECT_THAT(message_for("FLINCHL\x02 cut"), HasSubstr("damaged"));
-  EXPECT_THAT(message_for("FLINCHL\x09 and something"), HasSubstr("this program reads format 3"));
+  EXPECT_THAT(message_for("FLINCHL\x09 and something"), HasSubstr("this program reads format 4"));
   EXPECT_THAT(tests::error_of([&] { load_library(folder / "none"); }), HasSubstr("No such file"));
 }
 
