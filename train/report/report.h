@@ -34,8 +34,8 @@ struct ReportOptions {
 
 /// All results of `flinch compare`.
 struct Report {
-  std::string version;     ///< of the program
-  std::string provenance;  ///< JSON text
+  std::string version;            ///< of the program
+  std::string provenance = "{}";  ///< JSON text
   ReportOptions options;
   StoreOrigin fitted_store;
   StoreOrigin tested_store;
