@@ -135,7 +135,6 @@ void run_evolve_throw(const EvolveOptions& options) {
   database::ClipLibrary library = database::load_library(options.library);
   const std::string provenance = evolved_provenance(options, library);
   const evolve::TrialOptions tried = trial_options(options, library);
-  run.genetic.ends = ends_of(tried.gene_map);
   const evolve::PoseTrial trial(library.character, library.idle_clip().motion, tried);
   if (!(trial.idle_pain() > 0))
     throw Error(options.library,

@@ -34,8 +34,10 @@ std::vector<PoseScore> mean_scores(const PoseTrial& trial, std::span<const Chrom
 }  // namespace
 
 bool evolve_poses(const PoseTrial& trial, const PoseEvolution& run, Evolution& evolution) {
-  if (evolution.chromosomes.empty()) evolution = begin_evolution(run.genetic, trial.genes().size());
-  while (!has_ended(run.genetic, evolution)) {
+  GeneticOptions genetic = run.genetic;
+  genetic.ends = ends_of(trial.options().gene_map);
+  if (evolution.chromosomes.empty()) evolution = begin_evolution(genetic, trial.genes().size());
+  while (!has_ended(genetic, evolution)) {
     // A generation that is stopped is not recorded.
     const auto scores =
         trial.test(evolution.chromosomes, evolution.history.size(), run.threads, run.stop);
@@ -48,7 +50,7 @@ bool evolve_poses(const PoseTrial& trial, const PoseEvolution& run, Evolution& e
     const auto check = [&](const Chromosome& best) {
       return mean_scores(trial, {&best, 1}, kCheckDraw, kCheckDraws, 1).front().fitness();
     };
-    advance(run.genetic, fitness, check, evolution);
+    advance(genetic, fitness, check, evolution);
     run.report(evolution);
   }
   return true;

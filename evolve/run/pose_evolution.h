@@ -11,7 +11,7 @@ namespace flinch::evolve {
 
 /// Resources of a run.
 struct PoseEvolution {
-  GeneticOptions genetic;
+  GeneticOptions genetic;  ///< of which the trial's map of genes decides `ends`
   int threads = 1;
   const std::atomic<bool>* stop = nullptr;  ///< ends the run before its generation is over
   /// Called after every generation.

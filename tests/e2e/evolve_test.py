@@ -171,9 +171,18 @@ class Evolve(ProgramTest):
         self.assertEqual(running.returncode, 1, error)
         self.assertIn("generations are kept, run the same command again to continue", error)
         self.assertFalse(self.out.exists())
-        other = self.fail_with(1, "evolve", self.library, "--out", self.out, *self.SMALL,
-                               "--seed", 2)
-        self.assertIn("with other options is unfinished here", other)
+        pain = self.folder / "pain.toml"
+        pain.write_text("[multipliers]\nnose = 3\n")
+        for other in [("--seed", 2), ("--azimuth", 31), ("--elevation", 1), ("--speed", 26),
+                      ("--target", "trunk"), ("--style", "far"), ("--tournament", 8),
+                      ("--mutation", "B"), ("--gene-map", "full_turn"), ("--pain", pain),
+                      ("--failed-joints", "limp"), ("--limit-weight", 1),
+                      ("--extension-weight", 1)]:
+            with self.subTest(other):
+                options = dict(zip(self.SMALL[::2], self.SMALL[1::2])) | dict([other])
+                line = self.fail_with(1, "evolve", self.library, "--out", self.out,
+                                      *(text for pair in options.items() for text in pair))
+                self.assertIn("with other options is unfinished here", line)
         self.succeed(*command[1:])
         self.assertEqual(self.out.read_bytes(), expected.read_bytes())
         self.assertFalse(unfinished.exists())

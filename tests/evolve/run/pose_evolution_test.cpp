@@ -86,6 +86,27 @@ TEST(PoseEvolution, MeetsTheBallsOfItsNumberInEachGeneration) {
   }
 }
 
+TEST(PoseEvolution, GenesThatStandForAFullTurnHaveNoEnds) {
+  TrialOptions turned = trial_of(Style::free).options();
+  turned.gene_map = GeneMap::full_turn;
+  const PoseTrial trial(library().character, library().idle_clip().motion, turned);
+  PoseEvolution run = small_run(2);
+  run.genetic.population = 8;
+  run.genetic.max_generations = 1;
+  Evolution evolution;
+  EXPECT_TRUE(evolve_poses(trial, run, evolution));
+  const Evolution first = begin_evolution(run.genetic, trial.genes().size());
+  const std::vector<PoseScore> scores = trial.test(first.chromosomes, 0, 1).value();
+  std::vector<double> fitness;
+  for (const PoseScore& score : scores) fitness.push_back(score.fitness());
+  const auto next = [&](GeneEnds ends) {
+    run.genetic.ends = ends;
+    return next_generation(run.genetic, 1, first.chromosomes, fitness);
+  };
+  EXPECT_EQ(evolution.chromosomes, next(GeneEnds::wrap));
+  EXPECT_NE(evolution.chromosomes, next(GeneEnds::reflect));
+}
+
 TEST(PoseEvolution, ProtectsFromBallsThatNoGenerationMet) {
   const double pain =
       clip_pain(finished().trial, library().idle_clip(), finished().pose.clip.clip, kUnseenDraw, 4);
