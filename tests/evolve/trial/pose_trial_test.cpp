@@ -211,6 +211,23 @@ TEST_F(PoseTrialTest, NearAndFarCountTheDistanceOfTheFirstContactWithOppositeSig
   }
 }
 
+// 5 % of the pain of standing still, and 20 times that pain per metre.
+TEST_F(PoseTrialTest, ArmsInsideTheBodyOrEachOtherCostTheirDepth) {
+  const PoseTrial trial(character_, idle_, options());
+  const std::vector<Chromosome> poses = chromosomes(12);
+  const auto scores = trial.test(poses, 1, 2).value();
+  int overlapping = 0;
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    const double depth_m = overlap_depth_m(trial.figure(), trial.pose(poses[i]));
+    const double expected = depth_m > 0 ? trial.idle_pain() * (0.05 + 20 * depth_m) : 0;
+    EXPECT_NEAR(scores[i].overlap, expected, 1e-9 * expected);
+    overlapping += depth_m > 0 ? 1 : 0;
+  }
+  EXPECT_GT(overlapping, 2);
+  EXPECT_LT(overlapping, 10);
+  EXPECT_EQ(overlap_depth_m(trial.figure(), trial.start()), 0);
+}
+
 TEST_F(PoseTrialTest, ReadsChromosomesByItsMapOfGenes) {
   TrialOptions turned = options();
   turned.gene_map = GeneMap::full_turn;

@@ -124,17 +124,25 @@ TEST(Servo, OfTheShoulderIsCriticallyDamped) {
   EXPECT_NEAR(stiffness / damping, 400.0 / 10, 1e-9 * 40);
 }
 
-// The bone's axis gets a tenth of the torque, as if its gains were a tenth.
+// The bone's axis gets a tenth of the torque, as if its gains were a tenth. So light an axis creeps
+// at k / k_d, whatever the share; with less damping it swings, and tells the share.
 TEST(Servo, TwistIsDampedByItsShare) {
-  OneJoint joint;
-  const Eigen::Vector3d goal(0, 0.5, 0);
-  const Gains tenth{0.1 * joint.gains().stiffness, 0.1 * joint.gains().damping};
-  const double inertia = joint.inertia(Eigen::Vector3d::UnitY());
-  joint.run(joint.state({0, 0, 0}), joint.state(goal), 0.1, 0,
-            [&](double time_s, const Eigen::Vector3d& angles, const Eigen::Vector3d&) {
-              const double expected = goal.y() + oscillator(inertia, tenth, -goal.y(), 0, time_s);
-              ASSERT_NEAR(angles.y(), expected, 0.02 * 0.5) << time_s;
-            });
+  for (const double damping_share : {1.0, 0.05}) {
+    OneJoint joint;
+    joint.gains().damping *= damping_share;
+    joint.update();
+    const Eigen::Vector3d goal(0, 0.5, 0);
+    const Gains tenth{0.1 * joint.gains().stiffness, 0.1 * joint.gains().damping};
+    const double inertia = joint.inertia(Eigen::Vector3d::UnitY());
+    double largest = 0;
+    joint.run(joint.state({0, 0, 0}), joint.state(goal), 0.1, 0,
+              [&](double time_s, const Eigen::Vector3d& angles, const Eigen::Vector3d&) {
+                const double expected = goal.y() + oscillator(inertia, tenth, -goal.y(), 0, time_s);
+                ASSERT_NEAR(angles.y(), expected, 0.04 * 0.5) << time_s;
+                largest = std::max(largest, angles.y());
+              });
+    EXPECT_EQ(largest > 1.1 * goal.y(), damping_share < 1);
+  }
 }
 
 TEST(Servo, TwistDampingLeavesSwingAlone) {
