@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <functional>
 #include <limits>
@@ -32,6 +33,7 @@ class FixedFitness {
     for (const Chromosome& pose : poses) values.push_back(known_.at(pose));
     return values;
   }
+  std::size_t tested() const { return known_.size(); }
 
  private:
   const PoseTrial& trial_;
@@ -41,133 +43,168 @@ class FixedFitness {
 
 /// The best fitness after each generation.
 struct Curve {
-  std::size_t population = 0;
-  std::vector<double> best;
+  struct Point {
+    std::size_t tested = 0;  ///< poses
+    double best = 0;         ///< N s
+  };
+  std::vector<Point> points;
 
-  /// Evaluations until the best is at most `bound`; infinite if it never is.
-  double evaluations_to(double bound) const {
-    for (std::size_t k = 0; k < best.size(); ++k)
-      if (best[k] <= bound) return static_cast<double>((k + 1) * population);
+  void add(std::size_t tested, double fitness) {
+    points.push_back({tested, points.empty() ? fitness : std::min(best(), fitness)});
+  }
+  double best() const { return points.back().best; }
+  /// Poses tested until the best is at most `bound`; infinite if it never is.
+  double tested_to(double bound) const {
+    for (const Point& point : points)
+      if (point.best <= bound) return static_cast<double>(point.tested);
     return std::numeric_limits<double>::infinity();
   }
-  void add(double fitness) {
-    best.push_back(best.empty() ? fitness : std::min(best.back(), fitness));
-  }
 };
 
-Curve run_genetic(const PoseTrial& trial, const GeneticOptions& options, std::size_t budget,
-                  int threads) {
-  FixedFitness fitness(trial, threads);
-  const auto evaluate = [&](std::size_t, std::span<const Chromosome> poses) {
-    return fitness.of(poses);
-  };
-  Curve curve{options.population, {}};
-  Evolution evolution = begin_evolution(options, pose_genes().size());
-  while (curve.best.size() * options.population < budget) {
-    advance(
-        options, evaluate, [](const Chromosome&) { return 0.0; }, evolution);
-    curve.add(evolution.history.back().best_fitness);
-  }
-  return curve;
-}
-
-Curve run_cma_es(const PoseTrial& trial, int population, std::uint64_t seed, std::size_t budget,
-                 int threads) {
-  FixedFitness fitness(trial, threads);
-  bench::CmaEs search(static_cast<int>(pose_genes().size()), population, seed);
-  Curve curve{static_cast<std::size_t>(population), {}};
-  while (curve.best.size() * curve.population < budget) {
-    std::vector<Chromosome> poses;
-    for (const Eigen::VectorXd& point : search.ask()) {
-      Chromosome pose;
-      for (const double x : point) pose.push_back(static_cast<Gene>(std::lround(x * kMaxGene)));
-      poses.push_back(std::move(pose));
-    }
-    const std::vector<double> values = fitness.of(poses);
-    search.tell(values);
-    curve.add(*std::ranges::min_element(values));
-  }
-  return curve;
-}
-
-struct Row {
+/// One way to search: it goes on until it has tested `budget` poses.
+struct Search {
   std::string name;
-  std::vector<Curve> curves;  ///< one per seed
+  std::function<Curve(const PoseTrial& trial, std::uint64_t seed, std::size_t budget, int threads)>
+      run;
 };
 
-/// The median and its 95 % interval by 2000 resamples.
-std::array<double, 3> median_with_interval(const std::vector<double>& values) {
+Search genetic_search(std::string name, GeneticOptions options) {
+  return {std::move(name), [options](const PoseTrial& trial, std::uint64_t seed, std::size_t budget,
+                                     int threads) mutable {
+            options.seed = seed;
+            options.ends = ends_of(trial.options().gene_map);
+            FixedFitness fitness(trial, threads);
+            const auto evaluate = [&](std::size_t, std::span<const Chromosome> poses) {
+              return fitness.of(poses);
+            };
+            const auto check = [](const Chromosome&) { return 0.0; };
+            Curve curve;
+            Evolution evolution = begin_evolution(options, trial.genes().size());
+            while (fitness.tested() < budget) {
+              advance(options, evaluate, check, evolution);
+              curve.add(fitness.tested(), evolution.history.back().best_fitness);
+            }
+            return curve;
+          }};
+}
+
+Search cma_es_search(int population) {
+  return {
+      "CMA-ES, " + std::to_string(population),
+      [population](const PoseTrial& trial, std::uint64_t seed, std::size_t budget, int threads) {
+        FixedFitness fitness(trial, threads);
+        bench::CmaEs search(static_cast<int>(trial.genes().size()), population, seed);
+        Curve curve;
+        while (fitness.tested() < budget) {
+          std::vector<Chromosome> poses;
+          for (const Eigen::VectorXd& point : search.ask()) {
+            Chromosome& pose = poses.emplace_back();
+            for (const double x : point)
+              pose.push_back(static_cast<Gene>(std::lround(x * kMaxGene)));
+          }
+          const std::vector<double> values = fitness.of(poses);
+          search.tell(values);
+          curve.add(fitness.tested(), *std::ranges::min_element(values));
+        }
+        return curve;
+      }};
+}
+
+/// All searches; others are compared with the first.
+std::vector<Search> all_searches() {
+  std::vector<Search> searches;
+  for (const MutationScheme scheme : kMutationSchemes)
+    searches.push_back(genetic_search("scheme " + std::string(name_of(scheme)) + ", 400, 4",
+                                      {.mutation = scheme}));
+  for (const std::size_t population : {100, 200, 400, 800})
+    for (const std::size_t tournament : {4, 8}) {
+      if (population == 400 && tournament == 4) continue;
+      searches.push_back(genetic_search(
+          "scheme A, " + std::to_string(population) + ", " + std::to_string(tournament),
+          {.population = population, .tournament = tournament}));
+    }
+  for (const int population : {13, 100})  // 13 is the default for 20 dimensions
+    searches.push_back(cma_es_search(population));
+  return searches;
+}
+
+/// The median of seeds, and its 95 % interval by 2000 resamples.
+struct Estimate {
+  double value = 0;
+  double low = 0;
+  double high = 0;
+};
+Estimate median_with_interval(const std::vector<double>& values) {
   features::Random random(1, features::RandomStream::bootstrap, 0);
   std::vector<double> medians;
   for (int k = 0; k < 2000; ++k) {
     std::vector<double> drawn;
     for (std::size_t i = 0; i < values.size(); ++i)
       drawn.push_back(values[random.index(values.size())]);
-    medians.push_back(bench::quantile(drawn, 0.5));
+    medians.push_back(bench::quantile(std::move(drawn), 0.5));
   }
   return {bench::quantile(values, 0.5), bench::quantile(medians, 0.025),
           bench::quantile(medians, 0.975)};
 }
 
-void print_rows(const std::vector<Row>& rows, std::size_t budget) {
+std::string text_of(const Estimate& estimate, const char* format) {
+  const auto number = [&](double value) {
+    if (!std::isfinite(value)) return std::string("more");
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), format, value);
+    return std::string(text.data());
+  };
+  return number(estimate.value) + " (" + number(estimate.low) + " to " + number(estimate.high) +
+         ")";
+}
+
+constexpr std::array kGoals{1.05, 1.25};  // times the best of all
+
+void print_rows(std::span<const Search> searches, std::span<const std::vector<Curve>> curves) {
   double best = std::numeric_limits<double>::infinity();
-  for (const Row& row : rows)
-    for (const Curve& curve : row.curves) best = std::min(best, curve.best.back());
-  std::printf("best fitness of all: %.3f N s; budget: %zu evaluations\n", best, budget);
+  for (const std::vector<Curve>& seeds : curves)
+    for (const Curve& curve : seeds) best = std::min(best, curve.best());
   std::printf(
-      "| search | evaluations to within 5 %% of the best, median | 95 %% interval | runs that got "
-      "there | fitness after all over the best, median |\n");
-  for (const Row& row : rows) {
-    std::vector<double> evaluations;
+      "best of all: %.3f N s\n"
+      "| search | fitness at the end over the best of all, median (95 %% interval) | over the "
+      "first row's, same seed | runs within 5 %% | poses to within 5 %% | to within 25 %% |\n",
+      best);
+  for (std::size_t i = 0; i < searches.size(); ++i) {
     std::vector<double> ends;
-    std::size_t reached = 0;
-    for (const Curve& curve : row.curves) {
-      evaluations.push_back(curve.evaluations_to(1.05 * best));
-      reached += std::isfinite(evaluations.back()) ? 1 : 0;
-      ends.push_back(curve.best.back() / best);
+    std::vector<double> ratios;
+    std::array<std::vector<double>, kGoals.size()> tested;
+    for (std::size_t k = 0; k < curves[i].size(); ++k) {
+      const Curve& curve = curves[i][k];
+      ends.push_back(curve.best() / best);
+      ratios.push_back(curve.best() / curves[0][k].best());
+      for (std::size_t goal = 0; goal < kGoals.size(); ++goal)
+        tested[goal].push_back(curve.tested_to(kGoals[goal] * best));
     }
-    const auto [median, low, high] = median_with_interval(evaluations);
-    std::printf("| %s | %.0f | %.0f to %.0f | %zu of %zu | %.3f |\n", row.name.c_str(), median, low,
-                high, reached, row.curves.size(), bench::quantile(ends, 0.5));
+    const auto within = std::ranges::count_if(ends, [](double end) { return end <= kGoals[0]; });
+    std::printf("| %s | %s | %s | %td of %zu | %s | %s |\n", searches[i].name.c_str(),
+                text_of(median_with_interval(ends), "%.2f").c_str(),
+                text_of(median_with_interval(ratios), "%.2f").c_str(), within, ends.size(),
+                text_of(median_with_interval(tested[0]), "%.0f").c_str(),
+                text_of(median_with_interval(tested[1]), "%.0f").c_str());
   }
+  std::fflush(stdout);
 }
 
 }  // namespace
 
-void print_search(const PoseTrial& trial, std::size_t budget, std::size_t seeds, int threads) {
-  using Run = std::function<Curve(std::uint64_t seed)>;
-  std::vector<Row> rows;
-  std::vector<Run> runs;
-  const auto add = [&](const std::string& name, Run run) {
-    rows.push_back({name, {}});
-    runs.push_back(std::move(run));
-  };
-  const auto add_genetic = [&](const std::string& name, GeneticOptions options) {
-    add(name, [&trial, options, budget, threads](std::uint64_t seed) mutable {
-      options.seed = seed;
-      return run_genetic(trial, options, budget, threads);
-    });
-  };
-  for (const MutationScheme scheme : kMutationSchemes)
-    add_genetic("scheme " + std::string(name_of(scheme)) + ", 400, tournament 4",
-                {.mutation = scheme});
-  for (const std::size_t population : {100, 200, 400, 800})
-    for (const std::size_t tournament : {4, 8}) {
-      if (population == 400 && tournament == 4) continue;
-      add_genetic(
-          "scheme A, " + std::to_string(population) + ", tournament " + std::to_string(tournament),
-          {.population = population, .tournament = tournament});
-    }
-  for (const int population : {13, 100})  // 13 is the default for 20 dimensions
-    add("CMA-ES, " + std::to_string(population),
-        [&trial, population, budget, threads](std::uint64_t seed) {
-          return run_cma_es(trial, population, seed, budget, threads);
-        });
+void print_search(const PoseTrial& limits, const PoseTrial& full_turn, std::size_t budget,
+                  std::size_t seeds, int threads) {
+  std::vector<Search> searches = all_searches();
+  const std::size_t turned = searches.size();
+  searches.push_back(genetic_search("scheme A, 400, 4, equation 4.5", {}));
+  std::vector<std::vector<Curve>> curves(searches.size());
   for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
-    for (std::size_t i = 0; i < rows.size(); ++i) rows[i].curves.push_back(runs[i](seed));
-    std::printf("after %llu of %zu seeds\n", static_cast<unsigned long long>(seed), seeds);
-    print_rows(rows, budget);
-    std::fflush(stdout);
+    const double begin_s = bench::process_cpu_s();
+    for (std::size_t i = 0; i < searches.size(); ++i)
+      curves[i].push_back(searches[i].run(i == turned ? full_turn : limits, seed, budget, threads));
+    std::printf("seed %llu: %.0f CPU s\n", static_cast<unsigned long long>(seed),
+                bench::process_cpu_s() - begin_s);
+    print_rows(searches, curves);
   }
 }
 
