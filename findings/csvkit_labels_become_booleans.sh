@@ -7,8 +7,8 @@
 # column of hits, which is their rate.
 # Seen: each column gets the first type that all of its values fit: truth before number, then time spans,
 # dates, text. Hits of 0 and 1 are written as True and False and have no mean, until a row has a 2. Clips
-# that are all short enough for weekdays or spans become dates and spans. csvstat prints a pain of 1e-7
-# as 0. With -I all is text, and there is no mean at all.
+# whose names all read as weekdays, or as spans, become these. csvstat prints a pain of 1e-7
+# as 0. csvsort -I keeps the values; csvstat has no such switch.
 # Flinch: exports tables with columns of 0 and 1. Who orders one by csvsort passes -I, with which values
 # stay as they are.
 set -eu

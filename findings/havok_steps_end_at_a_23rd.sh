@@ -3,7 +3,7 @@
 # @babylonjs/havok 1.3.14 (npm): a step that is longer than about a 23rd of a second moves the world by less
 # than the step.
 #
-# Expected: HP_World_Step(world, timestep) advances "by timestep seconds". A second in 10 steps is a second,
+# Expected: HP_World_Step(world, timestep) advances the world by that time. A second in 10 steps is a second,
 # coarser than in 60. HP_World_SetIdealStepTime is said to keep the stiffness of the solver alike.
 # Seen: without HP_World_SetIdealStepTime a ball at 1 m/s is at 0.43 m after 10 steps of 0.1 s, and a
 # falling one has 4.2 m/s instead of 9.8: each step ends after 0.043 s. From 24 steps per second on both

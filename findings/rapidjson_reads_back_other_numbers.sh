@@ -7,7 +7,7 @@
 # Seen: Parse has a fast path that is off by the last bit for 1492 of 10000 doubles between 0 and 1, so a
 # parameter file that is read and written again drifts. With kParseFullPrecisionFlag none is off.
 # Writer::Double(NaN) returns false and writes nothing but the comma before it, so who does not look at
-# what it returns has a file that no reader takes. With kWriteNanAndInfFlag it is a NaN, which few do.
+# what it returns has a file that no reader takes. With kWriteNanAndInfFlag it writes NaN, which few take.
 # Flinch: does not use it.
 set -eu
 folder=$(mktemp -d)

@@ -3,8 +3,8 @@
 # three.js 0.187.0 (npm three): once a clip that plays once has ended, setTime() shows its first pose at any
 # time.
 #
-# Expected: AnimationMixer.setTime(t) "sets the global mixer to a specific time and updates the animation
-# accordingly", so a slider over a clip shows the same pose at 0.5 s whatever was shown before.
+# Expected: AnimationMixer.setTime(t) shows the clips as they are at that time, so a slider over a clip
+# shows the same pose at 0.5 s whatever was shown before.
 # Seen: when the time passes the end of an action with LoopOnce, the action is paused, or disabled where
 # clampWhenFinished is false. setTime() sets its time to 0 and does not undo that, so from then on each
 # time of the slider shows the pose at 0. action.reset() before setTime() mends it, and LoopRepeat does
