@@ -362,49 +362,6 @@ void print_coverage(const Study& study, const std::vector<State>& states,
   }
 }
 
-/// F that averages (equation 2 of the paper) beside the exact one, for the same pushes: what the
-/// best candidate of each model does with the push, by how much it misses the asked velocity.
-void print_two_fs(const Study& study, const std::vector<State>& states) {
-  const models::RealismModel paper =
-      train::fit_realism(study.labels, train::RealismKind::paper, "");
-  const runtime::PushModel paper_model = runtime::prepare_push_model(study.responses, &paper);
-  std::vector<std::byte> memory(std::max(study.model.memory_bytes, paper_model.memory_bytes));
-  std::printf(
-      "\n## F: the best candidate of each model\n\n| F and G | Q over 0.5 | of those: faithful | "
-      "error "
-      "of the speed, median | of the direction |\n| --- | --- | --- | --- | --- |\n");
-  for (const bool is_paper : {false, true}) {
-    std::size_t asked_count = 0, good = 0, faithful = 0;
-    std::vector<double> errors, angles;
-    for (const State& state : states) {
-      const Eigen::Quaternionf facing =
-          motion::rotation_about(Eigen::Vector3f::UnitZ(), motion::facing(state.now));
-      for (const Role place : motion::kPushPlaces) {
-        for (int degrees = 0; degrees < 360; degrees += 15) {
-          for (const float speed : {0.5F, 0.9F, 1.3F}) {
-            ++asked_count;
-            const Eigen::Vector3f asked = horizontal(speed, static_cast<float>(degrees));
-            std::array<PushCandidate, 1> best{};
-            runtime::search_push(study.responses, is_paper ? paper_model : study.model,
-                                 state.configuration, place, asked, {}, memory, best);
-            if (!(best[0].realism > runtime::kGoodRealism)) continue;
-            ++good;
-            const PushMotion motion = motion_for(study, state, best[0], place, asked, !is_paper);
-            const Eigen::Vector3f wanted = facing * asked;
-            const Eigen::Vector3f peak = peak_velocity(motion, wanted);
-            faithful += runtime::is_faithful(peak, wanted) ? 1 : 0;
-            errors.push_back(std::abs(double{peak.norm() / wanted.norm()} - 1) * 100);
-            if (peak.norm() > 0) angles.push_back(double{angle_deg(peak, wanted)});
-          }
-        }
-      }
-    }
-    std::printf("| %s | %.1f %% | %.1f %% | %.0f %% | %.0f degrees |\n",
-                is_paper ? "the paper's, which averages" : "ours, exact", share(good, asked_count),
-                share(faithful, good), quantile(errors, 0.5), quantile(angles, 0.5));
-  }
-}
-
 void print_agreement(const Study& study) {
   std::printf(
       "\n## Agreement with held-out labels of the %s\n\n| G | labels | agreement | chance | "
@@ -506,7 +463,6 @@ void run(const bench::StudyArguments& arguments) {
   print_speed(study, everyday_states(study, 20), memory);
   print_fidelity(study, everyday_states(study, 10), memory);
   print_coverage(study, everyday_states(study, 20), memory);
-  print_two_fs(study, everyday_states(study, 5));
   print_agreement(study);
 }
 

@@ -78,12 +78,14 @@ class Push(ProgramTest):
         lines = (report / "learning_curve.csv").read_text().splitlines()
         self.assertEqual(lines[0], "name,labels,agreement,auc")
         self.assertEqual(len(lines), 5)
-        # The selector is the same with and without a report, which is not written over.
+        # The selector is the same with and without a report.
         again = self.folder / "d.flinch"
         again.write_bytes(self.selector.read_bytes())
         self.document("train-realism", self.labels, "--into", again)
         self.assertEqual(copy.read_bytes(), again.read_bytes())
-        self.assertIn("is there already", self.fail_with(
+        # An earlier report is replaced, a file of another kind is not.
+        (report / "report.json").write_bytes(self.selector.read_bytes())
+        self.assertIn("--force", self.fail_with(
             1, "train-realism", self.labels, "--into", copy, "--report", report))
         header, *lines = self.labels.read_text().splitlines()
         one = self.folder / "one.flinchlabels"
