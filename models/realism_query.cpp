@@ -166,13 +166,21 @@ void RealismQuery::estimate(const RealismFeatures& features, std::span<const flo
         nearest.add(sums[i], index.taper[first + i], index.quality[first + i]);
     }
   };
-  // The most promising block comes first, so that the others have a bound to be below.
+  // The most promising block comes first and then its group, so that the others have a bound to be
+  // below: one block alone holds fewer examples than an estimate needs.
   const auto best = static_cast<std::size_t>(std::min_element(block_bound_, block_bound_ + blocks) -
                                              block_bound_);
+  const std::uint32_t group = index.group_of[best];
   compare(best);
-  for (std::size_t block = 0; block < blocks; ++block) {
-    if (block_bound_[block] < nearest.bound() && block != best) compare(block);
-  }
+  const auto compare_where = [&](bool is_in_group) {
+    for (std::size_t block = 0; block < blocks; ++block) {
+      if (block_bound_[block] < nearest.bound() &&
+          (index.group_of[block] == group) == is_in_group && block != best)
+        compare(block);
+    }
+  };
+  compare_where(true);
+  compare_where(false);
   for (std::size_t t = 0; t < log_tapers.size(); ++t)
     estimates[t] = nearest.estimate(t, index.model->max_distance);
 }
