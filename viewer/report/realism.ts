@@ -23,8 +23,8 @@ const kCharts: readonly Chart<RealismReport>[] = [
   {
     id: "auc",
     title: "Which of two motions is the better one?",
-    about: "Area under the ROC curve: the chance that a good motion has a higher estimate than a bad one. 0.5 is guessing.",
-    rows: curveOf("auc", "nearest configuration", (report) => report.baseline_auc),
+    about: "Area under the ROC curve: the chance that a good motion has a higher estimate than a bad one. 0.5 is guessing; nearest: of the nearest configuration.",
+    rows: curveOf("auc", "nearest", (report) => report.baseline_auc),
     draw: (rows, frame) =>
       lines({ rows, x: "labels", y: "auc" }, {
         x_label: "labels that the model is fitted to", y_label: "AUC", logarithmic_x: true,
@@ -45,14 +45,14 @@ const kCharts: readonly Chart<RealismReport>[] = [
 ];
 
 export class RealismPage {
-  private readonly names = [...Object.values(kNames), "nearest configuration", "chance"];
+  private readonly names = [...Object.values(kNames), "nearest", "chance"];
   private readonly view = { names: this.names, shown: new Set(this.names) };
 
   constructor(private readonly report: RealismReport) {}
 
   show(root: HTMLElement): void {
     const { report } = this;
-    document.title = `Realism of pushes of ${report.library}`;
+    document.title = `Realism of pushes: ${report.library}`;
     const figures = kCharts.map((chart) => figureOf(chart, report, this.view));
     const redraw = () => figures.forEach(({ draw }) => draw());
     root.append(
