@@ -23,7 +23,7 @@ public enum Target { Head = 0, Trunk = 1, Pelvis = 2, Legs = 3 }
 
 public enum Phase {
   Idle = 0, Reacting = 1, Waiting = 2, Shifting = 3, Blending = 4, Protecting = 5, Returning = 6,
-  Pushed = 7
+  Pushed = 7, Walking = 8
 }
 
 public enum ReactionPhase {

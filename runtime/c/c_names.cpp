@@ -86,6 +86,10 @@ const char* flinch_status_message(flinch_status status) {
       return "the selector has no clips in its file: train it again";
     case FLINCH_WITHOUT_COSTS:
       return "the selector does not know what its clips cost: train it again";
+    case FLINCH_WITHOUT_SELECTOR:
+      return "the clips were taken without a selector, which alone chooses among them";
+    case FLINCH_NOT_A_LIBRARY:
+      return "the bytes are not of a library";
     default:
       return "this is not a status of Flinch";
   }

@@ -43,8 +43,8 @@ flinch_status status_of(Status status) noexcept {
       return FLINCH_MISSES;
     case Status::unnoticed:
       return FLINCH_UNNOTICED;
-    case Status::not_loaded:
-      return FLINCH_BAD_HANDLE;
+    case Status::not_loaded:  // a handle's library is loaded, but may have no selector
+      return FLINCH_WITHOUT_SELECTOR;
     case Status::other_workspace:
       return FLINCH_OTHER_LIBRARY;
     case Status::bad_clip:
@@ -135,6 +135,27 @@ features::Threat threat_of(const flinch_threat& threat, const models::Selector& 
   if (kind.shape == features::ThreatShape::rod)
     result.rod = rod_of_kind(kind, Eigen::Vector3f(from.axis),
                              Eigen::Vector3f(from.angular_velocity), from.to_butt_m, from.to_tip_m);
+  return result;
+}
+
+flinch_threat to_c(const features::Threat& threat) {
+  flinch_threat result{};
+  result.size = sizeof result;
+  write(result.position, threat.position);
+  write(result.velocity, threat.velocity);
+  result.radius = threat.radius;
+  result.mass_kg = threat.mass_kg;
+  result.kind = threat.kind;
+  if (threat.stroke) {
+    result.starts_in_s = threat.stroke->starts_in_s;
+    result.lasts_s = threat.stroke->lasts_s;
+  }
+  if (threat.rod) {
+    write(result.axis, threat.rod->axis);
+    write(result.angular_velocity, threat.rod->angular_velocity);
+    result.to_butt_m = threat.rod->to_butt_m;
+    result.to_tip_m = threat.rod->to_tip_m;
+  }
   return result;
 }
 
@@ -264,6 +285,7 @@ flinch_reaction to_c(const reaction::ReactingCharacter& character) {
   const motion::PerBody<double> impulse = reaction.impulse();
   std::ranges::transform(impulse, result.impulse_ns,
                          [](double part_ns) { return static_cast<float>(part_ns); });
+  write(result.ball_momentum, reaction.ball_momentum().cast<float>());
   return result;
 }
 

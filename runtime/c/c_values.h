@@ -22,6 +22,8 @@ flinch_status status_of(reaction::ReactionStatus status) noexcept;
 /// With what a selector knows of its kind. A kind that it does not know becomes -1, which no call
 /// takes.
 features::Threat threat_of(const flinch_threat& threat, const models::Selector& selector);
+/// The threat as a game would hand it over; of its kind only the number.
+flinch_threat to_c(const features::Threat& threat);
 PerceptionLimits limits_of(const flinch_perception_limits& limits);
 Mask mask_of(const flinch_mask& mask);
 motion::Pose pose_of(const flinch_pose& pose);

@@ -12,10 +12,12 @@
 #include <utility>
 #include <variant>
 
+#include "database/library/library_file.h"
 #include "models/selector.h"
 #include "runtime/c/c_check.h"
 #include "runtime/c/c_objects.h"
 #include "runtime/c/c_struct.h"
+#include "runtime/c/c_threats.h"
 #include "runtime/c/c_values.h"
 #include "runtime/character.h"
 #include "runtime/library.h"
@@ -34,6 +36,7 @@ using runtime::make_handle;
 using runtime::read_struct;
 using runtime::status_of;
 using runtime::to_c;
+using runtime::with_threats;
 using runtime::write_struct;
 
 namespace {
@@ -45,25 +48,6 @@ flinch_status load(const Source& source, flinch_library** out) try {
   return status == FLINCH_OK ? make_handle(out, [&] { return library; }) : status;
 } catch (const std::bad_alloc&) {
   return FLINCH_OUT_OF_MEMORY;
-}
-
-/// Calls `use` with the caller's array of threats, which may be of a smaller, older struct.
-template <class Use>
-flinch_status with_threats(const flinch_threat* threats, std::int32_t count,
-                           const flinch_character& character, const Use& use) {
-  if (count < 0 || count > FLINCH_MOST_THREATS) return FLINCH_BAD_INDEX;
-  if (threats == nullptr && count > 0) return FLINCH_NULL_POINTER;
-  std::array<flinch::features::Threat, FLINCH_MOST_THREATS> all;
-  const auto* bytes = reinterpret_cast<const std::byte*>(threats);
-  for (std::int32_t i = 0; i < count; ++i) {
-    const auto* threat =
-        reinterpret_cast<const flinch_threat*>(bytes + static_cast<std::size_t>(i) * threats->size);
-    if (const flinch_status status = check(threat)) return status;
-    if (threat->size != threats->size) return FLINCH_BAD_SIZE;
-    all[static_cast<std::size_t>(i)] =
-        runtime::threat_of(*threat, character.content->library->selector());
-  }
-  return use(std::span<const flinch::features::Threat>(all).first(static_cast<std::size_t>(count)));
 }
 
 const motion::Clip& clip_at(const flinch_library& library, std::int32_t index) {
@@ -89,6 +73,22 @@ flinch_status flinch_library_load_memory(const void* bytes, size_t byte_count,
   *out = nullptr;
   if (bytes == nullptr) return FLINCH_NULL_POINTER;
   return load([&] { return std::span(static_cast<const std::byte*>(bytes), byte_count); }, out);
+}
+
+flinch_status flinch_library_take(const void* bytes, size_t byte_count, flinch_library** out) try {
+  if (out == nullptr) return FLINCH_NULL_POINTER;
+  *out = nullptr;
+  if (bytes == nullptr) return FLINCH_NULL_POINTER;
+  flinch::database::ClipLibrary clips;
+  const std::span file(static_cast<const std::byte*>(bytes), byte_count);
+  const auto read = flinch::database::read_library(file, clips);
+  if (read == flinch::database::LoadStatus::not_a_library) return FLINCH_NOT_A_LIBRARY;
+  if (const flinch_status status = status_of(read)) return status;
+  const auto library = std::make_shared<runtime::Library>();
+  if (const flinch_status status = status_of(library->take(std::move(clips)))) return status;
+  return make_handle(out, [&] { return library; });
+} catch (const std::bad_alloc&) {
+  return FLINCH_OUT_OF_MEMORY;
 }
 
 flinch_status flinch_library_free(flinch_library* library) {

@@ -97,6 +97,7 @@ enum {
   FLINCH_SIMULATION_FAILED = -15, /* of a hit; the character goes on without physics */
   FLINCH_BAD_PUSH = -16,          /* not at the upper body, or not 0.05 to 20 m/s fast */
   FLINCH_WITHOUT_PUSHES = -17,    /* the file has no pushes, or no realism model for them */
+  FLINCH_WITHOUT_SELECTOR = -18,  /* clips that were taken without a selector, which chooses */
   /* What was wrong with a file. */
   FLINCH_CANNOT_OPEN = -20,
   FLINCH_NOT_A_SELECTOR = -21, /* another kind of file */
@@ -106,7 +107,8 @@ enum {
   FLINCH_WITHOUT_CLIPS = -25,  /* a selector without its clips: train it again */
   FLINCH_NOT_A_FILE = -26,     /* a folder, a pipe or a device */
   FLINCH_TOO_LARGE = -27,      /* larger than 1 GiB */
-  FLINCH_WITHOUT_COSTS = -28   /* a selector that does not know what clips cost: train it again */
+  FLINCH_WITHOUT_COSTS = -28,  /* a selector that does not know what clips cost: train it again */
+  FLINCH_NOT_A_LIBRARY = -29   /* another kind of file, where flinch_library_take wants clips */
 };
 
 /* The status in words: one line of English without a full stop. Never NULL, for any number. */
@@ -124,6 +126,11 @@ FLINCH_API flinch_status flinch_library_load(const char* path, flinch_library** 
 /* The same from the file's bytes in memory, which are not needed afterwards. */
 FLINCH_API flinch_status flinch_library_load_memory(const void* bytes, size_t byte_count,
                                                     flinch_library** out);
+/* Takes the bytes of a library's file (FILE.flinchlib), which has clips and no selector: its
+ * characters answer by rule (flinch_character_brace) or as they are told
+ * (flinch_character_respond). What asks a selector gives FLINCH_WITHOUT_SELECTOR. */
+FLINCH_API flinch_status flinch_library_take(const void* bytes, size_t byte_count,
+                                             flinch_library** out);
 /* Frees a library. NULL is allowed and does nothing, here and for all other handles. */
 FLINCH_API flinch_status flinch_library_free(flinch_library* library);
 
@@ -491,6 +498,68 @@ FLINCH_API flinch_status flinch_character_candidates(const flinch_character* cha
                                                      flinch_candidate* out, int32_t capacity,
                                                      int32_t* count);
 
+/* ---- The steps of perceiving ----------------------------------------------------------------- */
+
+/* A threat that a character has noticed: what an answer is planned and chosen for. Numbers out of
+ * range give FLINCH_BAD_THREAT. */
+typedef struct flinch_perception {
+  uint32_t size;
+  int32_t target;         /* that it will hit: FLINCH_HEAD, ... */
+  float time_to_impact_s; /* from now, above 0 and at most 100 */
+  float delay_s;          /* until the character can act, at least 0 */
+  /* The character now: where it stands, m, its facing, radians, and the stance that it is in. */
+  float position[2];
+  float facing;
+  float stance_time_s;
+  int32_t stance;
+  flinch_threat threat; /* as it is perceived; with a `size` of its own */
+} flinch_perception;
+
+/* Predicts the impact as flinch_character_perceive does, and counts as one: the next threat draws
+ * other random numbers. Writes what was noticed to `out`, and answers nothing. */
+FLINCH_API flinch_status flinch_character_notice(flinch_character* character,
+                                                 const flinch_threat* threat,
+                                                 flinch_perception* out);
+/* The same for `count` threats at once: writes those that will hit, the most urgent first, at most
+ * `capacity` of them and never more than 8, one after the other with the `size` of the first, and
+ * their number to `noticed`. One threat that is refused refuses all. */
+FLINCH_API flinch_status flinch_character_notice_all(flinch_character* character,
+                                                     const flinch_threat* threats, int32_t count,
+                                                     flinch_perception* out, int32_t capacity,
+                                                     int32_t* noticed);
+/* Writes the clips that the selector considers for what was noticed, best first, at most `capacity`
+ * of them, and their number to `count`. */
+FLINCH_API flinch_status flinch_character_rank(const flinch_character* character,
+                                               const flinch_perception* perception,
+                                               flinch_workspace* workspace, flinch_candidate* out,
+                                               int32_t capacity, int32_t* count);
+
+/* When a response would do what, in seconds after the reaction delay. */
+typedef struct flinch_plan {
+  uint32_t size;
+  float first_motion_s; /* when it first differs from going on */
+  float begin_s;        /* of the clip */
+  float peak_s;         /* when the clip protects most */
+  float end_s;          /* of the clip; the way back begins */
+  float duration_s;     /* when the character idles again */
+  float playback_rate;  /* seconds of the clip per second */
+} flinch_plan;
+/* Writes the plan of the response with clip number `clip` that flinch_character_answer would start.
+ * FLINCH_MISSES: there is none, since the threat arrives before the delay is over. */
+FLINCH_API flinch_status flinch_character_plan(const flinch_character* character,
+                                               const flinch_perception* perception, int32_t clip,
+                                               flinch_plan* out);
+/* Writes the pose, world, of that response at `time_s`, at least 0. */
+FLINCH_API flinch_status flinch_character_planned_pose(const flinch_character* character,
+                                                       const flinch_perception* perception,
+                                                       int32_t clip, float time_s,
+                                                       flinch_pose* out);
+/* Starts that response, or the reaction delay before it. `candidates`, at most
+ * FLINCH_MOST_CANDIDATES, are what flinch_character_candidates will give. */
+FLINCH_API flinch_status flinch_character_answer(flinch_character* character,
+                                                 const flinch_perception* perception, int32_t clip,
+                                                 const flinch_candidate* candidates, int32_t count);
+
 /* ---- Looking ahead --------------------------------------------------------------------------- */
 
 #define FLINCH_MOST_FORESEEN 16 /* candidates that are looked at for one answer */
@@ -610,6 +679,7 @@ typedef struct flinch_reaction {
   float ball_velocity[3]; /* world, m/s */
   float impulse_ns[FLINCH_BODY_COUNT]; /* on each body so far, N s */
   float ball_axis[3];                  /* of a rod, from butt to tip, unit; 0 for a ball */
+  float ball_momentum[3]; /* that the ball has passed to the figure so far, world, N s */
 } flinch_reaction;
 /* Writes the above to `out`. */
 FLINCH_API flinch_status flinch_character_reaction(const flinch_character* character,

@@ -109,8 +109,9 @@ bool CallSequence::call() {
     Call call;
     std::uint32_t weight;  ///< of 256
   };
-  constexpr std::array kKinds{Kind{"update", &CallSequence::update, 194},
+  constexpr std::array kKinds{Kind{"update", &CallSequence::update, 190},
                               Kind{"perceive", &CallSequence::perceive, 14},
+                              Kind{"notice, rank, plan and answer", &CallSequence::step_by_step, 4},
                               Kind{"respond", &CallSequence::respond, 2},
                               Kind{"place", &CallSequence::place, 8},
                               Kind{"set_pose", &CallSequence::set_pose, 8},
@@ -196,6 +197,42 @@ CallSequence::Outcome CallSequence::perceive(Actor& actor) {
       is_threat(threat) && is_time_to_impact(time_s) && target >= 0 && target <= FLINCH_LEGS;
   return {flinch_character_perceive_known(actor.character, &threat, target, time_s, workspace_),
           is_good ? Expected::answer : Expected::refusal};
+}
+
+// Puts any number in the place of one.
+void CallSequence::forge(flinch_perception& perception) {
+  const std::array numbers{&perception.time_to_impact_s, &perception.delay_s,
+                           &perception.position[0],      &perception.position[1],
+                           &perception.facing,           &perception.stance_time_s,
+                           &perception.threat.radius,    &perception.threat.velocity[2]};
+  float& forged = *numbers[below(numbers.size())];
+  forged = number(forged, forged);
+  if (below(8) == 0) perception.target = static_cast<std::int32_t>(draw_());
+  if (below(8) == 0) perception.stance = static_cast<std::int32_t>(draw_());
+}
+
+// What is noticed, or forged, is answered with any clip of those that are ranked, or any at all.
+CallSequence::Outcome CallSequence::step_by_step(Actor& actor) {
+  const flinch_threat threat = threat_at(seen_of(actor).state);
+  auto perception = sized<flinch_perception>();
+  const flinch_status noticed = flinch_character_notice(actor.character, &threat, &perception);
+  if (noticed != FLINCH_OK)
+    return {noticed, is_threat(threat) ? Expected::either : Expected::refusal};
+  if (is_odd_) forge(perception);
+  std::array<flinch_candidate, FLINCH_MOST_CANDIDATES> best{};
+  std::int32_t count = 0;
+  const flinch_status ranked = flinch_character_rank(actor.character, &perception, workspace_,
+                                                     best.data(), FLINCH_MOST_CANDIDATES, &count);
+  if (ranked < 0) return {ranked, is_odd_ || actor.is_bent ? Expected::either : Expected::answer};
+  std::int32_t clip = best[below(static_cast<std::uint32_t>(count))].clip;
+  if (is_odd_ && below(4) == 0) clip = static_cast<std::int32_t>(draw_());
+  auto planned = sized<flinch_pose>();
+  const float time_s = number(0, 2);
+  if (flinch_character_planned_pose(actor.character, &perception, clip, time_s, &planned) ==
+      FLINCH_OK)
+    check_numbers(planned);
+  return {flinch_character_answer(actor.character, &perception, clip, best.data(), count),
+          is_odd_ || actor.is_bent ? Expected::either : Expected::answer};
 }
 
 CallSequence::Outcome CallSequence::respond(Actor& actor) {

@@ -82,6 +82,8 @@ class CallSequence {
   Outcome joint_frames(Actor& actor);
   Outcome clip_pose(Actor& actor);
   Outcome copy(Actor& actor);
+  Outcome step_by_step(Actor& actor);
+  void forge(flinch_perception& perception);
   Outcome limit_perception(Actor& actor);
   Outcome make_anew(Actor& actor);
 
