@@ -14,6 +14,8 @@ namespace {
 using motion::FootPose;
 using motion::Side;
 
+constexpr float kSamePlace_m = 2e-4F;        // clips are stored to 0.1 mm
+constexpr float kSameYaw = 1e-3F;            // radians
 constexpr float kToleratedOffset_m = 0.04F;  // offset that a foot may keep during a clip
 constexpr float kToleratedYaw = 0.15F;       // radians
 constexpr float kQuickStep_s = 0.18F;        // of a step out of a stance
@@ -98,7 +100,7 @@ void plan_foot(Response& r, Side side, const Start& start) {
   const FootPose to = foot_of(r.library->skeleton(), start.clip, side);
   if (r.state.stance != 0) plan.pivot = pivot_of(r.library->skeleton(), side, from);
   const FootPose stand = plan.pivot.isZero(0) ? from : rolled_down(from, plan.pivot);
-  if (differ(stand, to, 1e-5F, 1e-4F)) {
+  if (differ(stand, to, kSamePlace_m, kSameYaw)) {
     plan.offset.yaw = yaw_between(to, stand);
     plan.offset.translation = horizontal(
         stand.ankle - motion::rotation_about(Eigen::Vector3f::UnitZ(), plan.offset.yaw) * to.ankle);

@@ -178,8 +178,8 @@ class Output(ProgramTest):
         self.assertEqual((self.folder / "part").read_bytes(), whole.read_bytes())
         done = subprocess.run('"$FLINCH" train a.flinchobs --out closed >&-', shell=True, check=False,
                               capture_output=True, text=True, **self.cwd)
-        self.assertEqual((done.returncode, done.stderr),
-                         (1, "flinch: cannot write to standard output\n"))
+        self.assertEqual((done.returncode, done.stderr.splitlines()[-1]),
+                         (1, "flinch: cannot write to standard output"))
 
     def test_a_limit_on_file_size_is_told(self):
         for command, out in ((["train", "a.flinchobs"], "a.flinch"),
