@@ -85,13 +85,18 @@ Start align(Response& r) {
   return start;
 }
 
-void plan_clip(const motion::Annotation& annotation, float time_to_impact_s, float earliest_s,
-               Response& r) {
+// When the clip plays, where it is laid, and how the feet come to it.
+void place_clip(const motion::Annotation& annotation, float time_to_impact_s, float earliest_s,
+                Response& r) {
   set_timing(annotation, time_to_impact_s, earliest_s, r);
   const Start start = align(r);
   for (Side side : motion::kSides) plan_foot(r, side, start);
   r.arcs_in = motion::shorter_arcs(start.source, start.clip);
   r.shifts[0] = {};
+}
+
+// The weight shift before the first step of a clip that has been placed, and the blend into it.
+void plan_blend(Response& r) {
   const std::optional<float> lift_s = first_lift_s(r);
   const auto shift = [&] {
     shift_weight(r, 0, r.support, *lift_s, std::max(*lift_s - kShiftDuration_s, r.leave_s),
@@ -103,6 +108,27 @@ void plan_clip(const motion::Annotation& annotation, float time_to_impact_s, flo
   choose_blend_duration(r);
   const bool is_lifted_meanwhile = shifts && *lift_s < r.begin_s + r.blend_duration_s;
   if (is_lifted_meanwhile) shift();
+}
+
+// When a clip that has been placed must begin if its first step has too little time: the weight has
+// to shift before, or the support foot to land.
+std::optional<float> later_begin_s(const Response& r) {
+  const std::optional<float> lift_s = first_lift_s(r);
+  const float ready_s = ready_to_lift_s(r);
+  if (!lift_s || *lift_s >= ready_s) return std::nullopt;
+  return ready_s - (*lift_s - r.begin_s) * r.playback_rate / kMaxPlaybackRate;
+}
+
+// A walker needs time to land whether it shifts its weight or not, so that its blend, which takes
+// most of a plan's time, is planned once.
+void plan_clip(const motion::Annotation& annotation, float time_to_impact_s, bool walked,
+               Response& r) {
+  place_clip(annotation, time_to_impact_s, r.leave_s, r);
+  if (!walked) plan_blend(r);
+  const std::optional<float> begin_s = later_begin_s(r);
+  const bool must_wait = begin_s && (walked || !r.shifts[0].pelvis.isZero(0));
+  if (must_wait) place_clip(annotation, time_to_impact_s, *begin_s, r);
+  if (walked || must_wait) plan_blend(r);
 }
 
 }  // namespace
@@ -136,14 +162,7 @@ Response make_response(const PreparedLibrary& library, const features::Character
     set_timing(annotation, time_to_impact_s, 0, r);
     plan_leaving(r);
   }
-  plan_clip(annotation, time_to_impact_s, r.leave_s, r);
-  const std::optional<float> lift_s = first_lift_s(r);
-  const float ready_s = ready_to_lift_s(r);
-  if (lift_s && *lift_s < ready_s && (walked || !r.shifts[0].pelvis.isZero(0))) {
-    // There is no time to shift the weight, or to land: the clip begins as much later.
-    const float lead_s = (*lift_s - r.begin_s) * r.playback_rate / kMaxPlaybackRate;
-    plan_clip(annotation, time_to_impact_s, ready_s - lead_s, r);
-  }
+  plan_clip(annotation, time_to_impact_s, walked, r);
   r.home = walked ? features::later(library.stance_of(state).loop, state, r.leave_s) : state;
   plan_return(r);
   r.first_motion_s = walked ? r.leave_s : std::min(r.begin_s, r.shifts[0].interval.begin_s);
