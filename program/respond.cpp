@@ -91,6 +91,7 @@ void write_filmstrip(const runtime::Library& library, const ResponseRecording& r
                      const RespondOptions& options, bool walks) {
   motion::Clip clip;
   clip.name = clip_name(library, recording.clip);
+  if (options.threat.kind) clip.name = *options.threat.kind + ": " + clip.name;
   clip.motion = recording.motion;
   database::BallTrack threat = recording.ball;
   for (std::size_t k = 0; walks && k < clip.motion.poses.size(); ++k) {

@@ -143,6 +143,8 @@ export interface Reaction {
   ball_velocity: Float32Array;
   /** Of a rod, from butt to tip; 0 for a ball. */
   ball_axis: Float32Array;
+  /** That the ball has passed to the figure so far, world, N s. */
+  ball_momentum: Float32Array;
   impulse_ns: Float32Array;
 }
 

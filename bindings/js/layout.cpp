@@ -174,7 +174,7 @@ std::string layout() {
     structs.push_back(
         struct_text("flinch_reaction", sizeof(S),
                     {F(size), F(phase), F(moved_by), F(clip), F(contact_s), F(ball_position),
-                     F(ball_velocity), F(impulse_ns), F(ball_axis)}));
+                     F(ball_velocity), F(impulse_ns), F(ball_axis), F(ball_momentum)}));
   }
   {
     using S = flinch_skin_mesh;

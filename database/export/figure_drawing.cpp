@@ -125,9 +125,10 @@ std::string threat_drawing(const Eigen::Vector3f& from, const Eigen::Vector3f& t
   const Eigen::Vector2f a = on_paper(view, from);
   const Eigen::Vector2f b = on_paper(view, to);
   if (std::abs(a.x() + b.x()) > 2 * kMaxThreatDistance_m * kDrawingScale) return "";
+  constexpr float kMinWidth = 7;  // of the point of a knife, too
   // A line of no length is drawn as a dot by its round ends.
   return svg_text("<path d='M%.0f %.0fL%.2f %.2f' stroke='#e08010' stroke-width='%.1f'/>", a.x(),
-                  a.y(), b.x() + 0.01F, b.y(), 2 * radius * kDrawingScale);
+                  a.y(), b.x() + 0.01F, b.y(), std::max(2 * radius * kDrawingScale, kMinWidth));
 }
 
 std::string threat_arrow(const Eigen::Vector3f& target, float direction, const DrawingView& view) {

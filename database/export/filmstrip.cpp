@@ -68,11 +68,11 @@ std::string filmstrip_svg(const motion::Figure& figure, const motion::Clip& clip
           svg_text("<g transform='translate(%.0f %.0f)' stroke-linecap='round' fill='none'>", x, y);
       svg += "<path d='M-70 1H70' stroke='#bbb'/>";
       svg += figure_drawing(figure, frames, kViews[row]);
-      if (threat) svg += threat_at(*threat, clip, times[column], kViews[row]);
       if (clip.annotation) {
         svg += threat_arrow(motion::target_centre(figure.bodies, first, clip.annotation->target),
                             clip.annotation->direction, kViews[row]);
       }
+      if (threat) svg += threat_at(*threat, clip, times[column], kViews[row]);
       svg += svg_text("<text x='-10' y='16' fill='#333'>%.2f</text></g>", times[column]);
     }
   }
