@@ -22,11 +22,28 @@ using Json = nlohmann::ordered_json;
 constexpr int kMaxInputDepth = 4;
 constexpr std::size_t kMaxInputs = 500;
 
+/// Leaves out the provenance of inputs that are nested deeper than provenance_of() reads.
+void cut(Json& document, int depth) {
+  for (Json& input : document["inputs"]) {
+    if (!input.contains("provenance")) continue;
+    if (depth == kMaxInputDepth) {
+      input.erase("provenance");
+    } else {
+      cut(input["provenance"], depth + 1);
+    }
+  }
+}
+
 Json document_of(const ProvenanceInput& input) {
   Json document{{"role", input.role}};
   if (!input.name.empty()) document["name"] = input.name;
   document["hash"] = hash_text(input.hash);
-  if (!input.provenance.empty()) document["provenance"] = Json::parse(input.provenance);
+  // A file may say anything of itself: what is no provenance is not passed on.
+  if (provenance_of(input.provenance)) {
+    Json made = Json::parse(input.provenance);
+    cut(made, 1);
+    document["provenance"] = std::move(made);
+  }
   return document;
 }
 

@@ -36,8 +36,9 @@ struct Provenance {
 /// The version of Flinch.
 std::string_view flinch_version();
 
-/// Returns the provenance as one line of JSON in ASCII. Throws Error where that is longer than
-/// kMaxProvenanceSize.
+/// Returns the provenance as one line of JSON in ASCII, which provenance_of() reads: without what
+/// inputs say of themselves where it is none, or nested more than four deep. Throws Error where it
+/// is longer than kMaxProvenanceSize.
 std::string provenance_text(const Provenance& provenance);
 
 /// Reads such a text; nothing for another one: wrong or missing keys, control characters in a

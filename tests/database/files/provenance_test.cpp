@@ -66,11 +66,23 @@ TEST(Provenance, RefusesOtherTexts) {
   EXPECT_TRUE(provenance_of(text));
 }
 
-TEST(Provenance, InputsOfInputsMayBeFourDeep) {
+TEST(Provenance, TellsInputsOfInputsFourDeep) {
   std::string text = provenance_text({.command = "author"});
-  for (int depth = 1; depth <= 5; ++depth) {
+  for (int depth = 1; depth <= 6; ++depth) {
     text = provenance_text({.command = "evolve", .inputs = {{"library", "", 1, text}}});
-    EXPECT_EQ(provenance_of(text).has_value(), depth <= 4) << depth;
+    ASSERT_TRUE(provenance_of(text)) << depth;
+    EXPECT_EQ(text.find("author") != std::string::npos, depth <= 4) << depth;
+  }
+}
+
+TEST(Provenance, PassesOnNothingThatIsNone) {
+  const std::string nested = std::string(500'000, '[') + std::string(500'000, ']');
+  for (const std::string& foreign : {std::string("hello"), std::string("[]"), nested}) {
+    const std::string text =
+        provenance_text({.command = "simulate", .inputs = {{"library", "", 1, foreign}}});
+    const auto read = provenance_of(text);
+    ASSERT_TRUE(read) << foreign.substr(0, 10);
+    EXPECT_EQ(read->inputs.at(0).provenance, "");
   }
 }
 
