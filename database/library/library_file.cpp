@@ -120,22 +120,22 @@ bool has_poses(const StoredClips& clips, std::uint8_t version) {
 
 /// The bytes in memory of the poses that packed clips and their mirror images claim; none if a
 /// count is out of bounds. For clips that has_poses().
-std::optional<std::size_t> unpacked_size(const StoredClips& clips) {
-  std::size_t size = 0;  // cannot overflow: at most kMaxClips of kMaxPoses
+std::optional<std::uint64_t> unpacked_size(const StoredClips& clips) {
+  std::uint64_t size = 0;  // cannot overflow: at most kMaxClips of kMaxPoses
   for (const schema::Clip* clip : clips) {
     const auto original = clip->mirror_of();
     const auto* packed = original ? clips.Get(*original)->packed() : clip->packed();
     if (packed == nullptr) continue;
     const auto count = packed_pose_count({packed->data(), packed->size()});
     if (!count || *count > kMaxPoses) return std::nullopt;
-    size += *count * sizeof(motion::Pose);
+    size += std::uint64_t{*count} * sizeof(motion::Pose);
   }
   return size;
 }
 
 /// Whether counts are within their bounds, and no more is read than the file holds.
 bool has_bounded_size(const schema::Library& stored, std::size_t content_size) {
-  const std::optional<std::size_t> unpacked = unpacked_size(*stored.clips());
+  const std::optional<std::uint64_t> unpacked = unpacked_size(*stored.clips());
   if (!unpacked || *unpacked > max_unpacked_size(content_size)) return false;
   UnfoldedSize unfolded;
   unfolded.add(stored.provenance())

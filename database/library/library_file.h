@@ -29,9 +29,9 @@ std::uint8_t float_version_of(const ClipLibrary& library);
 /// The most bytes of poses that a library with this much content may hold. Packed poses and mirror
 /// images take less room in a file than in memory, usually a seventh to a tenth; a forged file
 /// could claim any number.
-constexpr std::size_t max_unpacked_size(std::size_t content_size) {
-  constexpr std::size_t kMaxRatio = 16;
-  constexpr std::size_t kAnyFile = std::size_t{32} << 20;
+constexpr std::uint64_t max_unpacked_size(std::size_t content_size) {
+  constexpr std::uint64_t kMaxRatio = 16;
+  constexpr std::uint64_t kAnyFile = std::uint64_t{32} << 20;
   return kMaxRatio * content_size + kAnyFile;
 }
 

@@ -4,6 +4,7 @@
 #include <flatbuffers/flatbuffers.h>
 
 #include <cstddef>
+#include <cstdint>
 
 namespace flinch::database {
 
@@ -16,7 +17,7 @@ class UnfoldedSize {
  public:
   template <class T>
   UnfoldedSize& add(const flatbuffers::Vector<T>* stored) {
-    if (stored != nullptr) bytes_ += std::size_t{stored->size()} * sizeof(T);
+    if (stored != nullptr) bytes_ += std::uint64_t{stored->size()} * sizeof(T);
     return *this;
   }
   UnfoldedSize& add(const flatbuffers::String* stored) {
@@ -27,7 +28,7 @@ class UnfoldedSize {
   bool is_within(std::size_t content_size) const { return bytes_ <= content_size; }
 
  private:
-  std::size_t bytes_ = 0;  ///< cannot overflow: at most a million tables of vectors below 2 GiB
+  std::uint64_t bytes_ = 0;  ///< cannot overflow: at most a million tables of vectors below 2 GiB
 };
 
 }  // namespace flinch::database
