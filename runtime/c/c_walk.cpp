@@ -5,6 +5,7 @@
 #include "runtime/c/c_check.h"
 #include "runtime/c/c_objects.h"
 #include "runtime/c/c_values.h"
+#include "runtime/graph/motion_graph.h"
 
 namespace runtime = flinch::runtime;
 using runtime::check;
@@ -15,6 +16,7 @@ flinch_status flinch_motion_graph_create(const flinch_library* library, flinch_m
   if (const flinch_status status = check(library)) return status;
   auto graph = runtime::make_motion_graph(*library->content);
   if (!graph) return FLINCH_OUT_OF_MEMORY;
+  if (graph->nodes.empty()) return FLINCH_BAD_CLIP;
   return runtime::make_handle(out, [&] {
     return flinch_motion_graph::Content{library->content, std::move(graph)};
   });

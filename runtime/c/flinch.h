@@ -426,7 +426,7 @@ FLINCH_API flinch_status flinch_character_push_candidates(const flinch_character
 /* A graph of the moments of a library's everyday clips that can follow each other. */
 typedef struct flinch_motion_graph flinch_motion_graph;
 /* Makes the graph, which never changes; any threads may use it. Takes a few tenths of a second for
- * two minutes of everyday clips. */
+ * two minutes of everyday clips. FLINCH_BAD_CLIP: the library has none. */
 FLINCH_API flinch_status flinch_motion_graph_create(const flinch_library* library,
                                                     flinch_motion_graph** out);
 /* Frees a graph. Characters that walk by it go on. */

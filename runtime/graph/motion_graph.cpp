@@ -123,6 +123,7 @@ GraphExit exit_of(const MotionGraph& graph, const motion::Clip& clip) {
 
 MotionGraph make_motion_graph(const PreparedLibrary& library) {
   const MotionGraph all = all_moments(library);
+  if (all.nodes.empty()) return all;
   Successors jumps(all.nodes.size());
   Successors successors(all.nodes.size());
   for (std::size_t k = 0; k < all.nodes.size(); ++k) {

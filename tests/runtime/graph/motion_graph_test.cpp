@@ -129,6 +129,12 @@ TEST(MotionGraph, ResponsesLeadBackWhereTheyAreNearest) {
   EXPECT_EQ(responses, 6);
 }
 
+TEST(MakeMotionGraph, IsEmptyWithoutEverydayClips) {
+  database::ClipLibrary library = tests::library_with_walks();
+  for (motion::Clip& clip : library.clips) clip.purpose = motion::Purpose::push;
+  EXPECT_TRUE(make_motion_graph(prepare(library)).nodes.empty());
+}
+
 TEST(DrawExit, StaysForAWhileThenTakesEveryWayAndIsSeeded) {
   const MotionGraph& graph = scene().graph;
   std::set<std::uint32_t> ways;
