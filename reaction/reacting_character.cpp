@@ -136,7 +136,10 @@ void ReactingCharacter::update_from_physics(float dt_s) noexcept {
     answer_ = cause_ == Cause::ball ? answer_to_blow() : pushed_away();
   }
   if (reaction_.phase() != ReactionPhase::over) return;
-  if (answer_) character_ = *answer_;
+  if (answer_) {
+    answer_->perceive_as(character_);
+    character_ = *answer_;
+  }
   answer_.reset();
   pose_source_ = character_.phase() == runtime::Phase::pushed ? PoseSource::reaction_clip
                                                               : PoseSource::character;

@@ -50,7 +50,8 @@ class ReactingCharacter {
                     const ReactionOptions& options = {}) noexcept;
 
   /// The character that anticipates: perceive threats and place it here, but advance time with
-  /// update() below.
+  /// update() below. What it begins to answer while the body recovers ends with the recovery if a
+  /// reaction clip follows.
   runtime::Character& character() noexcept { return character_; }
   const runtime::Character& character() const noexcept { return character_; }
 

@@ -149,6 +149,12 @@ void Character::limit_perception(const PerceptionLimits& limits, std::uint64_t s
   seed_ = seed;
 }
 
+void Character::perceive_as(const Character& other) noexcept {
+  limits_ = other.limits_;
+  seed_ = other.seed_;
+  threats_ = other.threats_;
+}
+
 Status Character::predict(const features::Threat& threat, Perception& perception) const noexcept {
   if (!library_->is_loaded()) return Status::not_loaded;
   if (!features::is_usable(threat)) return Status::bad_threat;

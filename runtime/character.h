@@ -138,6 +138,9 @@ class Character {
   /// different seeds differ. Limits that are not valid (see is_valid()) count as none.
   void limit_perception(const PerceptionLimits& limits, std::uint64_t seed) noexcept;
 
+  /// Perceives from now on as `other` does: with its limits, seed and count of threats.
+  void perceive_as(const Character& other) noexcept;
+
   /// Answers a falling threat of which only position and velocity are known. Predicts whether, when
   /// and where it will hit if the character goes on as it is; chooses a clip and starts the
   /// response, or its reaction delay. Returns misses or unnoticed where there is nothing to answer.

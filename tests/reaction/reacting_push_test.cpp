@@ -99,6 +99,25 @@ TEST(ReactingPush, WithoutAGoodAnswerPhysicsMovesTheBodyAlongThePush) {
   }
 }
 
+TEST(ReactingPush, LimitsOfPerceptionOutlastTheRecovery) {
+  ReactingCharacter one = standing(bad());
+  ASSERT_EQ(one.push(Role::chest, {-0.8F, 0, 0}), Status::ok);
+  play(one, 0.6F);
+  ASSERT_EQ(one.pose_source(), PoseSource::physics);
+  runtime::PerceptionLimits blind;
+  blind.chance_to_fail = 1;
+  one.character().limit_perception(blind, 5);
+  play(one, 3);
+  ASSERT_EQ(one.pose_source(), PoseSource::character);
+  runtime::Workspace workspace;
+  workspace.reserve_memory(bad().selection_bytes());
+  features::Threat ball;
+  ball.position = {5, 0, 1.6F};
+  ball.velocity = {-10, 0, 2};
+  EXPECT_EQ(one.character().perceive(ball, motion::Target::head, 0.5F, workspace),
+            Status::unnoticed);
+}
+
 TEST(ReactingPush, APushByPhysicsIsContinuous) {
   ReactingCharacter one = standing(bad());
   const motion::Pose before = one.pose();
