@@ -136,6 +136,8 @@ public unsafe struct Reaction {
   public fixed float BallPosition[3];
   public fixed float BallVelocity[3];
   public fixed float Impulse_ns[17];
+  public fixed float BallAxis[3];  // of a rod, from butt to tip; 0 for a ball
+  public fixed float BallMomentum[3];  // that it has passed to the figure, N s
 }
 
 /// <summary>What `flinch train` wrote. Immutable: any threads may use it.</summary>

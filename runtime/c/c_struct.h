@@ -22,6 +22,8 @@ inline constexpr std::size_t kMinSize<flinch_library_info> = offsetof(flinch_lib
 template <>
 inline constexpr std::size_t kMinSize<flinch_look_ahead_options> =
     offsetof(flinch_look_ahead_options, budget_us);
+template <>
+inline constexpr std::size_t kMinSize<flinch_reaction> = offsetof(flinch_reaction, ball_axis);
 
 template <class T>
 flinch_status check_struct(const T* value) {

@@ -174,6 +174,7 @@ static unsafe class Throws {
       character.ReactTo(ref threat);
       PlayAndPrint(character);
       PlayAndPrint(character);
+      Require(character.DescribeReaction().Phase != ReactionPhase.None, "reaction");
     }
     CheckAxes();
     CheckErrors(library, arguments[0]);

@@ -81,6 +81,17 @@ TEST_F(CApiReaction, ShowsTheBitsOfTheCxxReaction) {
   EXPECT_LT(sum_ns, 1.7F * 0.27F * 11.1F);
 }
 
+TEST_F(CApiReaction, OlderProgramsGetWhatTheirStructHolds) {
+  flinch_reaction older{};
+  older.size = offsetof(flinch_reaction, ball_axis);
+  older.ball_momentum[0] = 7;
+  EXPECT_EQ(flinch_character_reaction(character, &older), FLINCH_OK);
+  EXPECT_EQ(older.clip, -1);
+  EXPECT_EQ(older.ball_momentum[0], 7);
+  older.size -= 4;
+  EXPECT_EQ(flinch_character_reaction(character, &older), FLINCH_BAD_SIZE);
+}
+
 TEST_F(CApiReaction, UntilItIsHitItAnticipatesAsOthersDo) {
   flinch_character* plain = nullptr;
   ASSERT_EQ(flinch_character_create(library, &plain), FLINCH_OK);
