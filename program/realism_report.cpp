@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
-#include <iostream>
 #include <set>
 
 #include "database/files/file_io.h"
 #include "database/library/library.h"
 #include "program/command.h"
+#include "program/log.h"
 #include "program/page.h"
 #include "train/report/csv.h"
 
@@ -39,7 +39,9 @@ Json curve_of(const train::LabelledConfigurations& all, bool is_quiet) {
   for (const NamedKind& model : kKinds) {
     for (const std::size_t size : kSizes) {
       if (size > all.labels.size()) break;
-      if (!is_quiet) std::cerr << "fitting " << model.name << " to " << size << " labels\n";
+      if (!is_quiet)
+        log(LogLevel::info,
+            std::string("fitting ") + model.name + " to " + std::to_string(size) + " labels");
       curve.push_back(row_of(model, size, train::held_out_agreement(all, model.kind, size)));
     }
   }
@@ -101,8 +103,9 @@ void write_realism_report(const train::LabelledConfigurations& all, const Realis
                           const std::string& folder, bool is_quiet) {
   const std::string page = find_page(kReportPage);
   if (page.empty()) {
-    std::cerr << "there will be no report.html, only its data: this program was built without the "
-                 "packages of the page; scripts/setup fetches them\n";
+    log(LogLevel::warning,
+        "there will be no report.html, only its data: this program was built without the packages "
+        "of the page; scripts/setup fetches them");
   }
   const Json document = document_of(all, origin, is_quiet);
   create_folder(folder);
