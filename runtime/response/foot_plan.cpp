@@ -14,8 +14,8 @@ namespace {
 using motion::FootPose;
 using motion::Side;
 
-constexpr float kSamePlace_m = 2e-4F;        // clips are stored to 0.1 mm
-constexpr float kSameYaw = 1e-3F;            // radians
+constexpr float kSamePlace_m = 2e-4F;        // above what the grid of clips moves a foot
+constexpr float kSameYaw = 1e-3F;            // radians; the same
 constexpr float kToleratedOffset_m = 0.04F;  // offset that a foot may keep during a clip
 constexpr float kToleratedYaw = 0.15F;       // radians
 constexpr float kQuickStep_s = 0.18F;        // of a step out of a stance

@@ -175,10 +175,6 @@ void land_beside(Response& r, const Start& start) {
   set_stand(r, side, flat(skeleton, side, foot_of(skeleton, start.clip, side)), kMaxLanding_s);
 }
 
-bool has_left_a_walk(const Response& r) {
-  return !r.inertialization.is_zero && r.library->stance_of(r.state).loop.travels();
-}
-
 float ready_to_lift_s(const Response& r) {
   const Landing& landing = r.landings[r.support];
   const bool lands = std::isfinite(landing.interval.end_s);

@@ -21,9 +21,6 @@ void plan_leaving(Response& response);
 /// Lets a foot that swings come down where the clip has it, which is laid on the support foot.
 void land_beside(Response& response, const Start& start);
 
-/// Whether plan_leaving() has been called.
-bool has_left_a_walk(const Response& response);
-
 /// When the foot that is not the support may leave the ground, s after perception: the weight has
 /// to shift first, or the support foot to land. A walker whose support foot is in front goes on
 /// over it by itself.
