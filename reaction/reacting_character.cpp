@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "runtime/pose_check.h"
+
 namespace flinch::reaction {
 namespace {
 
@@ -147,7 +149,7 @@ void ReactingCharacter::update_from_physics(float dt_s) noexcept {
 
 runtime::Character ReactingCharacter::at_shown_pose() const noexcept {
   runtime::Character character = character_;
-  character.move_to(before_, pose_, step_s_);
+  character.move_to(before_, pose_, std::max(step_s_, runtime::kMinPoseInterval_s));
   return character;
 }
 

@@ -5,6 +5,7 @@
 #include "motion/rotation.h"
 #include "runtime/character.h"
 #include "runtime/graph/motion_graph.h"
+#include "runtime/pose_check.h"
 #include "runtime/push/push_deformation.h"
 #include "runtime/push/push_search.h"
 
@@ -13,7 +14,6 @@ namespace {
 
 constexpr float kMinPush_mps = 0.05F;
 constexpr float kMaxPush_mps = 20;
-constexpr float kPushVelocityInterval_s = 1.0F / 240;
 
 bool is_usable_push(motion::Role place, const Eigen::Vector3f& velocity) {
   return motion::is_push_place(place) && velocity.head<2>().norm() >= kMinPush_mps &&
@@ -34,7 +34,7 @@ Status Character::push(motion::Role place, const Eigen::Vector3f& push_velocity,
   if (workspace.memory().size() < library_->selection_bytes()) return Status::other_workspace;
 
   // Only a response to a threat has no poses before its beginning.
-  const float step_s = kPushVelocityInterval_s;
+  const float step_s = kVelocityInterval_s;
   const auto now_s = static_cast<float>(time_s_);
   const motion::Pose now = pose_after(now_s);
   const motion::Pose before = is_responding() && now_s < step_s ? now : pose_after(now_s - step_s);
@@ -81,7 +81,7 @@ void Character::begin_push(const PushMotion& motion) noexcept {
 // The response has ended: the character goes from its last pose back to idle.
 void Character::finish_push(float dt_s) noexcept {
   const PushMotion over = push_;
-  const float step_s = std::clamp(dt_s, 1e-3F, kPushVelocityInterval_s);
+  const float step_s = std::clamp(dt_s, 1e-3F, kVelocityInterval_s);
   set_pose(pose_at(over, over.duration_s - step_s), pose_at(over, over.duration_s), step_s);
   settle();
 }

@@ -1,36 +1,39 @@
 // SPDX-License-Identifier: MIT
 // How a character moves about by the motion graph of its library.
 #include <algorithm>
+#include <array>
+#include <limits>
 #include <new>
 
 #include "motion/rotation.h"
 #include "runtime/character.h"
 #include "runtime/graph/motion_graph.h"
+#include "runtime/pose_check.h"
 
 namespace flinch::runtime {
 namespace {
 
-constexpr float kWalkVelocityInterval_s = 1.0F / 240;
-constexpr int kMostJumps = 64;     // in one frame
-constexpr int kPatientDraws = 16;  // of ways on, each after a stay of at least kMinStay_s
-constexpr int kMostDraws = 32;     // the others may leave at once
-constexpr float kAhead_s = 1.5F;   // that a walker looks ahead beyond a jump
+constexpr int kMaxJumps = 64;       // in one frame
+constexpr int kLongStayDraws = 16;  // of ways on, each after a stay of at least kMinStay_s
+constexpr int kMaxDraws = 32;       // the others may leave at once
+constexpr float kAhead_s = 1.5F;    // that a walker looks ahead beyond a jump
 constexpr float kAheadInterval_s = 0.5F;
-constexpr float kMaxArea_m = 1e5F;
+constexpr std::array kPelvis{motion::Role::pelvis};
 
 /// How far outside of its area a character in a clip will be some time after this exit, m; negative
 /// inside.
 float leads_out_m(const MotionGraph& graph, const PushMotion& now, const GraphExit& exit,
                   const WalkArea& area) {
   const PreparedLibrary& library = *now.library;
-  const motion::Pose leaves = motion::placed(
-      motion::sample(library.clip(now.clip).motion, exit.leave_s), now.yaw, now.translation);
+  const motion::Pose leaves =
+      motion::placed(motion::sample(library.clip(now.clip).motion, exit.leave_s, kPelvis), now.yaw,
+                     now.translation);
   const GraphNode& to = graph.nodes[exit.node];
   const motion::Motion& next = library.clip(to.clip).motion;
   const float from_s = std::max(std::min(to.time_s, next.duration_s() - kAheadInterval_s), 0.0F);
-  const motion::Pose from = motion::sample(next, from_s);
+  const motion::Pose from = motion::sample(next, from_s, kPelvis);
   const Eigen::Vector3f way =
-      motion::sample(next, from_s + kAheadInterval_s).root_position - from.root_position;
+      motion::sample(next, from_s + kAheadInterval_s, kPelvis).root_position - from.root_position;
   const Eigen::Vector3f ahead =
       leaves.root_position +
       kAhead_s / kAheadInterval_s *
@@ -53,7 +56,7 @@ Status Character::walk(const MotionGraph& graph, std::uint64_t seed,
                        const WalkArea& area) noexcept {
   if (!library_->is_loaded() || graph.library != &library_->prepared() || graph.nodes.empty())
     return Status::not_loaded;
-  const bool is_near = area.centre.allFinite() && area.centre.cwiseAbs().maxCoeff() <= kMaxArea_m;
+  const bool is_near = area.centre.allFinite() && area.centre.cwiseAbs().maxCoeff() <= kMaxPlace_m;
   if (!is_near || !(area.radius_m > 0)) return Status::bad_placement;
   walk_ = {};
   walk_.graph = &graph;
@@ -69,10 +72,10 @@ void Character::walk_on() noexcept {
   if (is_responding()) return;
   if (!is_pushed()) {
     const auto now_s = static_cast<float>(time_s_);
-    jump_to(nearest_node(*walk_.graph, pose_after(now_s - kWalkVelocityInterval_s),
-                         pose_after(now_s), kWalkVelocityInterval_s));
+    jump_to(nearest_node(*walk_.graph, pose_after(now_s - kVelocityInterval_s), pose_after(now_s),
+                         kVelocityInterval_s));
   }
-  for (int k = 0; k < kMostJumps && time_s_ >= double{walk_.leave_s}; ++k) {
+  for (int k = 0; k < kMaxJumps && time_s_ >= double{walk_.leave_s}; ++k) {
     const double rest_s = time_s_ - double{walk_.leave_s};
     time_s_ = double{walk_.leave_s};
     jump_to(walk_.node);
@@ -85,15 +88,15 @@ void Character::jump_to(std::uint32_t node) noexcept {
   const GraphNode& to = walk_.graph->nodes[node];
   const auto now_s = static_cast<float>(time_s_);
   push_ = make_transition(library_->prepared(), to.clip, to.time_s,
-                          pose_after(now_s - kWalkVelocityInterval_s), pose_after(now_s),
-                          kWalkVelocityInterval_s);
+                          pose_after(now_s - kVelocityInterval_s), pose_after(now_s),
+                          kVelocityInterval_s);
   is_answering_push_ = false;
   inertialization_ = {};
   time_s_ = 0;
   features::Random random(walk_.seed, features::RandomStream::motion_walk, walk_.stays++);
   float least_m = std::numeric_limits<float>::infinity();
-  for (int k = 0; k < kMostDraws && least_m > 0; ++k) {
-    const float min_stay_s = k < kPatientDraws ? kMinStay_s : 0;
+  for (int k = 0; k < kMaxDraws && least_m > 0; ++k) {
+    const float min_stay_s = k < kLongStayDraws ? kMinStay_s : 0;
     const GraphExit exit = draw_exit(*walk_.graph, node, random, min_stay_s);
     const float leave_s = exit.leave_s - to.time_s;
     const float out_m = leads_out_m(*walk_.graph, push_, exit, walk_.area);

@@ -11,6 +11,7 @@
 #include "runtime/c/c_objects.h"
 #include "runtime/c/c_threats.h"
 #include "runtime/c/c_values.h"
+#include "runtime/pose_check.h"
 #include "runtime/response/prepared_library.h"
 
 namespace runtime = flinch::runtime;
@@ -33,7 +34,8 @@ bool is_usable(const flinch_perception& perception, const runtime::PreparedLibra
          perception.time_to_impact_s > 0 &&
          perception.time_to_impact_s <= flinch::features::kMaxHorizon_s &&
          is_amount(perception.delay_s, flinch::features::kMaxExtent) &&
-         is_within(perception.position[0], 1e5F) && is_within(perception.position[1], 1e5F) &&
+         is_within(perception.position[0], 2 * runtime::kMaxPlace_m) &&
+         is_within(perception.position[1], 2 * runtime::kMaxPlace_m) &&
          is_within(perception.facing, flinch::features::kMaxExtent) &&
          is_within(perception.stance_time_s, flinch::features::kMaxExtent) &&
          library.has_stance(perception.stance);

@@ -135,7 +135,7 @@ TEST_F(CApiSteps, ForgedPerceptionsAreRefused) {
   forged[4].time_to_impact_s = 101;
   forged[5].delay_s = -1;
   forged[6].delay_s = kInfinity;
-  forged[7].position[1] = 2e5F;
+  forged[7].position[1] = 3e5F;  // farther than one that walks at the edge can be
   forged[8].facing = kNan;
   forged[9].stance = 1000;
   forged[10].threat.velocity[2] = kNan;
