@@ -264,16 +264,29 @@ bool is_source_file(const fs::path& path) {
 
 struct FoundFile {
   std::string path;
+  std::string source;     // within the folder in which it was found, so that libraries of the same
+                          // files are the same wherever they are
   std::string name;       // of its clip
   bool was_named = true;  // false: found in a folder
 };
+
+// Files of the same name get another one.
+void rename_twins(std::vector<FoundFile>& files, std::string FoundFile::*other) {
+  std::map<std::string, int> count;
+  for (const FoundFile& file : files) ++count[file.name];
+  for (FoundFile& file : files) {
+    if (count[file.name] > 1)
+      file.name = fs::path(file.*other).replace_extension().generic_string();
+  }
+}
 
 std::vector<FoundFile> find_files(const std::vector<std::string>& paths) {
   std::vector<FoundFile> files;
   for (const std::string& path : paths) {
     if (!fs::exists(path)) throw Error(path, "there is no such file or folder");
     if (!fs::is_directory(path)) {
-      files.push_back({path, fs::path(path).stem().string(), true});
+      const fs::path file(path);
+      files.push_back({path, file.filename().string(), file.stem().string(), true});
       continue;
     }
     std::vector<fs::path> found;
@@ -281,21 +294,20 @@ std::vector<FoundFile> find_files(const std::vector<std::string>& paths) {
       if (entry.is_regular_file() && is_source_file(entry.path())) found.push_back(entry.path());
     }
     std::sort(found.begin(), found.end());
-    for (const fs::path& one : found) files.push_back({one.string(), one.stem().string(), false});
+    for (const fs::path& one : found) {
+      const std::string source = one.lexically_relative(path).generic_string();
+      files.push_back({one.string(), source, one.stem().string(), false});
+    }
   }
-  // Files with the same name in different folders are distinguished by their paths.
-  std::map<std::string, int> count;
-  for (const FoundFile& file : files) ++count[file.name];
-  for (FoundFile& file : files) {
-    if (count[file.name] > 1) file.name = fs::path(file.path).replace_extension().string();
-  }
+  rename_twins(files, &FoundFile::source);
+  rename_twins(files, &FoundFile::path);
   return files;
 }
 
 ManifestEntry whole_file(const FoundFile& file) {
   ManifestEntry entry;
   entry.name = printable_text(file.name);
-  entry.file = file.path;
+  entry.file = file.source;
   entry.where = file.path;
   return entry;
 }
@@ -308,6 +320,13 @@ ManifestEntry& idle_of(std::vector<ManifestEntry>& entries) {
   return found == entries.end() ? entries.front() : *found;
 }
 
+// The last part of a path, however it is spelled.
+std::string name_of_path(const std::string& path) {
+  const fs::path whole = fs::absolute(path).lexically_normal();
+  const fs::path last = whole.has_filename() ? whole.filename() : whole.parent_path().filename();
+  return printable_text(fs::path(last).replace_extension().string());
+}
+
 ImportResult import_without_manifest(const std::vector<std::string>& paths,
                                      const ImportOptions& options) {
   const std::vector<FoundFile> files = find_files(paths);
@@ -317,7 +336,7 @@ ImportResult import_without_manifest(const std::vector<std::string>& paths,
   }
   SourceSet sources;
   Manifest manifest;
-  manifest.name = printable_text(fs::path(paths.front()).filename().replace_extension().string());
+  manifest.name = name_of_path(paths.front());
   if (manifest.name.empty()) manifest.name = "library";
   std::vector<std::string> entry_paths;
   std::vector<SkippedFile> skipped;
@@ -341,7 +360,7 @@ ImportResult import_without_manifest(const std::vector<std::string>& paths,
   ManifestEntry& idle = idle_of(manifest.entries);
   idle.purpose = motion::Purpose::idle;
   idle.kind = "idle";
-  const std::string skeleton = options.skeleton.value_or(idle.file);
+  const std::string skeleton = options.skeleton.value_or(idle.where);
   sources.add(skeleton, options.source);
   sources.finish();
   ImportResult result =

@@ -51,6 +51,23 @@ class Reading(ProgramTest):
                 done = self.succeed("import", path, "--out", self.folder / "out")
                 self.assertIn(f"note: {document['warnings'][0]}\n", done.stderr)
 
+    def test_a_library_does_not_tell_where_its_files_were(self):
+        libraries = []
+        for place in ("here", "there"):
+            folder = self.folder / place / "takes"
+            for part in ("a", "b"):
+                (folder / part).mkdir(parents=True)
+                (folder / part / "idle.bvh").write_text(STANDING)
+            for spelling in (folder, f"{folder}/", f"{folder}/../takes"):
+                out = self.folder / f"{len(libraries)}.flinchlib"
+                self.succeed("import", spelling, "--out", out)
+                libraries.append(out.read_bytes())
+        self.assertEqual(set(libraries), {libraries[0]})
+        document = self.document("info", self.folder / "0.flinchlib")
+        self.assertEqual(document["name"], "takes")
+        self.assertEqual({(clip["name"], clip["source"]) for clip in document["clips"]},
+                         {("a/idle", "a/idle.bvh"), ("b/idle", "b/idle.bvh")})
+
     def test_frames_and_their_rate_can_be_chosen(self):
         path = self.file("take.bvh", STANDING)
         chosen = self.document("info", path, "--frames", "11:", "--rate-of-file", 120)
@@ -106,7 +123,7 @@ class Reading(ProgramTest):
         for options in ([], ["--verbose"]):
             done = self.succeed("import", far, "--out", out, *options)
             self.assertEqual((done.stdout + done.stderr).count(note), 1)
-            self.assertIn(f"note: {far}: clip far: {note}\n", done.stderr)
+            self.assertIn(f"note: {far.name}: clip far: {note}\n", done.stderr)
         self.assertEqual(self.document("info", far, "--skip-first")["warnings"], [])
 
     def test_a_clip_that_goes_too_far_names_the_frames_to_keep(self):
