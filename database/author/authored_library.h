@@ -18,12 +18,12 @@ namespace flinch::database {
 ClipLibrary authored_library(const motion::Physique& character, bool with_startle = false,
                              float rate_hz = 60);
 
-/// The provenance of the library of a character: find_character's argument, or none for the default
-/// one. Throws Error where its file cannot be read.
-std::string authored_provenance(const std::optional<std::string>& character, bool with_startle);
-
 /// The same before its poses are moved to the grid, to measure by how much that moves joints.
 ClipLibrary authored_library_off_grid(const motion::Physique& character, bool with_startle = false,
                                       float rate_hz = 60);
+
+/// The provenance of the library of a character: find_character's argument, or none for the default
+/// one. Throws Error where its file cannot be read.
+std::string authored_provenance(const std::optional<std::string>& character, bool with_startle);
 
 }  // namespace flinch::database

@@ -2,6 +2,7 @@
 #include "database/files/library_writer.h"
 
 #include <algorithm>
+#include <cstring>
 #include <span>
 #include <vector>
 
@@ -66,10 +67,14 @@ struct StoredPoses {
 };
 
 bool are_same(const std::vector<motion::Pose>& a, const std::vector<motion::Pose>& b) {
-  const auto is_same = [](const motion::Pose& one, const motion::Pose& other) {
-    return one.root_position == other.root_position &&
-           std::equal(one.rotation.begin(), one.rotation.end(), other.rotation.begin(),
-                      [](const auto& p, const auto& q) { return p.coeffs() == q.coeffs(); });
+  const auto has_same_bits = [](const auto& p, const auto& q) {
+    return std::memcmp(p.data(), q.data(), sizeof(float) * static_cast<std::size_t>(p.size())) == 0;
+  };
+  const auto is_same = [&](const motion::Pose& one, const motion::Pose& other) {
+    return has_same_bits(one.root_position, other.root_position) &&
+           std::equal(
+               one.rotation.begin(), one.rotation.end(), other.rotation.begin(),
+               [&](const auto& p, const auto& q) { return has_same_bits(p.coeffs(), q.coeffs()); });
   };
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), is_same);
 }
@@ -78,7 +83,9 @@ bool are_same(const std::vector<motion::Pose>& a, const std::vector<motion::Pose
 std::optional<std::uint32_t> original_of(const ClipLibrary& library, const motion::Clip& clip) {
   const auto named = std::ranges::find(library.clips, clip.mirrored_from, &motion::Clip::name);
   if (named == library.clips.end() || !named->mirrored_from.empty()) return std::nullopt;
-  if (!are_same(clip.motion.poses, motion::mirrored(*named).motion.poses)) return std::nullopt;
+  std::vector<motion::Pose> mirrored = motion::mirrored(*named).motion.poses;
+  std::ranges::for_each(mirrored, make_zeros_positive);
+  if (!are_same(clip.motion.poses, mirrored)) return std::nullopt;
   return static_cast<std::uint32_t>(named - library.clips.begin());
 }
 

@@ -336,7 +336,8 @@ TEST(LoadLibrary, NamesTheActualFileKind) {
   EXPECT_THAT(message_for("some text\n"), HasSubstr("is a text file,"));
   EXPECT_THAT(message_for("\x01\x02"), HasSubstr("no file that Flinch knows,"));
   EXPECT_THAT(message_for("FLINCHL\x02 cut"), HasSubstr("damaged"));
-  EXPECT_THAT(message_for("FLINCHL\x09 and something"), HasSubstr("this program reads format 4"));
+  EXPECT_THAT(message_for("FLINCHL\x09 and something"),
+              HasSubstr("this program reads format 2 to 4"));
   EXPECT_THAT(tests::error_of([&] { load_library(folder / "none"); }), HasSubstr("No such file"));
 }
 

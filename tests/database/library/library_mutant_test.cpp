@@ -3,7 +3,7 @@
 
 #include "database/files/library_writer.h"
 #include "database/library/library_file.h"
-#include "tests/database/library/random_library.h"
+#include "tests/database/library/packable_library.h"
 #include "tests/scenes/file_damage.h"
 #include "tests/scenes/flatbuffer_mutation.h"
 #include "tests/scenes/read_cost.h"
@@ -11,8 +11,7 @@
 namespace flinch::database {
 namespace {
 
-TEST(LibraryMutant, IsRefusedOrSoundAtTheCostOfAWholeFile) {
-  const std::string file = library_bytes(tests::random_library(4, 4));
+void expect_refused_or_sound(const FileFormat& format, const std::string& file) {
   const std::size_t allowed = tests::ReadCost::allowance(file.size());
   const auto reads = [&](const std::string& mutant) {
     ClipLibrary library;
@@ -25,9 +24,17 @@ TEST(LibraryMutant, IsRefusedOrSoundAtTheCostOfAWholeFile) {
   };
   const int count = tests::soak_samples(600, 100'000);
   const tests::ReadCounts counts = tests::try_damaged_content(
-      kLibraryFormat, file, count, 15, tests::FlatbufferMutation(tests::content_of(file)), reads);
+      format, file, count, 15, tests::FlatbufferMutation(tests::content_of(file)), reads);
   EXPECT_GT(counts.refused, count / 4);
   EXPECT_GT(counts.read, 0);
+}
+
+TEST(LibraryMutant, IsRefusedOrSoundAtTheCostOfAWholeFile) {
+  expect_refused_or_sound(kLibraryFormat, library_bytes(tests::random_library(4, 4)));
+}
+
+TEST(LibraryMutant, OfPackedClipsIsRefusedOrSoundToo) {
+  expect_refused_or_sound(tests::kPackedFormat, library_bytes(tests::packable(4, 4)));
 }
 
 }  // namespace

@@ -9,26 +9,15 @@
 #include "database/files/pose_packer.h"
 #include "database/library/library_file.h"
 #include "library_generated.h"
-#include "motion/mirror.h"
-#include "tests/database/library/random_library.h"
+#include "tests/database/library/packable_library.h"
 #include "tests/scenes/file_damage.h"
-#include "tests/scenes/flatbuffer_mutation.h"
 #include "tests/scenes/read_cost.h"
 
 namespace flinch::database {
 namespace {
 
-constexpr FileFormat kPackedFormat{.magic = kLibraryFormat.magic, .version = kPackedVersion};
-
-/// A random library on the grid whose last clip is the mirror image of its first. The one named
-/// block_mirrored is none, only by its name.
-ClipLibrary packable(unsigned seed, int poses) {
-  ClipLibrary library = tests::random_library(seed, poses);
-  library.clips.push_back(motion::mirrored(library.clips[0]));
-  library.clips[2].name = "other";
-  snap(library);
-  return library;
-}
+using tests::kPackedFormat;
+using tests::packable;
 
 std::vector<std::uint32_t> pose_bits(const ClipLibrary& library) {
   std::vector<std::uint32_t> bits;
@@ -90,25 +79,6 @@ TEST(PackedLibrary, OfHalfAnHourWithoutMotionCanBeRead) {
   ClipLibrary read;
   ASSERT_EQ(read_library(bytes_of(library_bytes(library)), read), LoadStatus::ok);
   EXPECT_EQ(read.clips[3].motion.poses.size(), 100'000U);
-}
-
-TEST(PackedLibrary, MutantIsRefusedOrSoundAtTheCostOfAWholeFile) {
-  const std::string file = library_bytes(packable(4, 4));
-  const std::size_t allowed = tests::ReadCost::allowance(file.size());
-  const auto reads = [&](const std::string& mutant) {
-    ClipLibrary library;
-    const tests::ReadCost cost;
-    const LoadStatus status = read_library(bytes_of(mutant), library);
-    cost.expect_below(allowed);
-    if (status != LoadStatus::ok) return false;
-    EXPECT_FALSE(fault_of(library));
-    return true;
-  };
-  const int count = tests::soak_samples(600, 100'000);
-  const tests::ReadCounts counts = tests::try_damaged_content(
-      kPackedFormat, file, count, 15, tests::FlatbufferMutation(tests::content_of(file)), reads);
-  EXPECT_GT(counts.refused, count / 4);
-  EXPECT_GT(counts.read, 0);
 }
 
 /// The poses of a forged clip.
