@@ -36,7 +36,7 @@ std::optional<SelectorRecord> read_selector_record(std::span<const std::byte> fi
       database::verify_file(database::kSelectorFormat, database::aligned(file, storage));
   flatbuffers::Verifier verifier(reinterpret_cast<const std::uint8_t*>(verified.content.data()),
                                  verified.content.size());
-  const Error damaged(path, "the selector's record of its training is damaged; train it again");
+  const Error damaged(path, kDamagedRecord);
   if (verified.status != database::LoadStatus::ok ||
       !runtime::schema::VerifySelectorBuffer(verifier))
     throw Error(damaged);

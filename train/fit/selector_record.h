@@ -27,6 +27,9 @@ struct SelectorRecord {
   }
 };
 
+inline constexpr const char* kDamagedRecord =
+    "the selector's record of its training is damaged; train it again";
+
 /// Reads the record of a selector's file, which runtime::read_selector_file accepts. None where it
 /// has none, as files of before records were kept. Throws Error at `path` for texts that are too
 /// long or have control characters, and for scores that are not finite.

@@ -11,6 +11,10 @@ namespace {
 // Far above the effect of rounding on a plan, far below anything visible.
 constexpr float kSameTime = 1e-5F;   // s
 constexpr float kSamePlace = 1e-4F;  // m, radians
+// Above what plans take for the same place of a foot (runtime/response/foot_plan.cpp), and so for
+// no offset at all.
+constexpr float kSameFoot_m = 3e-4F;
+constexpr float kSameFootYaw = 1.5e-3F;
 
 bool is_near(float a, float b, float tolerance) {
   // Equality covers events that never happen, at infinity.
@@ -29,8 +33,8 @@ bool is_near(const runtime::Interval& a, float a_impact_s, const runtime::Interv
 
 bool is_near(const runtime::FootPlan& a, float a_impact_s, const runtime::FootPlan& b,
              float b_impact_s) {
-  return is_near(a.offset.yaw, b.offset.yaw, kSamePlace) &&
-         is_near(a.offset.translation, b.offset.translation) &&
+  return is_near(a.offset.yaw, b.offset.yaw, kSameFootYaw) &&
+         (a.offset.translation - b.offset.translation).norm() <= kSameFoot_m &&
          is_near(a.correction, a_impact_s, b.correction, b_impact_s) &&
          is_near(a.correction_lift_m, b.correction_lift_m, kSamePlace) &&
          is_near(a.return_step, a_impact_s, b.return_step, b_impact_s) &&

@@ -216,13 +216,13 @@ namespace {
 std::string text_of(std::span<const StanceShare> stances) {
   std::string text;
   for (const StanceShare& share : stances)
-    text += (text.empty() ? "" : ",") + share.name + '=' + database::option_text(share.weight);
+    text += (text.empty() ? "" : " ") + share.name + '=' + database::option_text(share.weight);
   return text;
 }
 
 /// How the store is made: without the range of scenarios, so that parts of a run and the whole of
 /// it agree.
-std::string provenance_of(const SimulationSetup& setup) {
+std::string provenance_of(const SimulationSetup& setup, std::uint64_t library_hash) {
   const SimulationPlan& plan = setup.plan;
   const bool is_file = database::names_toml_file(plan.threats);
   database::Provenance made{.command = "simulate", .seed = plan.seed};
@@ -233,7 +233,7 @@ std::string provenance_of(const SimulationSetup& setup) {
   add_option("places", plan.options.keeps_places, false, made);
   if (plan.options.figure == sim::FigureKind::waist_up)
     made.options.emplace_back("figure", "waist_up");
-  made.inputs.push_back({"library", "", setup.library.hash, setup.library.provenance});
+  made.inputs.push_back({"library", "", library_hash, setup.library.provenance});
   if (is_file) add_inputs("threats", {plan.threats}, made);
   return database::provenance_text(made);
 }
@@ -309,7 +309,7 @@ MemoryPlan plan_memory(const SimulationSetup& setup, std::uint64_t max_bytes, in
 bool simulate_store(const SimulationSetup& setup, const std::string& path,
                     const SimulationRun& run) {
   StoreHeader header = make_store_header(setup);
-  header.provenance = provenance_of(setup);
+  header.provenance = provenance_of(setup, header.library_hash);
   SingleProcessMessenger nobody;
   Messenger& messenger = run.messenger ? *run.messenger : nobody;
   std::optional<StoreWriter> writer;

@@ -361,8 +361,6 @@ StoreHeader read_header(Database& database) {
   StoreHeader header;
   header.format_version = require_store(database);
   require_row_count(database, "library", 1, 1);
-  const int meta_rows = header.format_version < 6 ? 8 : 9;
-  require_row_count(database, "meta", meta_rows, meta_rows + 1);  // one more with provenance
   require_row_count(database, "body", motion::kBodyCount, motion::kBodyCount);
   require_row_count(database, "target", motion::kTargetCount, motion::kTargetCount);
   require_row_count(database, "seal", 0, 1);
@@ -372,6 +370,8 @@ StoreHeader read_header(Database& database) {
   header.distribution = meta(database, "distribution").text(0);
   header.simulation = meta(database, "simulation").text(0);
   header.provenance = optional_meta(database, "provenance");
+  const int meta_rows = (header.format_version < 6 ? 8 : 9) + (header.provenance.empty() ? 0 : 1);
+  require_row_count(database, "meta", meta_rows, meta_rows);
   header.reference_impulse_ns = meta(database, "reference_impulse_ns").real(0);
   header.reference_work_j = meta(database, "reference_work_j").real(0);
   header.idle = static_cast<int>(meta(database, "idle_clip").integer(0));
