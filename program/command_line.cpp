@@ -152,7 +152,8 @@ void set_option(CLI::App& command, const ConfigValue& value) {
     throw Error(value.where, "[" + command.get_name() + "] has the key \"" + value.name +
                                  "\", which is no option; see flinch " + command.get_name() +
                                  " --help");
-  if (!option->empty()) return;
+  const auto is_given = [](const CLI::Option* one) { return !one->empty(); };
+  if (is_given(option) || std::ranges::any_of(option->get_excludes(), is_given)) return;
   try {
     option->add_result(value.values);
     option->run_callback();
@@ -175,15 +176,18 @@ void add_config_option(CLI::App& command) {
 
 /// What is written to stderr. A file may set these too.
 void add_log_options(CLI::App& command) {
+  CLI::Option* level =
+      command
+          .add_option_function<std::string>(
+              "--log-level", [](const std::string& name) { set_log_level(log_level_named(name)); },
+              "least important lines on standard error")
+          ->check(CLI::IsMember(log_level_names()))
+          ->default_str(log_level_names().back());
   command
-      .add_option_function<std::string>(
-          "--log-level", [](const std::string& name) { set_log_level(log_level_named(name)); },
-          "least important lines on standard error")
-      ->check(CLI::IsMember(log_level_names()))
-      ->default_str(log_level_names().back());
-  command.add_flag_callback(
-      "--quiet", [] { set_log_level(LogLevel::error); },
-      "write nothing but an error to standard error: as --log-level error");
+      .add_flag_callback(
+          "--quiet", [] { set_log_level(LogLevel::error); },
+          "write nothing but an error to standard error: as --log-level error")
+      ->excludes(level);
 }
 
 void add_command(CLI::App& app, const Command& command) {

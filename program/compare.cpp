@@ -102,12 +102,7 @@ void write_page(const std::string& page, const Json& document, const std::string
 void run_compare(const CompareOptions& options) {
   check_models(options);
   check_report(options);
-  const std::string page = options.report.empty() ? "" : find_page(kReportPage);
-  if (!options.report.empty() && page.empty()) {
-    log(LogLevel::warning,
-        "there will be no report.html, only its data: this program was built without the packages "
-        "of the page; scripts/setup fetches them");
-  }
+  const std::string page = options.report.empty() ? "" : find_report_page();
   const train::Comparison comparison =
       train::compare_methods(options.store, options.test, plan_of(options));
   const train::Report& report = comparison.report;

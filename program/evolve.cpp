@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "program/evolve.h"
+#include "program/command_line.h"
 
 #include <iostream>
 #include <memory>
@@ -8,6 +9,7 @@
 #include "evolve/run/evolution_file.h"
 #include "evolve/trial/pose_trial.h"
 #include "motion/error.h"
+#include "program/command_line.h"
 #include "program/threat_options.h"
 #include "train/report/cost_provenance.h"
 
@@ -22,11 +24,22 @@ std::vector<std::string> names_of(const All& all) {
   return names;
 }
 
+/// Refuses options of --weakest beside one throw.
+void check_throw(const EvolveOptions& options) {
+  const EvolveOptions defaults;
+  const auto refuse = [](bool is_given, const std::string& name) {
+    if (is_given) throw UsageError(name + " is for --weakest; leave it out");
+  };
+  refuse(options.scenarios != defaults.scenarios, "--scenarios");
+  refuse(options.cost.brawn != defaults.cost.brawn, "--brawn");
+  refuse(options.cost.vulnerability != defaults.cost.vulnerability, "--vulnerability");
+}
+
 /// Refuses options of one throw beside --weakest, which finds its own.
 void check_weakest(const EvolveOptions& options) {
   const EvolveOptions defaults;
   const auto refuse = [](bool is_given, const std::string& name) {
-    if (is_given) throw Error("", "--weakest finds the threats itself; leave out " + name);
+    if (is_given) throw UsageError("--weakest finds the threats itself; leave out " + name);
   };
   refuse(options.target != defaults.target, "--target");
   refuse(options.azimuth != defaults.azimuth, "--azimuth");
@@ -43,6 +56,7 @@ void check_weakest(const EvolveOptions& options) {
 
 void run_evolve(const EvolveOptions& options) {
   if (!options.weakest) {
+    check_throw(options);
     run_evolve_throw(options);
     return;
   }

@@ -56,7 +56,16 @@ Json clip_document(const motion::Clip& clip) {
   return document;
 }
 
-Json library_document(const database::ClipLibrary& library) {
+struct LibraryView {
+  std::string path;
+  database::ClipLibrary library;
+
+  explicit LibraryView(const std::string& file)
+      : path(file), library(database::load_library(file)) {}
+};
+
+Json library_document(const LibraryView& view) {
+  const database::ClipLibrary& library = view.library;
   Json clips = Json::array();
   for (const motion::Clip& clip : library.clips) clips.push_back(clip_document(clip));
   Json joints = Json::array();
@@ -64,7 +73,7 @@ Json library_document(const database::ClipLibrary& library) {
   return {{"kind", "library"},
           {"name", library.name},
           {"hash", database::hash_text(library.hash)},
-          {"provenance", provenance_document(library.provenance, library.name)},
+          {"provenance", provenance_document(library.provenance, view.path)},
           {"rate_hz", shortest(library.rate_hz)},
           {"mass_kg", shortest(library.character.mass_kg)},
           {"sex", motion::name_of(library.character.sex)},
@@ -98,7 +107,8 @@ std::vector<std::string> answer_cells(const motion::Clip& clip) {
   return clip.push ? push_cells(*clip.push) : annotation_cells(clip.annotation);
 }
 
-void print_library(const database::ClipLibrary& library) {
+void print_library(const LibraryView& view) {
+  const database::ClipLibrary& library = view.library;
   Table table({{"clip"},
                {"purpose"},
                {"length, s", right},
@@ -115,12 +125,13 @@ void print_library(const database::ClipLibrary& library) {
     cells.insert(cells.end(), annotation.begin(), annotation.end());
     table.add(cells);
   }
+  const std::string made_by = provenance_lines(library.provenance, view.path);
   std::cout << "library " << printable(library.name) << ", " << database::hash_text(library.hash)
             << '\n'
             << library.clips.size() << " clips at " << library.rate_hz << " Hz, idle "
             << printable(library.idle_clip().name) << ", " << motion::name_of(library.character.sex)
             << " of " << library.character.mass_kg << " kg\n"
-            << provenance_lines(library.provenance, library.name) << '\n'
+            << made_by << '\n'
             << table.text();
 }
 
@@ -186,6 +197,7 @@ void print_store(const StoreView& view) {
     table.add({header.clips[i].name, fixed(header.clip_work_j[i], 1), annotation[0], annotation[1],
                annotation[2]});
   }
+  const std::string made_by = provenance_lines(header.provenance, view.path);
   std::cout << "store of " << store.observation_count << " scenarios from number "
             << store.range.first << ", seed " << header.seed << ", of library "
             << printable(header.library_name) << ", " << database::hash_text(header.library_hash)
@@ -198,9 +210,8 @@ void print_store(const StoreView& view) {
             << fixed(view.bytes_per_scenario(), 0)
             << " bytes per scenario without the library\nhash "
             << database::hash_text(view.contents.hash) << '\n'
-            << provenance_lines(header.provenance, view.path) << "distribution "
-            << printable(header.distribution) << "\nsimulation " << printable(header.simulation)
-            << "\n\n"
+            << made_by << "distribution " << printable(header.distribution) << "\nsimulation "
+            << printable(header.simulation) << "\n\n"
             << table.text();
 }
 
@@ -217,9 +228,9 @@ void show(const InfoOptions& options, const Content& content, Document document,
   }
 }
 
-Json document_with_quality(const database::ClipLibrary& library) {
-  Json document = library_document(library);
-  document["quality"] = quality_document(library);
+Json document_with_quality(const LibraryView& view) {
+  Json document = library_document(view);
+  document["quality"] = quality_document(view.library);
   return document;
 }
 
@@ -249,10 +260,9 @@ void run_info(const InfoOptions& options) {
     case FileKind::library:
       if (options.pain) draw_pain(options);
       if (options.quality)
-        return show(
-            options, database::load_library(options.file), document_with_quality,
-            [](const database::ClipLibrary& library) { std::cout << quality_text(library); });
-      return show(options, database::load_library(options.file), library_document, print_library);
+        return show(options, LibraryView(options.file), document_with_quality,
+                    [](const LibraryView& view) { std::cout << quality_text(view.library); });
+      return show(options, LibraryView(options.file), library_document, print_library);
     case FileKind::store:
       return show(options, StoreView(options.file), store_document, print_store);
     case FileKind::selector:

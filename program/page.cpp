@@ -8,6 +8,7 @@
 
 #include "database/files/file_io.h"
 #include "motion/error.h"
+#include "program/log.h"
 
 namespace flinch::program {
 namespace {
@@ -40,6 +41,16 @@ std::string find_page(const PageKind& kind) {
     if (fs::exists(page, error)) return read_page(page, kind);
   }
   return {};
+}
+
+std::string find_report_page() {
+  std::string page = find_page(kReportPage);
+  if (page.empty()) {
+    log(LogLevel::warning,
+        "there will be no report.html, only its data: this program was built without the packages "
+        "of the page; scripts/setup fetches them");
+  }
+  return page;
 }
 
 std::string page_with(const std::string& page, std::span<const PageFile> files) {

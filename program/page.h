@@ -32,6 +32,9 @@ inline constexpr std::string_view kPageMark = "<meta name=\"generator\" content=
 /// Error for one that has no place for data.
 std::string find_page(const PageKind& kind);
 
+/// The page of reports; where there is none, warns that there will be no report.html.
+std::string find_report_page();
+
 /// Returns the page on which to throw balls with these files in it, in their order: each is an
 /// element of data, in base64. Characters of names that are neither letters, digits nor one of
 /// "._- " become "_".

@@ -18,7 +18,8 @@ std::string lines_of(const database::Provenance& made, const std::string& indent
                      const std::string& path) {
   std::string text = "Flinch " + printable(made.version) + ", flinch " + printable(made.command);
   for (const auto& [name, value] : made.options)
-    text += (name.size() == 1 ? " -" : " --") + printable(name) + ' ' + printable(value);
+    text += (name.size() == 1 ? " -" : " --") + printable(name) +
+            (value == "true" ? "" : ' ' + printable(value));
   if (made.seed) text += ", seed " + std::to_string(*made.seed);
   text += '\n';
   for (const database::ProvenanceInput& input : made.inputs) {
@@ -40,7 +41,7 @@ Json provenance_document(const std::string& text, const std::string& path) {
 }
 
 std::string provenance_lines(const std::string& text, const std::string& path) {
-  if (text.empty()) return "made by: not recorded, as in files of before Flinch kept it\n";
+  if (text.empty()) return "made by: not recorded\n";
   return "made by: " + lines_of(read(text, path), "", path);
 }
 

@@ -164,6 +164,8 @@ Json document_of(const runtime::Library& library, const PushOptions& options,
 }
 
 void run_push(const PushOptions& options) {
+  if (!options.out.ends_with(".glb"))
+    throw Error(options.out, "unknown kind of file; use a name that ends in .glb");
   database::check_outputs({{options.out, database::FileKind::gltf, database::kGlbMark}},
                           {options.selector}, overwrite_of(options.force));
   const runtime::Library library = train::load_runtime_library(options.selector);

@@ -101,12 +101,7 @@ void check_realism_report(const std::string& folder, const std::vector<std::stri
 
 void write_realism_report(const train::LabelledConfigurations& all, const RealismOrigin& origin,
                           const std::string& folder, bool is_quiet) {
-  const std::string page = find_page(kReportPage);
-  if (page.empty()) {
-    log(LogLevel::warning,
-        "there will be no report.html, only its data: this program was built without the packages "
-        "of the page; scripts/setup fetches them");
-  }
+  const std::string page = find_report_page();
   const Json document = document_of(all, origin, is_quiet);
   create_folder(folder);
   const auto write = [&](const char* name, const std::string& text) {

@@ -185,7 +185,7 @@ int stance_of(const database::ClipLibrary& library, const RespondOptions& option
 std::optional<int> clip_of(const database::ClipLibrary& library, const RespondOptions& options) {
   if (!options.clip) return std::nullopt;
   if (options.second.time_to_impact_s)
-    throw Error("", "--clip answers one threat; leave out the second one's options");
+    throw UsageError("--clip answers one threat; leave out the second one's options");
   for (std::size_t i = 0; i < library.clips.size(); ++i) {
     const bool answers = library.clips[i].annotation || static_cast<int>(i) == library.idle;
     if (answers && library.clips[i].name == *options.clip) return static_cast<int>(i);

@@ -82,18 +82,16 @@ Json kinds_document(std::span<const features::KnownKind> kinds) {
   return list;
 }
 
-constexpr const char* kDamaged = "the selector's record of its training is damaged; train it again";
-
 /// What a selector was trained on, and how well.
 Json training_document(const train::SelectorRecord& record, const std::string& path) {
   const std::optional<double> protection = record.cross_validated_protection();
   return {{"scenarios", record.scenarios},
-          {"parameters", description(record.parameters, path, kDamaged)},
+          {"parameters", description(record.parameters, path, train::kDamagedRecord)},
           {"cross_validated_regret_ns", record.cross_validated_regret_ns},
           {"idle_regret_ns", record.idle_regret_ns},
           {"cross_validated_protection", protection ? Json(*protection) : Json()},
-          {"distribution", description(record.distribution, path, kDamaged)},
-          {"simulation", description(record.simulation, path, kDamaged)}};
+          {"distribution", description(record.distribution, path, train::kDamagedRecord)},
+          {"simulation", description(record.simulation, path, train::kDamagedRecord)}};
 }
 
 void print_training(const train::SelectorRecord& record) {
@@ -150,6 +148,8 @@ Json selector_document(const SelectorView& view) {
 void print_selector(const SelectorView& view) {
   const runtime::SelectorFile& file = view.file;
   const Json document = selector_document(view);
+  const std::string made_by =
+      provenance_lines(view.record ? view.record->provenance : "", view.path);
   std::cout << "selector for library " << document["library_hash"].get<std::string>();
   for (const char* key : {"model", "classes", "support_vectors", "k", "observations", "members",
                           "hidden", "machines", "brawn", "vulnerability_name"})
@@ -170,7 +170,7 @@ void print_selector(const SelectorView& view) {
   } else {
     std::cout << ", without motion in this file: train it again to respond with it\n";
   }
-  std::cout << provenance_lines(view.record ? view.record->provenance : "", view.path);
+  std::cout << made_by;
 }
 
 }  // namespace flinch::program

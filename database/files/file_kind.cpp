@@ -94,8 +94,9 @@ bool names_toml_file(std::string_view name) {
 std::string refusal_of(LoadStatus status, const FileFormat& format, std::string_view file) {
   if (status != LoadStatus::other_version) return message_of(status);
   const auto version = static_cast<unsigned char>(file.at(format.magic.size()));
-  return "is of format " + std::to_string(version) + ", and this program reads format " +
-         std::to_string(format.newest_read);
+  std::string read = std::to_string(format.version);
+  if (format.newest_read != format.version) read += " to " + std::to_string(format.newest_read);
+  return "is of format " + std::to_string(version) + ", and this program reads format " + read;
 }
 
 std::string_view name_of(FileKind kind) {

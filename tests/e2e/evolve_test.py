@@ -243,8 +243,11 @@ class Evolve(ProgramTest):
                                 (["--failed-joints", "limp"], "leave out --failed-joints"),
                                 (["--limit-weight", 1], "leave out --limit-weight"),
                                 (["--extension-weight", 1], "leave out --extension-weight")]:
-            self.assertIn(text, self.fail_with(1, "evolve", self.library, "--out", again, *small,
+            self.assertIn(text, self.fail_with(2, "evolve", self.library, "--out", again, *small,
                                                *arguments))
+        for arguments in (["--scenarios", 30], ["--brawn", 0.1], ["--vulnerability", "uniform"]):
+            self.assertIn("is for --weakest", self.fail_with(
+                2, "evolve", self.library, "--out", again, *arguments))
 
     def test_refuses_what_it_cannot_evolve_in_one_line(self):
         pain = self.folder / "pain.toml"

@@ -76,7 +76,17 @@ class Log(ProgramTest):
         config.write_text('[simulate]\nlog-level = "warning"\n')
         self.assertEqual({line[:6] for line in self.simulated("--config", config)[0]}, {"note: "})
 
+    def test_the_command_line_goes_before_a_file(self):
+        config = self.folder / "log.toml"
+        config.write_text('[simulate]\nlog-level = "info"\n')
+        self.assertEqual(self.simulated("--config", config, "--quiet")[0], [])
+        config.write_text("[simulate]\nquiet = true\n")
+        told = self.simulated("--config", config, "--log-level", "warning")[0]
+        self.assertEqual({line[:6] for line in told}, {"note: "})
+
     def test_other_levels_are_wrong_usage(self):
+        self.assertIn("excludes", self.fail_with(2, "info", self.library, "--quiet", "--log-level",
+                                                 "info"))
         self.assertIn("--log-level", self.fail_with(2, "info", self.library, "--log-level", "loud"))
 
 

@@ -142,6 +142,8 @@ class Push(ProgramTest):
 
     def test_bad_input_gets_one_clear_line(self):
         out = self.folder / "push.glb"
+        self.assertIn("ends in .glb", self.fail_with(
+            1, "push", self.selector, *PUSH, "--out", self.folder / "push.svg"))
         self.assertIn("train-realism", self.fail_with(1, "push", self.plain, *PUSH, "--out", out))
         told = self.fail_with(1, "push", self.selector, "--from", 45, "--speed", 15, "--out", out)
         self.assertIn("no response to the push would look real", told)
