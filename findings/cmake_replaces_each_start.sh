@@ -6,8 +6,7 @@
 # Expected: "^" is the start of the text, so a prefix is replaced once, as by sed and by every library of
 # regular expressions.
 # Seen: after a match at the start the rest of the text counts as a text of its own, whose start matches
-# again: "vv2" loses both letters, and "^[a-z]" makes XXX1 of abc1. REGEX MATCHALL "^." of abc gives three
-# matches. The policy CMP0186 of CMake 4.1 changes it, for projects that ask for that version. A name that
+# again: "vv2" loses both letters, and REGEX MATCHALL "^." of abc gives three matches. The policy CMP0186 of CMake 4.1 changes it, for projects that ask for that version. A name that
 # begins with its own prefix, or a relative path two levels up, becomes another one.
 # Flinch: takes "flinch_" off the names of its targets by it; none has it twice.
 set -eu

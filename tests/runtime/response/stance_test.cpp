@@ -135,8 +135,8 @@ TEST(Stance, NoStandingFootSlides) {
   EXPECT_LT(slides_m.back(), 0.02F);
 }
 
-// Feet that stand turned out, far apart: the rear one turns on its heel while hips square up, its
-// heel rises when the body ducks, and it does not drag its toes when it steps.
+// The feet of a guard are far apart and turned out. The rear one turns on its heel while the hips
+// turn to the front, its heel rises where the body ducks, and it lifts its toes before it steps.
 TEST(Stance, NoFootOfAGuardSlides) {
   const std::vector<float> slides_m = sorted_slides_m(kGuard);
   EXPECT_LT(slides_m[slides_m.size() / 2], 0.01F);
