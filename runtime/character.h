@@ -201,12 +201,12 @@ class Character {
   Status push(motion::Role place, const Eigen::Vector3f& velocity, Workspace& workspace) noexcept;
 
   /// From now on the character walks about instead of idling: from clip to clip by the graph of its
-  /// library (make_motion_graph()), which must outlive it, at random by `seed`. Whenever it enters a
-  /// clip it draws up to 32 exits and takes the first that leads into `area`, or else the one that
-  /// leaves it least. It answers threats and pushes as before, and then walks on. place() moves it
-  /// along; settle(), change_stance() and set_pose() end the walk. Returns not_loaded for the graph
-  /// of another library or one without nodes, bad_placement for an area without a radius or beyond
-  /// 1e5 m. Allocates nothing.
+  /// library (make_motion_graph()), which must outlive it, at random by `seed`. Whenever it enters
+  /// a clip it draws up to 32 exits and takes the first that leads into `area`, or else the one
+  /// that leaves it least. It answers threats and pushes as before, and then walks on. place()
+  /// moves it along; settle(), change_stance() and set_pose() end the walk. Returns not_loaded for
+  /// the graph of another library or one without nodes, bad_placement for an area without a radius
+  /// or beyond 1e5 m. Allocates nothing.
   Status walk(const MotionGraph& graph, std::uint64_t seed, const WalkArea& area = {}) noexcept;
 
   /// Advances the character by `dt_s` (above 0, at most kMaxTimeStep_s), which may differ from

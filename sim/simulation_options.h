@@ -7,11 +7,12 @@
 namespace flinch::sim {
 
 /// Version of the simulation's laws. Raised when the same options give other impulses, so that
-/// stores of different laws are not continued or merged. 4: feet that hip and ankle cannot follow
-/// roll over their soles in every response; 3 bent the ankles. 3: a step ends at a contact on its
-/// path; 2 approached it in contact steps. 2: friction is bounded along the velocity of sliding; 1
-/// bounded it along the world's axes.
-inline constexpr int kLawVersion = 4;
+/// stores of different laws are not continued or merged.
+/// 5: feet that leave a stance turn on their heels, and what hardly bounces rests in longer steps.
+/// 4: feet that hip and ankle cannot follow roll over their soles; 3 bent the ankles.
+/// 3: a step ends at a contact on its path; 2 approached it in contact steps.
+/// 2: friction is bounded along the velocity of sliding; 1 bounded it along the world's axes.
+inline constexpr int kLawVersion = 5;
 
 /// How a step ends at a contact of ball and figure.
 enum class ContactSearch : unsigned char {
