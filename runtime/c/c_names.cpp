@@ -118,7 +118,7 @@ const char* flinch_target_name(int32_t target) {
 }
 
 const char* flinch_phase_name(int32_t phase) {
-  if (!is_below(phase, FLINCH_PUSHED + 1)) return nullptr;
+  if (!is_below(phase, FLINCH_WALKING + 1)) return nullptr;
   return name_of(static_cast<runtime::Phase>(phase));
 }
 

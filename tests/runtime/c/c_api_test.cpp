@@ -208,6 +208,7 @@ TEST_F(CApi, NamesMatchTheCxxApi) {
   EXPECT_STREQ(flinch_target_name(FLINCH_TRUNK), "trunk");
   EXPECT_STREQ(flinch_phase_name(FLINCH_IDLE), "idle");
   EXPECT_STREQ(flinch_phase_name(FLINCH_RETURNING), "returning");
+  EXPECT_STREQ(flinch_phase_name(FLINCH_WALKING), "walking");
 }
 
 TEST_F(CApi, AllocatesNothingButHandles) {
