@@ -7,7 +7,7 @@
 # Seen: {5} is 5, 5, 5, also for an array that is a field of a struct: a ball with velocity = {-20} flies
 # aslant. A rotation {1}, meant as w, is four ones. An array of structs of which one is given is filled
 # with it. LuaJIT's manual has this among the rules for initializers.
-# Flinch: its Lua binding makes structs that way; docs/lua.md says to give all numbers of an array.
+# Flinch: its Lua binding makes structs that way, and refuses a table that is shorter than its array.
 set -eu
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT

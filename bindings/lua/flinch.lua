@@ -12,6 +12,35 @@ local function declarations(header)
   return header, constants
 end
 
+local check_fields
+
+-- Refuses an array of which not all elements are given; LuaJIT fills one with the only number that
+-- it is given. `made` is a field of a struct, `value` what it is to hold.
+local function check_value(where, made, value)
+  local count = type(made) == "cdata" and tonumber(tostring(ffi.typeof(made)):match("%[(%d+)%]"))
+  if count and type(value) == "table" then
+    if #value ~= count then
+      error(("%s has %d elements, and %d %s given: give all of them"):format(
+        where, count, #value, #value == 1 and "was" or "were"), 0)
+    end
+    for i = 1, count do check_value(("%s[%d]"):format(where, i - 1), made[i - 1], value[i]) end
+  elseif count and type(value) ~= "cdata" then
+    error(("%s has %d elements, and a %s was given: give a table of all of them"):format(
+      where, count, type(value)), 0)
+  elseif type(value) == "table" then
+    check_fields(where, made, value)
+  end
+end
+
+-- Refuses fields that there are not, which LuaJIT leaves out.
+function check_fields(where, made, fields)
+  for key, value in pairs(fields) do
+    local is_field, field = pcall(function() return made[key] end)
+    if not is_field or type(key) ~= "string" then error(where .. " has no field " .. key, 0) end
+    check_value(where .. "." .. key, field, value)
+  end
+end
+
 local Flinch = {}
 -- LuaJIT may close a library before it runs the finalizers that call it.
 local loaded = {}
@@ -30,6 +59,8 @@ function Flinch.load(library, header)
 
   -- A struct of flinch.h, such as new("flinch_threat", {radius = 0.1}), with its size set.
   function flinch.new(name, fields)
+    local is_sound, problem = pcall(check_fields, name, ffi.new(name), fields or {})
+    if not is_sound then error(problem, 2) end
     local made = fields and ffi.new(name, fields) or ffi.new(name)
     made.size = ffi.sizeof(name)
     return made
