@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Flinch in C#: docs/csharp.md. One file for Mono, .NET and Unity, over the C interface; compile it
-// with /unsafe. Names, units and frames are those of flinch.h: SI units, radians, Z up, quaternions
-// w, x, y, z. What is made is freed by Dispose() or by the garbage collector.
+// Flinch in C#: docs/csharp.md. For Mono, .NET and Unity, over the C interface; compile the files of
+// this folder with /unsafe. Names, units and frames are those of flinch.h: SI units, radians, Z up,
+// quaternions w, x, y, z. What is made is freed by Dispose() or by the garbage collector.
 using System;
-using System.Runtime.InteropServices;
-using System.Text;
 
 namespace FlinchGame {
 
@@ -14,130 +12,6 @@ public sealed class FlinchException : Exception {
   public FlinchException(int status) : base(Native.Text(Native.flinch_status_message(status))) {
     Status = status;
   }
-}
-
-/// <summary>What a call tells. Errors are exceptions.</summary>
-public enum Answer { Ok = 0, Misses = 1, Unnoticed = 2, OutsideTraining = 3, NoGoodAnswer = 4 }
-
-public enum Target { Head = 0, Trunk = 1, Pelvis = 2, Legs = 3 }
-
-public enum Phase {
-  Idle = 0, Reacting = 1, Waiting = 2, Shifting = 3, Blending = 4, Protecting = 5, Returning = 6,
-  Pushed = 7, Walking = 8
-}
-
-public enum ReactionPhase {
-  None = 0, Awaits = 1, Struck = 2, Recovers = 3, Returns = 4, Over = 5, KnockedOver = 6
-}
-
-public enum MovedBy { Character = 0, Physics = 1, Clip = 2 }
-
-/// <summary>Something that approaches, as it is now. Make it by Threat.Ball or set every field.</summary>
-[StructLayout(LayoutKind.Sequential)]
-public unsafe struct Threat {
-  public uint Size;
-  public fixed float Position[3];
-  public fixed float Velocity[3];
-  public float Radius, Mass_kg;
-  public int Kind;
-  public float StartsIn_s, Lasts_s;
-
-  public static Threat Ball(float x, float y, float z, float vx, float vy, float vz,
-                            float radius = 0.105F, float mass_kg = 0.27F) {
-    var threat = new Threat { Size = (uint)sizeof(Threat), Radius = radius, Mass_kg = mass_kg };
-    threat.Position[0] = x;
-    threat.Position[1] = y;
-    threat.Position[2] = z;
-    threat.Velocity[0] = vx;
-    threat.Velocity[1] = vy;
-    threat.Velocity[2] = vz;
-    return threat;
-  }
-}
-
-/// <summary>All that moves: the pelvis' position, world, m, and 21 local rotations.</summary>
-[StructLayout(LayoutKind.Sequential)]
-public unsafe struct Pose {
-  public const int Joints = 21;
-  public uint Size;
-  public fixed float RootPosition[3];
-  public fixed float Rotation[4 * Joints];
-
-  public static Pose Make() { return new Pose { Size = (uint)sizeof(Pose) }; }
-}
-
-/// <summary>Position and orientation of every joint, world.</summary>
-[StructLayout(LayoutKind.Sequential)]
-public unsafe struct JointFrames {
-  public uint Size;
-  public fixed float Position[3 * Pose.Joints];
-  public fixed float Orientation[4 * Pose.Joints];
-
-  public static JointFrames Make() { return new JointFrames { Size = (uint)sizeof(JointFrames) }; }
-}
-
-/// <summary>How much of each joint's motion comes from Flinch and how much from the game.</summary>
-[StructLayout(LayoutKind.Sequential)]
-public unsafe struct Mask {
-  public uint Size;
-  public float Weight;
-  public fixed float Joint[Pose.Joints];
-
-  public static Mask Make() { return new Mask { Size = (uint)sizeof(Mask), Weight = 1 }; }
-}
-
-[StructLayout(LayoutKind.Sequential)]
-public unsafe struct CharacterState {
-  public uint Size;
-  public Phase Phase;
-  public int Clip;  // that answers, or the idle clip; -1: by rule
-  public Target Target;
-  public float TimeToImpact_s;
-  public fixed float Position[2];
-  public float Facing;
-}
-
-[StructLayout(LayoutKind.Sequential)]
-public unsafe struct PerceptionLimits {
-  public uint Size;
-  public float ReactionDelay_s, BearingNoise, DistanceNoise, HeadingNoise, SpeedNoise, ChanceToFail;
-
-  public static PerceptionLimits Human(int choices) {
-    var limits = new PerceptionLimits { Size = (uint)sizeof(PerceptionLimits) };
-    Native.Check(Native.flinch_human_limits(choices, ref limits));
-    return limits;
-  }
-}
-
-/// <summary>A clip that the selector considered.</summary>
-[StructLayout(LayoutKind.Sequential)]
-public struct Candidate {
-  public int Clip;
-  public float Vote, ExpectedCost_ns;
-}
-
-/// <summary>A response that could answer a push.</summary>
-[StructLayout(LayoutKind.Sequential)]
-public unsafe struct PushCandidate {
-  public int Clip;
-  public float Realism, Turn, Taper;
-  public fixed float Deformation[3];
-}
-
-
-/// <summary>The last reaction of a character.</summary>
-[StructLayout(LayoutKind.Sequential)]
-public unsafe struct Reaction {
-  public uint Size;
-  public ReactionPhase Phase;
-  public MovedBy MovedBy;
-  public int Clip;
-  public float Contact_s;
-  public fixed float BallPosition[3];
-  public fixed float BallVelocity[3];
-  public fixed float Impulse_ns[17];
-  public fixed float BallAxis[3];  // of a rod, from butt to tip; 0 for a ball
-  public fixed float BallMomentum[3];  // that it has passed to the figure, N s
 }
 
 /// <summary>What `flinch train` wrote. Immutable: any threads may use it.</summary>
@@ -154,7 +28,17 @@ public sealed class Library : IDisposable {
     Native.Check(Native.flinch_library_load_memory(file, (UIntPtr)file.Length, out made));
     Handle = new Handle(made, Native.flinch_library_free);
   }
+  private Library(Handle made) { Handle = made; }
+  /// <summary>Takes the bytes of a library's file, which has clips and no selector.</summary>
+  public static Library Take(byte[] clips) {
+    IntPtr made;
+    Native.Check(Native.flinch_library_take(clips, (UIntPtr)clips.Length, out made));
+    return new Library(new Handle(made, Native.flinch_library_free));
+  }
   public void Dispose() { Handle.Dispose(); }
+
+  /// <summary>Of libflinch, "MAJOR.MINOR.PATCH".</summary>
+  public static string Version { get { return Native.Text(Native.flinch_version()); } }
 
   public unsafe LibraryInfo Describe() {
     var info = new LibraryInfo { Size = (uint)sizeof(LibraryInfo) };
@@ -166,6 +50,25 @@ public sealed class Library : IDisposable {
     Native.Check(Native.flinch_library_clip(Handle, index, ref clip));
     return clip;
   }
+  /// <summary>A kind of threat that the library was trained for, from 0 to KindCount - 1.</summary>
+  public unsafe ThreatKind Kind(int index) {
+    var kind = new ThreatKind { Size = (uint)sizeof(ThreatKind) };
+    Native.Check(Native.flinch_library_kind(Handle, index, ref kind));
+    return kind;
+  }
+  public unsafe Skeleton Skeleton() {
+    var skeleton = new Skeleton { Size = (uint)sizeof(Skeleton) };
+    Native.Check(Native.flinch_library_skeleton(Handle, ref skeleton));
+    return skeleton;
+  }
+  /// <summary>The shape and mass of a body, from 0 to Outline.Bodies - 1.</summary>
+  public unsafe Outline Outline(int body) {
+    var outline = new Outline { Size = (uint)sizeof(Outline) };
+    Native.Check(Native.flinch_library_outline(Handle, body, ref outline));
+    return outline;
+  }
+  /// <summary>The clip that a stance plays; -1: there is no such stance.</summary>
+  public int Stance(int stance) { return Native.flinch_library_stance(Handle, stance); }
   public void ComputeJoints(ref Pose pose, ref JointFrames frames) {
     Native.Check(Native.flinch_library_joint_frames(Handle, ref pose, ref frames));
   }
@@ -174,32 +77,8 @@ public sealed class Library : IDisposable {
     Native.Check(Native.flinch_library_clip_pose(Handle, clip, time_s, ref pose));
   }
   public static string JointName(int joint) { return Native.Text(Native.flinch_joint_name(joint)); }
+  public static string BodyName(int body) { return Native.Text(Native.flinch_body_name(body)); }
   public static int JointParent(int joint) { return Native.flinch_joint_parent(joint); }
-}
-
-[StructLayout(LayoutKind.Sequential)]
-public struct LibraryInfo {
-  public uint Size;
-  public int ClipCount, IdleClip;
-  public float Rate_hz, Mass_kg;
-  public int KindCount;
-}
-
-/// <summary>A clip of a library; Name and Kind are valid as long as that is.</summary>
-[StructLayout(LayoutKind.Sequential)]
-public struct Clip {
-  public uint Size;
-  public int IsAnnotated;
-  private IntPtr name, kind;
-  public float Duration_s;
-  public Target Target;
-  public float Direction;
-  public int Degree;
-  public float Onset_s, Peak_s, End_s;
-  private int reserved;
-
-  public string Name { get { return Native.Text(name); } }
-  public string Kind { get { return Native.Text(kind); } }
 }
 
 /// <summary>Memory for choosing clips: one for each thread that perceives.</summary>
@@ -226,6 +105,18 @@ public sealed class LookAhead : IDisposable {
   public void Dispose() { Handle.Dispose(); }
 }
 
+/// <summary>The moments of a library's everyday clips that can follow each other. Immutable.</summary>
+public sealed class MotionGraph : IDisposable {
+  internal readonly Handle Handle;
+
+  public MotionGraph(Library library) {
+    IntPtr made;
+    Native.Check(Native.flinch_motion_graph_create(library.Handle, out made));
+    Handle = new Handle(made, Native.flinch_motion_graph_free);
+  }
+  public void Dispose() { Handle.Dispose(); }
+}
+
 /// <summary>A character: it perceives, answers, can be hit if it was made so, and returns to idle.
 /// One thread at a time may use it. Nothing but the constructor allocates.</summary>
 public sealed unsafe class Character : IDisposable {
@@ -235,6 +126,13 @@ public sealed unsafe class Character : IDisposable {
     IntPtr made;
     Native.Check(reacting ? Native.flinch_character_create_reacting(library.Handle, out made)
                           : Native.flinch_character_create(library.Handle, out made));
+    handle = new Handle(made, Native.flinch_character_free);
+  }
+  /// <summary>A character that takes hits as the options say.</summary>
+  public Character(Library library, ReactionOptions options) {
+    IntPtr made;
+    Native.Check(
+        Native.flinch_character_create_reacting_as(library.Handle, ref options, out made));
     handle = new Handle(made, Native.flinch_character_free);
   }
   public void Dispose() { handle.Dispose(); }
@@ -253,6 +151,12 @@ public sealed unsafe class Character : IDisposable {
     Native.Check(Native.flinch_character_limit_perception(handle, ref limits, seed));
   }
 
+  /// <summary>From now on it moves about by the graph, within the circle about (x, y).</summary>
+  public void Walk(MotionGraph graph, ulong seed, float x = 0, float y = 0,
+                   float radius = float.PositiveInfinity) {
+    Native.Check(Native.flinch_character_walk(handle, graph.Handle, seed, x, y, radius));
+  }
+
   public Answer Perceive(ref Threat threat, Workspace workspace) {
     return Native.Check(Native.flinch_character_perceive(handle, ref threat, workspace.Handle));
   }
@@ -268,6 +172,49 @@ public sealed unsafe class Character : IDisposable {
   public Answer Brace(ref Threat threat, bool startles = false) {
     return Native.Check(Native.flinch_character_brace(handle, ref threat, startles ? 1 : 0));
   }
+  /// <summary>Writes the numbers of the threat that are outside of what the library was trained
+  /// for; returns how many.</summary>
+  public int OutsideTraining(ref Threat threat, Outside[] outside) {
+    int count;
+    Native.Check(Native.flinch_character_outside_training(handle, ref threat, outside,
+                                                          outside.Length, out count));
+    return count;
+  }
+
+  // The steps of perceiving, for games that choose among the answers themselves.
+
+  public Answer Notice(ref Threat threat, out Perception perception) {
+    perception = Perception.Make();
+    return Native.Check(Native.flinch_character_notice(handle, ref threat, ref perception));
+  }
+  /// <summary>Writes the threats that will hit, the most urgent first; `count` says how many.</summary>
+  public Answer NoticeAll(Threat[] threats, Perception[] perceptions, out int count) {
+    if (perceptions.Length > 0) perceptions[0] = Perception.Make();
+    return Native.Check(Native.flinch_character_notice_all(
+        handle, threats, threats.Length, perceptions, perceptions.Length, out count));
+  }
+  /// <summary>Writes the clips that the selector considers, best first; returns their number.</summary>
+  public int Rank(ref Perception perception, Workspace workspace, Candidate[] candidates) {
+    int count;
+    Native.Check(Native.flinch_character_rank(handle, ref perception, workspace.Handle, candidates,
+                                              candidates.Length, out count));
+    return count;
+  }
+  public Answer Plan(ref Perception perception, int clip, out Plan plan) {
+    plan = new Plan { Size = (uint)sizeof(Plan) };
+    return Native.Check(Native.flinch_character_plan(handle, ref perception, clip, ref plan));
+  }
+  /// <summary>Writes the pose of the planned response, s after the reaction delay.</summary>
+  public Answer GetPlannedPose(ref Perception perception, int clip, float time_s, ref Pose pose) {
+    return Native.Check(
+        Native.flinch_character_planned_pose(handle, ref perception, clip, time_s, ref pose));
+  }
+  /// <summary>Starts the planned response; the first `count` candidates are kept.</summary>
+  public Answer Answer(ref Perception perception, int clip, Candidate[] candidates, int count) {
+    return Native.Check(
+        Native.flinch_character_answer(handle, ref perception, clip, candidates, count));
+  }
+
   public void Respond(int clip, float timeToImpact_s) {
     Native.Check(Native.flinch_character_respond(handle, clip, timeToImpact_s));
   }
@@ -285,13 +232,23 @@ public sealed unsafe class Character : IDisposable {
                                                          out count));
     return count;
   }
-  /// <summary>Simulates the selector's best clips and answers with the one that costs least.</summary>
-  public Answer LookAhead(Threat[] threats, int candidates, LookAhead memory) {
+  /// <summary>Simulates the selector's best clips and answers with the one that costs least. No
+  /// more are tried when the budget is spent.</summary>
+  public Answer LookAhead(Threat[] threats, int candidates, LookAhead memory,
+                          float budget_us = float.PositiveInfinity) {
+    LookAheadStatus status;
+    return LookAhead(threats, candidates, memory, budget_us, out status);
+  }
+  /// <summary>The same, and tells what was found out.</summary>
+  public Answer LookAhead(Threat[] threats, int candidates, LookAhead memory, float budget_us,
+                          out LookAheadStatus status) {
+    status = new LookAheadStatus { Size = (uint)sizeof(LookAheadStatus) };
     var options = new LookAheadOptions {
-      Size = (uint)sizeof(LookAheadOptions), Candidates = candidates
+      Size = (uint)sizeof(LookAheadOptions), Candidates = candidates, Budget_us = budget_us,
+      Now_us = float.IsPositiveInfinity(budget_us) ? IntPtr.Zero : Clock.Now_us
     };
     return Native.Check(Native.flinch_character_look_ahead(handle, threats, threats.Length,
-                                                           ref options, memory.Handle, IntPtr.Zero));
+                                                           ref options, memory.Handle, ref status));
   }
   /// <summary>Hands the body to physics, because the ball is about to hit.</summary>
   public void ReactTo(ref Threat ball) {
@@ -326,116 +283,6 @@ public sealed unsafe class Character : IDisposable {
     Native.Check(Native.flinch_character_candidates(handle, candidates, candidates.Length, out count));
     return count;
   }
-}
-
-/// <summary>Flinch's axes (right-handed, Z up, X forward, Y left) in Unity's (left-handed, Y up, Z
-/// forward) and back. Rotations may be local ones or the world's.</summary>
-public static class UnityAxes {
-  public static void Position(float x, float y, float z, out float ux, out float uy, out float uz) {
-    ux = -y;
-    uy = z;
-    uz = x;
-  }
-  public static void PositionBack(float ux, float uy, float uz, out float x, out float y, out float z) {
-    x = uz;
-    y = -ux;
-    z = uy;
-  }
-  /// <summary>From w, x, y, z to the arguments of UnityEngine.Quaternion in their order.</summary>
-  public static void Rotation(float w, float x, float y, float z, out float ux, out float uy,
-                              out float uz, out float uw) {
-    ux = y;
-    uy = -z;
-    uz = -x;
-    uw = w;
-  }
-  public static void RotationBack(float ux, float uy, float uz, float uw, out float w, out float x,
-                                  out float y, out float z) {
-    w = uw;
-    x = -uz;
-    y = ux;
-    z = -uy;
-  }
-}
-
-[StructLayout(LayoutKind.Sequential)]
-internal struct LookAheadOptions {
-  public uint Size;
-  public int Candidates;
-  public float Budget_us;
-  private int reserved;
-  private IntPtr now_us, clock;
-}
-
-/// A handle of the C interface, which the garbage collector frees if nobody else does.
-internal sealed class Handle : SafeHandle {
-  private readonly Func<IntPtr, int> free;
-
-  internal Handle(IntPtr made, Func<IntPtr, int> freedBy) : base(IntPtr.Zero, true) {
-    free = freedBy;
-    SetHandle(made);
-  }
-  public override bool IsInvalid { get { return handle == IntPtr.Zero; } }
-  protected override bool ReleaseHandle() { return free(handle) >= 0; }
-}
-
-internal static unsafe class Native {
-  private const string Flinch = "flinch";  // libflinch.so, flinch.dll
-
-  internal static Answer Check(int status) {
-    if (status < 0) throw new FlinchException(status);
-    return (Answer)status;
-  }
-  internal static string Text(IntPtr text) {
-    if (text == IntPtr.Zero) return null;
-    int length = 0;
-    while (Marshal.ReadByte(text, length) != 0) ++length;
-    var bytes = new byte[length];
-    Marshal.Copy(text, bytes, 0, length);
-    return Encoding.UTF8.GetString(bytes);
-  }
-  internal static byte[] Bytes(string text) { return Encoding.UTF8.GetBytes(text + "\0"); }
-
-  [DllImport(Flinch)] internal static extern IntPtr flinch_status_message(int status);
-  [DllImport(Flinch)] internal static extern IntPtr flinch_joint_name(int joint);
-  [DllImport(Flinch)] internal static extern int flinch_joint_parent(int joint);
-  [DllImport(Flinch)] internal static extern int flinch_library_load(byte[] path, out IntPtr made);
-  [DllImport(Flinch)] internal static extern int flinch_library_load_memory(byte[] bytes, UIntPtr count, out IntPtr made);
-  [DllImport(Flinch)] internal static extern int flinch_library_free(IntPtr library);
-  [DllImport(Flinch)] internal static extern int flinch_library_describe(Handle library, ref LibraryInfo info);
-  [DllImport(Flinch)] internal static extern int flinch_library_clip(Handle library, int index, ref Clip clip);
-  [DllImport(Flinch)] internal static extern int flinch_library_joint_frames(Handle library, ref Pose pose, ref JointFrames frames);
-  [DllImport(Flinch)] internal static extern int flinch_workspace_create(Handle library, out IntPtr made);
-  [DllImport(Flinch)] internal static extern int flinch_workspace_free(IntPtr workspace);
-  [DllImport(Flinch)] internal static extern int flinch_look_ahead_create(Handle library, out IntPtr made);
-  [DllImport(Flinch)] internal static extern int flinch_look_ahead_free(IntPtr lookAhead);
-  [DllImport(Flinch)] internal static extern int flinch_character_create(Handle library, out IntPtr made);
-  [DllImport(Flinch)] internal static extern int flinch_character_create_reacting(Handle library, out IntPtr made);
-  [DllImport(Flinch)] internal static extern int flinch_character_free(IntPtr character);
-  [DllImport(Flinch)] internal static extern int flinch_character_place_in_stance(Handle character, float x, float y, float facing, float stanceTime_s, int stance);
-  [DllImport(Flinch)] internal static extern int flinch_character_change_stance(Handle character, int stance);
-  [DllImport(Flinch)] internal static extern int flinch_character_set_pose(Handle character, ref Pose before, ref Pose now, float dt_s);
-  [DllImport(Flinch)] internal static extern int flinch_character_settle(Handle character);
-  [DllImport(Flinch)] internal static extern int flinch_character_limit_perception(Handle character, ref PerceptionLimits limits, ulong seed);
-  [DllImport(Flinch)] internal static extern int flinch_human_limits(int choices, ref PerceptionLimits limits);
-  [DllImport(Flinch)] internal static extern int flinch_character_perceive(Handle character, ref Threat threat, Handle workspace);
-  [DllImport(Flinch)] internal static extern int flinch_character_perceive_all(Handle character, [In] Threat[] threats, int count, Handle workspace);
-  [DllImport(Flinch)] internal static extern int flinch_character_perceive_known(Handle character, ref Threat threat, Target target, float timeToImpact_s, Handle workspace);
-  [DllImport(Flinch)] internal static extern int flinch_character_brace(Handle character, ref Threat threat, int startles);
-  [DllImport(Flinch)] internal static extern int flinch_character_respond(Handle character, int clip, float timeToImpact_s);
-  [DllImport(Flinch)] internal static extern int flinch_character_push(Handle character, int joint, float* velocity, Handle workspace);
-  [DllImport(Flinch)] internal static extern int flinch_character_push_candidates(Handle character, [Out] PushCandidate[] candidates, int capacity, out int count);
-  [DllImport(Flinch)] internal static extern int flinch_character_look_ahead(Handle character, [In] Threat[] threats, int count, ref LookAheadOptions options, Handle lookAhead, IntPtr status);
-  [DllImport(Flinch)] internal static extern int flinch_character_react_to(Handle character, ref Threat ball);
-  [DllImport(Flinch)] internal static extern int flinch_character_stop_reaction(Handle character);
-  [DllImport(Flinch)] internal static extern int flinch_character_copy(Handle character, Handle saved);
-  [DllImport(Flinch)] internal static extern int flinch_library_clip_pose(Handle library, int clip, float time_s, ref Pose pose);
-  [DllImport(Flinch)] internal static extern int flinch_character_update(Handle character, float dt_s);
-  [DllImport(Flinch)] internal static extern int flinch_character_pose(Handle character, ref Pose pose);
-  [DllImport(Flinch)] internal static extern int flinch_character_pose_over(Handle character, ref Pose game, ref Mask mask, ref Pose pose);
-  [DllImport(Flinch)] internal static extern int flinch_character_describe(Handle character, ref CharacterState state);
-  [DllImport(Flinch)] internal static extern int flinch_character_candidates(Handle character, [Out] Candidate[] candidates, int capacity, out int count);
-  [DllImport(Flinch)] internal static extern int flinch_character_reaction(Handle character, ref Reaction reaction);
 }
 
 }

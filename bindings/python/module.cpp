@@ -38,6 +38,7 @@ PYBIND11_MODULE(_flinch, module) {
   py::register_exception_translator(&translate);
   flinch::python::bind_values(module);
   flinch::python::bind_library(module);
+  flinch::python::bind_perception(module);
   flinch::python::bind_character(module);
   flinch::python::bind_crowd(module);
   flinch::python::bind_clip_library(module);

@@ -28,6 +28,10 @@ struct Scenarios {
 train::CostModel cost_model_of(const Scenarios& scenarios, double brawn,
                                const std::string& vulnerability);
 
+/// Returns how a file was made (database/files/provenance.h) as Python's values; None for an empty
+/// text. Throws Error for another text.
+pybind11::object provenance_object(const std::string& text);
+
 void bind_clip_library(pybind11::module_& module);
 void bind_simulation(pybind11::module_& module);
 void bind_store(pybind11::module_& module);

@@ -15,6 +15,7 @@
 #include "database/author/character_toml.h"
 #include "database/files/library_writer.h"
 #include "database/files/output_check.h"
+#include "database/files/provenance.h"
 #include "database/import/import.h"
 #include "motion/default_character.h"
 
@@ -62,7 +63,7 @@ py::dict clip_of(const motion::Clip& clip) {
   return made;
 }
 
-void save(ClipLibrary& library, const std::filesystem::path& path, bool force) {
+void save_library(ClipLibrary& library, const std::filesystem::path& path, bool force) {
   database::check_outputs({{path.string(), database::FileKind::library, ""}}, {},
                           force ? database::Overwrite::force : database::Overwrite::refuse);
   library.hash = database::write_library(library, path.string());
@@ -134,13 +135,19 @@ py::tuple import_motion(
 
 }  // namespace
 
+py::object provenance_object(const std::string& text) {
+  if (text.empty()) return py::none();
+  if (!database::provenance_of(text)) throw Error("", "the provenance is damaged");
+  return py::module_::import("json").attr("loads")(text);
+}
+
 void bind_clip_library(py::module_& module) {
   py::class_<ClipLibrary>(module, "ClipLibrary", "The clips of one character, with its skeleton.")
       .def(py::init([](const std::filesystem::path& path) {
              return database::load_library(path.string());
            }),
            py::arg("path"), "Reads a library file.")
-      .def("save", &save, py::arg("path"), py::arg("force") = false,
+      .def("save", &save_library, py::arg("path"), py::arg("force") = false,
            "Writes the file; force replaces a file of another kind.")
       .def("poses", &poses_of, py::arg("clip"),
            "Poses of a clip: root positions (n, 3) and local rotations (n, 21, 4).")
@@ -149,6 +156,9 @@ void bind_clip_library(py::module_& module) {
       .def_readonly("idle", &ClipLibrary::idle, "Index of the idle clip.")
       .def_property_readonly("hash",
                              [](const ClipLibrary& self) { return database::hash_text(self.hash); })
+      .def_property_readonly(
+          "provenance", [](const ClipLibrary& self) { return provenance_object(self.provenance); },
+          "How it was made; None if that is not recorded.")
       .def_property_readonly("clips", [](const ClipLibrary& self) {
         py::list clips;
         for (const motion::Clip& clip : self.clips) clips.append(clip_of(clip));

@@ -138,7 +138,11 @@ void bind_store(py::module_& module) {
       .def_property_readonly("idle", [](const Scenarios& self) { return self.store.header.idle; })
       .def_property_readonly("seed", [](const Scenarios& self) { return self.store.header.seed; })
       .def_property_readonly("library",
-                             [](const Scenarios& self) { return self.store.header.library_name; });
+                             [](const Scenarios& self) { return self.store.header.library_name; })
+      .def_property_readonly(
+          "provenance",
+          [](const Scenarios& self) { return provenance_object(self.store.header.provenance); },
+          "How it was made; None if that is not recorded.");
   for (const char* name : {"number", "target", "kind", "time_to_impact_s", "position", "velocity",
                            "features", "work_j", "impulse_ns"})
     store.def_property_readonly(

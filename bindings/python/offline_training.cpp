@@ -64,13 +64,16 @@ FittedSelector fit(std::shared_ptr<const Scenarios> scenarios, const std::string
   return fitted;
 }
 
-void save(const FittedSelector& self, const std::filesystem::path& path, bool force) {
+train::SelectorRecord record_of(const FittedSelector& self) {
+  return train::make_selector_record(self.choice, self.scenarios->store, self.training);
+}
+
+void save_selector(const FittedSelector& self, const std::filesystem::path& path, bool force) {
   database::check_outputs({{path.string(), database::FileKind::selector, ""}}, {},
                           force ? database::Overwrite::force : database::Overwrite::refuse);
-  const train::Store& store = self.scenarios->store;
-  const train::SelectorRecord record =
-      train::make_selector_record(self.choice, store, self.training);
-  train::write_selector(self.training.selector, store.header.library_file, &record, path.string());
+  const train::SelectorRecord record = record_of(self);
+  train::write_selector(self.training.selector, self.scenarios->store.header.library_file, &record,
+                        path.string());
 }
 
 py::dict parameters_of(const FittedSelector& self) {
@@ -144,11 +147,15 @@ py::object compare(const std::filesystem::path& store,
 void bind_training(py::module_& module) {
   const train::CostModel usual;
   py::class_<FittedSelector>(module, "Selector", "A selector that was fitted to a store.")
-      .def("save", &save, py::arg("path"), py::arg("force") = false,
+      .def("save", &save_selector, py::arg("path"), py::arg("force") = false,
            "Writes the file that Library loads; force replaces a file of another kind.")
       .def("choose", &choose, py::arg("features"), py::arg("target"),
            "The clip (n,) for each row of features (n, features) and target (n,).")
       .def_property_readonly("parameters", &parameters_of)
+      .def_property_readonly(
+          "provenance",
+          [](const FittedSelector& self) { return provenance_object(record_of(self).provenance); },
+          "How it was made, as its file tells.")
       .def_property_readonly("cross_validated_regret_ns", [](const FittedSelector& self) {
         return self.training.cross_validated_regret_ns;
       });

@@ -43,6 +43,8 @@ class Library {
   /// Throws Error with the program's own text for a file that cannot be used.
   static std::shared_ptr<Library> load(const std::filesystem::path& path);
   static std::shared_ptr<Library> from_bytes(const pybind11::bytes& bytes);
+  /// Of the bytes of a library's file, which has clips and no selector.
+  static std::shared_ptr<Library> take(const pybind11::bytes& bytes);
 
   flinch_library* get() const { return handle_.get(); }
   flinch_workspace* workspace() const { return workspace_.get(); }
@@ -58,9 +60,23 @@ class Library {
   std::shared_ptr<flinch_look_ahead> look_ahead_;
 };
 
+/// What a library's everyday clips can follow each other by.
+struct MotionGraph {
+  explicit MotionGraph(const Library& library);
+
+  std::shared_ptr<flinch_motion_graph> handle;
+};
+
+/// How a character takes a hit; what is not given is as usual.
+struct HitOptions {
+  std::optional<float> simulation_only_s;
+  std::optional<float> stiffness;
+};
+
 /// A character of a library, which it keeps alive.
 struct Character {
-  Character(std::shared_ptr<Library> of, bool reacting);
+  /// Throws ValueError for options of hits that it does not take.
+  Character(std::shared_ptr<Library> of, bool reacting, const HitOptions& hits = {});
   flinch_character* get() const { return handle.get(); }
 
   std::shared_ptr<Library> library;
@@ -77,6 +93,12 @@ struct Threat {
   flinch_threat value = sized<flinch_threat>();
 };
 
+/// A threat that a character has noticed, as Python sees it.
+struct Perception {
+  Perception() { value.threat.size = sizeof value.threat; }
+  flinch_perception value = sized<flinch_perception>();
+};
+
 /// "ok", "misses", "unnoticed", "outside_training" or "no_good_answer". Throws for an error.
 std::string answer_of(flinch_status status);
 
@@ -87,7 +109,14 @@ std::int32_t joint_numbered(const std::string& name);
 
 void bind_library(pybind11::module_& module);
 void bind_values(pybind11::module_& module);
+/// The candidates as a list of dictionaries.
+pybind11::list candidate_list(const flinch_candidate* candidates, std::int32_t count);
+
+using CharacterClass = pybind11::class_<Character, std::shared_ptr<Character>>;
 void bind_character(pybind11::module_& module);
+/// The steps of perceiving.
+void bind_perception(pybind11::module_& module);
+void bind_steps(CharacterClass& character);
 void bind_crowd(pybind11::module_& module);
 
 }  // namespace flinch::python

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <chrono>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -12,11 +13,33 @@ namespace flinch::python {
 
 namespace py = pybind11;
 
-Character::Character(std::shared_ptr<Library> of, bool reacting) : library(std::move(of)) {
+Character::Character(std::shared_ptr<Library> of, bool reacting, const HitOptions& hits)
+    : library(std::move(of)) {
+  if (!reacting && (hits.simulation_only_s || hits.stiffness))
+    throw py::value_error("simulation_only_s and stiffness are for reacting=True");
   flinch_character* made = nullptr;
-  checked(reacting ? flinch_character_create_reacting(library->get(), &made)
-                   : flinch_character_create(library->get(), &made));
+  if (reacting) {
+    auto options = sized<flinch_reaction_options>();
+    checked(flinch_reaction_defaults(&options));
+    options.simulation_only_s = hits.simulation_only_s.value_or(options.simulation_only_s);
+    options.stiffness = hits.stiffness.value_or(options.stiffness);
+    checked(flinch_character_create_reacting_as(library->get(), &options, &made));
+  } else {
+    checked(flinch_character_create(library->get(), &made));
+  }
   handle.reset(made, flinch_character_free);
+}
+
+py::list candidate_list(const flinch_candidate* candidates, std::int32_t count) {
+  py::list made;
+  for (std::int32_t i = 0; i < count; ++i) {
+    py::dict candidate;
+    candidate["clip"] = candidates[i].clip;
+    candidate["vote"] = candidates[i].vote;
+    candidate["expected_cost_ns"] = candidates[i].expected_cost_ns;
+    made.append(candidate);
+  }
+  return made;
 }
 
 namespace {
@@ -158,16 +181,7 @@ py::list candidates(const Character& self) {
   std::array<flinch_candidate, FLINCH_MOST_CANDIDATES> found{};
   std::int32_t count = 0;
   checked(flinch_character_candidates(self.get(), found.data(), FLINCH_MOST_CANDIDATES, &count));
-  py::list made;
-  for (std::int32_t i = 0; i < count; ++i) {
-    const flinch_candidate& one = found[static_cast<std::size_t>(i)];
-    py::dict candidate;
-    candidate["clip"] = one.clip;
-    candidate["vote"] = one.vote;
-    candidate["expected_cost_ns"] = one.expected_cost_ns;
-    made.append(candidate);
-  }
-  return made;
+  return candidate_list(found.data(), count);
 }
 
 Pose pose(const Character& self) {
@@ -204,13 +218,13 @@ py::dict reaction(const Character& self) {
   made["contact_s"] = now.contact_s;
   made["ball_position"] = array_of(now.ball_position, {3});
   made["ball_velocity"] = array_of(now.ball_velocity, {3});
+  made["ball_axis"] = array_of(now.ball_axis, {3});
+  made["ball_momentum"] = array_of(now.ball_momentum, {3});
   made["impulse_ns"] = array_of(now.impulse_ns, {FLINCH_BODY_COUNT});
   return made;
 }
 
-using Class = py::class_<Character, std::shared_ptr<Character>>;
-
-void bind_motion(Class& character) {
+void bind_motion(CharacterClass& character) {
   character
       .def(
           "place",
@@ -239,6 +253,15 @@ void bind_motion(Class& character) {
           "settle", [](const Character& self) { checked(flinch_character_settle(self.get())); },
           "Stops the response and returns to its stance smoothly.")
       .def(
+          "walk",
+          [](const Character& self, const MotionGraph& graph, std::uint64_t seed, float x, float y,
+             float radius) {
+            checked(flinch_character_walk(self.get(), graph.handle.get(), seed, x, y, radius));
+          },
+          py::arg("graph"), py::arg("seed"), py::arg("x") = 0.0F, py::arg("y") = 0.0F,
+          py::arg("radius") = std::numeric_limits<float>::infinity(),
+          "From now on it moves about by the graph, within the circle about (x, y).")
+      .def(
           "update",
           [](const Character& self, float dt_s) {
             checked(flinch_character_update(self.get(), dt_s));
@@ -259,7 +282,7 @@ void bind_motion(Class& character) {
            "The game's pose with Flinch's laid over it; weights of the 21 joints, 0 to 1.");
 }
 
-void bind_answers(Class& character) {
+void bind_answers(CharacterClass& character) {
   character
       .def("perceive", &perceive, py::arg("threat"),
            "Predicts whether the threat hits, chooses a clip and starts the response.")
@@ -299,7 +322,7 @@ void bind_answers(Class& character) {
           py::arg("ball"), "Hands the body to physics, because the ball is about to hit.");
 }
 
-void bind_state(Class& character) {
+void bind_state(CharacterClass& character) {
   character.def_property_readonly("candidates", &candidates, "What the selector considered.")
       .def_property_readonly("push_candidates", &push_candidates,
                              "The responses that the last push could have had.")
@@ -307,7 +330,7 @@ void bind_state(Class& character) {
       .def_property_readonly(
           "phase", [](const Character& self) { return flinch_phase_name(state_of(self).phase); },
           "\"idle\", \"reacting\", \"waiting\", \"shifting\", \"blending\", \"protecting\", "
-          "\"returning\" or \"pushed\".")
+          "\"returning\", \"pushed\" or \"walking\".")
       .def_property_readonly(
           "clip", [](const Character& self) { return state_of(self).clip; },
           "Index of the clip that answers, or of the idle clip; -1: by rule.")
@@ -328,11 +351,19 @@ void bind_state(Class& character) {
 }  // namespace
 
 void bind_character(py::module_& module) {
-  Class character(module, "Character", "Perceives, answers, can be hit, and returns to idle.");
-  character.def(py::init<std::shared_ptr<Library>, bool>(), py::arg("library"), py::kw_only(),
-                py::arg("reacting") = false);
+  CharacterClass character(module, "Character",
+                           "Perceives, answers, can be hit, and returns to idle.");
+  character.def(
+      py::init([](std::shared_ptr<Library> library, bool reacting,
+                  std::optional<float> simulation_only_s, std::optional<float> stiffness) {
+        return std::make_shared<Character>(std::move(library), reacting,
+                                           HitOptions{simulation_only_s, stiffness});
+      }),
+      py::arg("library"), py::kw_only(), py::arg("reacting") = false,
+      py::arg("simulation_only_s") = py::none(), py::arg("stiffness") = py::none());
   bind_motion(character);
   bind_answers(character);
+  bind_steps(character);
   bind_state(character);
   module.def("human_limits", &human_limits, py::arg("choices"),
              "The limits of a person who chooses among so many answers.");

@@ -35,6 +35,19 @@ std::shared_ptr<Library> Library::from_bytes(const py::bytes& bytes) {
   return std::shared_ptr<Library>(new Library(loaded));
 }
 
+std::shared_ptr<Library> Library::take(const py::bytes& bytes) {
+  const std::string_view view = bytes;
+  flinch_library* loaded = nullptr;
+  checked(flinch_library_take(view.data(), view.size(), &loaded));
+  return std::shared_ptr<Library>(new Library(loaded));
+}
+
+MotionGraph::MotionGraph(const Library& library) {
+  flinch_motion_graph* made = nullptr;
+  checked(flinch_motion_graph_create(library.get(), &made));
+  handle.reset(made, flinch_motion_graph_free);
+}
+
 flinch_look_ahead* Library::look_ahead() {
   if (!look_ahead_) {
     flinch_look_ahead* made = nullptr;
@@ -72,7 +85,7 @@ py::dict clip_of(const Library& library, std::int32_t index) {
 }
 
 py::dict kind_of(const Library& library, std::int32_t index) {
-  constexpr const char* kShapes[] = {"ball", "blade", "fist"};
+  constexpr const char* kShapes[] = {"ball", "blade", "fist", "rod"};
   auto kind = sized<flinch_kind>();
   checked(flinch_library_kind(library.get(), index, &kind));
   const auto range = [](const float(&ends)[2]) { return py::make_tuple(ends[0], ends[1]); };
@@ -85,6 +98,7 @@ py::dict kind_of(const Library& library, std::int32_t index) {
   made["elevation"] = range(kind.elevation);
   made["time_to_impact_s"] = range(kind.time_to_impact_s);
   made["reach_m"] = range(kind.reach_m);
+  made["length_m"] = range(kind.length_m);
   made["restitution"] = kind.restitution;
   made["friction"] = kind.friction;
   made["is_straight"] = kind.is_straight != 0;
@@ -150,6 +164,8 @@ void bind_library(py::module_& module) {
       .def(py::init(&Library::load), py::arg("path"), "Loads and verifies a selector file.")
       .def_static("from_bytes", &Library::from_bytes, py::arg("bytes"),
                   "The same from the file's bytes.")
+      .def_static("take", &Library::take, py::arg("bytes"),
+                  "Of the bytes of a library's file, whose characters answer by rule.")
       .def_property_readonly("idle_clip", [](const Library& self) { return self.info().idle_clip; })
       .def_property_readonly("rate_hz", [](const Library& self) { return self.info().rate_hz; })
       .def_property_readonly("mass_kg", [](const Library& self) { return self.info().mass_kg; })
@@ -185,6 +201,9 @@ void bind_library(py::module_& module) {
           "The pose of a clip at a time of it, above the world's origin.")
       .def("joint_frames", &joint_frames, py::arg("pose"),
            "Positions (21, 3) and orientations (21, 4) of the joints of a pose, world.");
+  py::class_<MotionGraph>(module, "MotionGraph",
+                          "The moments of a library's everyday clips that can follow each other.")
+      .def(py::init<const Library&>(), py::arg("library"));
   module.attr("JOINTS") = py::tuple(list_of(FLINCH_JOINT_COUNT, flinch_joint_name));
   module.attr("JOINT_PARENTS") = py::tuple(list_of(FLINCH_JOINT_COUNT, flinch_joint_parent));
   module.attr("BODIES") = py::tuple(list_of(FLINCH_BODY_COUNT, flinch_body_name));

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include <pybind11/stl.h>
+
 #include <array>
+#include <vector>
 
 #include "bindings/python/runtime.h"
 
@@ -25,7 +28,9 @@ std::int32_t numbered(const std::string& wanted, const std::string& what, const 
 }
 
 Threat make_threat(const Array<float>& position, const Array<float>& velocity, float radius,
-                   float mass_kg, std::int32_t kind, float starts_in_s, float lasts_s) {
+                   float mass_kg, std::int32_t kind, float starts_in_s, float lasts_s,
+                   const Array<float>& axis, const Array<float>& angular_velocity, float to_butt_m,
+                   float to_tip_m) {
   Threat threat;
   copy_into(position, {3}, "position", threat.value.position);
   copy_into(velocity, {3}, "velocity", threat.value.velocity);
@@ -34,6 +39,10 @@ Threat make_threat(const Array<float>& position, const Array<float>& velocity, f
   threat.value.kind = kind;
   threat.value.starts_in_s = starts_in_s;
   threat.value.lasts_s = lasts_s;
+  copy_into(axis, {3}, "axis", threat.value.axis);
+  copy_into(angular_velocity, {3}, "angular_velocity", threat.value.angular_velocity);
+  threat.value.to_butt_m = to_butt_m;
+  threat.value.to_tip_m = to_tip_m;
   return threat;
 }
 
@@ -58,7 +67,10 @@ void bind_values(py::module_& module) {
   py::class_<Threat>(module, "Threat", "Something that approaches, as it is now; world, m, m/s.")
       .def(py::init(&make_threat), py::arg("position"), py::arg("velocity"),
            py::arg("radius") = 0.105F, py::arg("mass_kg") = 0.27F, py::arg("kind") = 0,
-           py::arg("starts_in_s") = 0.0F, py::arg("lasts_s") = 0.0F)
+           py::arg("starts_in_s") = 0.0F, py::arg("lasts_s") = 0.0F,
+           py::arg("axis") = std::vector<float>(3),
+           py::arg("angular_velocity") = std::vector<float>(3), py::arg("to_butt_m") = 0.0F,
+           py::arg("to_tip_m") = 0.0F)
       .def_property_readonly("position",
                              [](const Threat& self) { return array_of(self.value.position, {3}); })
       .def_property_readonly("velocity",
@@ -68,7 +80,20 @@ void bind_values(py::module_& module) {
       .def_property_readonly("kind", [](const Threat& self) { return self.value.kind; })
       .def_property_readonly("starts_in_s",
                              [](const Threat& self) { return self.value.starts_in_s; })
-      .def_property_readonly("lasts_s", [](const Threat& self) { return self.value.lasts_s; });
+      .def_property_readonly("lasts_s", [](const Threat& self) { return self.value.lasts_s; })
+      .def_property_readonly(
+          "axis", [](const Threat& self) { return array_of(self.value.axis, {3}); },
+          "Of a rod, from butt to tip, unit.")
+      .def_property_readonly(
+          "angular_velocity",
+          [](const Threat& self) { return array_of(self.value.angular_velocity, {3}); },
+          "Of a rod, rad/s.")
+      .def_property_readonly(
+          "to_butt_m", [](const Threat& self) { return self.value.to_butt_m; },
+          "Of a rod, from its position.")
+      .def_property_readonly(
+          "to_tip_m", [](const Threat& self) { return self.value.to_tip_m; },
+          "Of a rod, from its position.");
   py::class_<Pose>(module, "Pose", "All that moves: the pelvis' position and local rotations.")
       .def(py::init(&make_pose), py::arg("root_position"), py::arg("rotation"))
       .def_property_readonly(

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Throws.exe SELECTOR: does in C# what tests/throws/throws.c does, and prints the same.
+// Throws.exe SELECTOR LIBRARY: does in C# what tests/throws/throws.c does, and prints the same.
 using System;
 using System.Globalization;
 using System.IO;
@@ -7,7 +7,7 @@ using System.Text;
 using FlinchGame;
 
 static unsafe class Throws {
-  const int Count = 300, Hits = 20, Frames = 20;
+  const int Count = 300, Hits = 20, Walks = 30, Frames = 20;
 
   static ulong state = 1;
   static float Uniform(float low, float high) {
@@ -45,12 +45,50 @@ static unsafe class Throws {
     for (int frame = 0; frame < Frames; ++frame) character.Update(1.0F / 60);
     Pose pose = Pose.Make();
     character.GetPose(ref pose);
+    PrintPose(pose);
+  }
+
+  static void PrintNumbers(params float[] numbers) {
     var line = new StringBuilder("pose");
-    for (int i = 0; i < 3; ++i)
-      line.Append(' ').Append(pose.RootPosition[i].ToString("G9", CultureInfo.InvariantCulture));
-    for (int i = 0; i < 4 * Pose.Joints; ++i)
-      line.Append(' ').Append(pose.Rotation[i].ToString("G9", CultureInfo.InvariantCulture));
+    foreach (float number in numbers)
+      line.Append(' ').Append(number.ToString("G9", CultureInfo.InvariantCulture));
     Console.WriteLine(line);
+  }
+
+  static void PrintPose(Pose pose) {
+    var numbers = new float[3 + 4 * Pose.Joints];
+    for (int i = 0; i < 3; ++i) numbers[i] = pose.RootPosition[i];
+    for (int i = 0; i < 4 * Pose.Joints; ++i) numbers[3 + i] = pose.Rotation[i];
+    PrintNumbers(numbers);
+  }
+
+  static void AnswerBySteps(Character character, Threat threat, Workspace workspace) {
+    Perception noticed;
+    Answer hits = character.Notice(ref threat, out noticed);
+    Console.WriteLine("notices " + (int)hits + " " + (int)noticed.Target);
+    if (hits != Answer.Ok) return;
+    var best = new Candidate[8];
+    int count = character.Rank(ref noticed, workspace, best);
+    Plan plan;
+    character.Plan(ref noticed, best[0].Clip, out plan);
+    PrintNumbers(plan.FirstMotion_s, plan.Begin_s, plan.Peak_s, plan.End_s, plan.Duration_s,
+                 plan.PlaybackRate);
+    Pose pose = Pose.Make();
+    character.GetPlannedPose(ref noticed, best[0].Clip, 0.3F, ref pose);
+    PrintPose(pose);
+    PrintClip(character, "answers", character.Answer(ref noticed, best[0].Clip, best, count));
+    PlayAndPrint(character);
+  }
+
+  static void Walk(string path) {
+    Library library = Library.Take(File.ReadAllBytes(path));
+    var character = new Character(library);
+    using (var graph = new MotionGraph(library)) character.Walk(graph, 7, 0, 0, 3);
+    for (int i = 0; i < Walks; ++i) {
+      Threat threat = Ball();
+      PlayAndPrint(character);
+      PrintClip(character, "braces", character.Brace(ref threat));
+    }
   }
 
   static void Require(bool condition, string what) {
@@ -154,6 +192,71 @@ static unsafe class Throws {
     Require(Math.Abs(mixed.RootPosition[0] - game.RootPosition[0] + 1) < 1e-5, "mask of Flinch");
   }
 
+  static void CheckLibrary(Library library) {
+    Require(Library.Version.Split('.').Length == 3, "version");
+    ThreatKind kind = library.Kind(0);
+    Require(kind.Shape == Shape.Ball && kind.Name.Length > 0 && kind.Speed_mps[0] > 1 &&
+            kind.Speed_mps[1] > kind.Speed_mps[0] && kind.Length_m[1] == 0, "kind");
+    Skeleton skeleton = library.Skeleton();
+    Require(skeleton.Offset[2] > 0.8F && skeleton.Tip[3 * 4 + 2] > 0.1F, "pelvis and head");
+    float mass_kg = 0;
+    for (int body = 0; body < Outline.Bodies; ++body) mass_kg += library.Outline(body).Mass_kg;
+    Require(Math.Abs(mass_kg - library.Describe().Mass_kg) < 1e-3, "masses of the bodies");
+    Require(Library.BodyName(0) == "pelvis" && library.Stance(0) == library.Describe().IdleClip &&
+            library.Stance(99) == -1, "stances");
+  }
+
+  static void CheckSteps(Library library, Workspace workspace) {
+    var character = new Character(library);
+    Threat ball = Threat.Ball(9, 1, 1.4F, -20, -2.2F, 2.8F), away = ball;
+    away.Velocity[0] = 20;
+    var noticed = new Perception[4];
+    int count;
+    Answer hits = character.NoticeAll(new[] { away, ball }, noticed, out count);
+    Threat first = noticed[0].Threat;
+    Require(hits == Answer.Ok && count == 1 && first.Velocity[0] < 0, "the one that hits");
+    ball.Mass_kg = 5;
+    var outside = new Outside[8];
+    character.Perceive(ref ball, workspace);
+    Require(character.OutsideTraining(ref ball, outside) > 0 && outside[0].Name == "mass_kg" &&
+            outside[0].Value == 5 && outside[0].TrainedTo < 5, "outside of training");
+  }
+
+  static void CheckLookAhead(Library library, LookAhead memory) {
+    var threats = new[] { Threat.Ball(9, 1, 1.4F, -20, -2.2F, 2.8F) };
+    LookAheadStatus all, none;
+    new Character(library).LookAhead(threats, 8, memory, float.PositiveInfinity, out all);
+    new Character(library).LookAhead(threats, 8, memory, 0, out none);
+    Require(all.IsComplete == 1 && all.Tried > none.Tried, "a budget of nothing");
+    float chosen = all.Candidate(all.Chosen).Cost_ns;
+    for (int i = 0; i < all.CandidateCount; ++i)
+      Require(!(all.Candidate(i).Cost_ns < chosen), "the cheapest");
+  }
+
+  // A soft body goes on moving by physics for as long as the options say.
+  static void CheckHits(Library library) {
+    ReactionOptions options = ReactionOptions.Make();
+    options.SimulationOnly_s = 0.5F;
+    Threat ball = Threat.Ball(1.5F, 0, 1.2F, -20, 0, 0);
+    var usual = new Character(library, true);
+    var soft = new Character(library, options);
+    usual.ReactTo(ref ball);
+    soft.ReactTo(ref ball);
+    for (int frame = 0; frame < 24; ++frame) {
+      usual.Update(1 / 60F);
+      soft.Update(1 / 60F);
+    }
+    Require(usual.DescribeReaction().Phase != ReactionPhase.Struck &&
+            soft.DescribeReaction().Phase == ReactionPhase.Struck, "options of a reaction");
+    options.Stiffness = 2;
+    try {
+      new Character(library, options);
+      Require(false, "too stiff");
+    } catch (FlinchException error) {
+      Require(error.Status == -11, error.Message);
+    }
+  }
+
   static void Main(string[] arguments) {
     var library = new Library(arguments[0]);
     var workspace = new Workspace(library);
@@ -175,9 +278,16 @@ static unsafe class Throws {
       PlayAndPrint(character);
       PlayAndPrint(character);
       Require(character.DescribeReaction().Phase != ReactionPhase.None, "reaction");
+      character.Place(0, 0, 0, 0.5F);
+      AnswerBySteps(character, threat, workspace);
     }
+    Walk(arguments[1]);
     CheckAxes();
     CheckErrors(library, arguments[0]);
     CheckOthers(library, workspace);
+    CheckLibrary(library);
+    CheckSteps(library, workspace);
+    CheckLookAhead(library, lookAhead);
+    CheckHits(library);
   }
 }

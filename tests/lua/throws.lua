@@ -1,9 +1,9 @@
 -- SPDX-License-Identifier: MIT
--- throws.lua LIBRARY HEADER SELECTOR: does by LuaJIT what tests/throws/throws.c does, and prints the
+-- throws.lua libflinch.so HEADER SELECTOR LIBRARY: does by LuaJIT what tests/throws/throws.c does, and prints the
 -- same.
 local ffi = require("ffi")
 local flinch = require("flinch").load(arg[1], arg[2])
-local THROWS, HITS, FRAMES = 300, 20, 20
+local THROWS, HITS, WALKS, FRAMES = 300, 20, 30, 20
 
 local single = ffi.new("float[1]")
 local function float(number)  -- rounds to single precision, as C does at each step
@@ -52,15 +52,59 @@ local function print_clip(how, answer)
   print(how, answer, now.clip)
 end
 
+local function print_numbers(numbers)
+  local texts = {"pose"}
+  for _, number in ipairs(numbers) do texts[#texts + 1] = ("%.9g"):format(number) end
+  print(table.concat(texts, " "))
+end
+
+local function print_pose(of)
+  local numbers = {}
+  for i = 0, 2 do numbers[#numbers + 1] = of.root_position[i] end
+  for joint = 0, flinch.JOINT_COUNT - 1 do
+    for i = 0, 3 do numbers[#numbers + 1] = of.rotation[joint][i] end
+  end
+  print_numbers(numbers)
+end
+
 local function play_and_print()
   for _ = 1, FRAMES do flinch.character_update(character, 1 / 60) end
   flinch.character_pose(character, pose)
-  local numbers = {"pose"}
-  for i = 0, 2 do numbers[#numbers + 1] = ("%.9g"):format(pose.root_position[i]) end
-  for joint = 0, flinch.JOINT_COUNT - 1 do
-    for i = 0, 3 do numbers[#numbers + 1] = ("%.9g"):format(pose.rotation[joint][i]) end
+  print_pose(pose)
+end
+
+local function answer_by_steps(threat)
+  local noticed = flinch.new("flinch_perception")
+  noticed.threat.size = ffi.sizeof("flinch_threat")
+  local hits = flinch.character_notice(character, threat, noticed)
+  print("notices", hits, noticed.target)
+  if hits ~= flinch.OK then return end
+  local best, count = ffi.new("flinch_candidate[?]", flinch.MOST_CANDIDATES), ffi.new("int32_t[1]")
+  flinch.character_rank(character, noticed, workspace, best, flinch.MOST_CANDIDATES, count)
+  local plan = flinch.new("flinch_plan")
+  flinch.character_plan(character, noticed, best[0].clip, plan)
+  print_numbers({plan.first_motion_s, plan.begin_s, plan.peak_s, plan.end_s, plan.duration_s,
+                 plan.playback_rate})
+  flinch.character_planned_pose(character, noticed, best[0].clip, 0.3, pose)
+  print_pose(pose)
+  print_clip("answers",
+             flinch.character_answer(character, noticed, best[0].clip, best, count[0]))
+  play_and_print()
+end
+
+local function walk(path)
+  local file = assert(io.open(path, "rb"))
+  local bytes = file:read("*a")
+  file:close()
+  local clips = flinch.make("library", flinch.library_take, bytes, #bytes)
+  local graph = flinch.make("motion_graph", flinch.motion_graph_create, clips)
+  character = flinch.make("character", flinch.character_create, clips)
+  flinch.character_walk(character, graph, 7, 0, 0, 3)
+  for _ = 1, WALKS do
+    local threat = ball()
+    play_and_print()
+    print_clip("braces", flinch.character_brace(character, threat, 0))
   end
-  print(table.concat(numbers, " "))
 end
 
 local write = print
@@ -82,6 +126,9 @@ for _ = 1, HITS do
   flinch.character_react_to(character, threat)
   play_and_print()
   play_and_print()
+  flinch.character_place(character, 0, 0, 0, 0.5)
+  answer_by_steps(threat)
 end
+walk(arg[4])
 local failed, text = pcall(flinch.character_update, character, -1)
 assert(not failed and text:find("flinch_character_update: ") and text:find("time"), text)

@@ -182,6 +182,45 @@ class Offline(unittest.TestCase):
                          run("train", self.file, "--out", self.path("no"), "--model", "knn", "--gamma", 1,
                              ).stderr)
 
+    def test_a_bat_strikes_where_it_turns_to(self):
+        file, path = self.folder / "kinds.flinchobs", self.folder / "kinds.flinch"
+        flinch.simulate(self.library, file, 24, threats="kinds", seed=2)
+        flinch.fit(flinch.Store(file), "knn", k=1).save(path)
+        library = flinch.Library(path)
+        shapes = [kind["shape"] for kind in library.kinds]
+        self.assertEqual(set(shapes), {"ball", "blade", "fist", "rod"})
+        bat = shapes.index("rod")
+        self.assertGreater(library.kinds[bat]["length_m"][1], 0.5)
+
+        def swing(turn, axis):
+            return flinch.Threat([1, 0, 1.4], [0, 0, 0], 0.03, 0.9, bat, lasts_s=0.6, axis=axis,
+                                 angular_velocity=[0, 0, turn], to_butt_m=0.1, to_tip_m=0.85)
+
+        character = flinch.Character(library)
+        inwards, outwards = swing(4, [0, 1, 0]), swing(-4, [0, 1, 0])
+        answer, noticed = character.notice(inwards)
+        self.assertIn(answer, ("ok", "outside_training"))
+        numpy.testing.assert_array_equal(noticed.threat.axis, inwards.axis)
+        self.assertLess(abs(noticed.time_to_impact_s - numpy.pi / 2 / 4), 0.1)
+        self.assertEqual(character.notice(outwards), ("misses", None))
+        with self.assertRaises(flinch.Error):
+            character.notice(swing(4, [0, 2, 0]))
+
+    def test_files_tell_how_they_were_made(self):
+        def told(file):
+            return json.loads(run("info", file, "--json").stdout)["provenance"]
+
+        authored = flinch.author(startle=True)
+        self.assertEqual(authored.provenance["command"], "author")
+        self.assertEqual(flinch.ClipLibrary(self.library).provenance, told(self.library))
+        self.assertEqual(self.store.provenance, told(self.file))
+        self.assertEqual(self.store.provenance["inputs"][0]["provenance"]["command"], "author")
+        fitted = flinch.fit(self.store, "knn", k=3, seed=5)
+        path = self.folder / "provenance.flinch"
+        fitted.save(path)
+        self.assertEqual(fitted.provenance, told(path))
+        self.assertEqual(fitted.provenance["seed"], 5)
+
     def test_compares_as_the_program_does(self):
         told = []
         mine = flinch.compare(self.file, models=["svm", "knn"], brawn=0.1,

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""The run time in Python. Environment: SELECTOR, FLINCH (the program), FLINCH_LIBRARY (libflinch.so)."""
+"""The run time in Python. Environment: SELECTOR, WALKS (a library with everyday motion), FLINCH (the program),
+FLINCH_LIBRARY (libflinch.so)."""
 
 import ctypes
 import os
@@ -13,6 +14,7 @@ import numpy
 import flinch
 
 SELECTOR = pathlib.Path(os.environ["SELECTOR"])
+WALKS = pathlib.Path(os.environ["WALKS"])
 BALL = flinch.Threat([9, 1, 1.4], [-20, -2.2, 2.8])
 AWAY = flinch.Threat([9, 1, 1.4], [20, 0, 0])
 
@@ -129,6 +131,87 @@ class Runtime(unittest.TestCase):
         self.assertEqual(character.reaction["moved_by"], "physics")
         character.stop_reaction()
         self.assertEqual(character.reaction["moved_by"], "character")
+
+    def test_a_hit_gives_the_figure_what_the_ball_loses(self):
+        character = flinch.Character(self.library, reacting=True)
+        velocity = numpy.array([-20, 0, 0])
+        character.react_to(flinch.Threat([1.5, 0, 1.2], velocity, mass_kg=0.5))
+        for _ in range(6):
+            character.update(1 / 60)
+        reaction = character.reaction
+        # Gravity has changed the ball's velocity, too, but only along Z.
+        lost = 0.5 * (velocity - reaction["ball_velocity"])
+        numpy.testing.assert_allclose(reaction["ball_momentum"][:2], lost[:2], atol=1e-4)
+        self.assertLess(reaction["ball_momentum"][0], -5)
+        numpy.testing.assert_array_equal(reaction["ball_axis"], [0, 0, 0])
+
+    def test_options_say_how_a_character_takes_a_hit(self):
+        def phase_after_a_hit(**options):
+            character = flinch.Character(self.library, reacting=True, **options)
+            character.react_to(flinch.Threat([1.5, 0, 1.2], [-20, 0, 0]))
+            for _ in range(24):
+                character.update(1 / 60)
+            return character.reaction["phase"]
+
+        self.assertEqual(phase_after_a_hit(simulation_only_s=0.5), "struck")
+        self.assertNotEqual(phase_after_a_hit(stiffness=0.1), "struck")
+        self.refuses(-11, flinch.Character, self.library, reacting=True, stiffness=2)
+        with self.assertRaisesRegex(ValueError, "are for reacting=True"):
+            flinch.Character(self.library, stiffness=0.1)
+
+    def test_steps_do_what_perceiving_does(self):
+        self.assertEqual(self.character.notice(AWAY), ("misses", None))
+        answer, noticed = self.character.notice(BALL)
+        self.assertEqual(answer, "ok")
+        twin = flinch.Character(self.library)
+        twin.perceive(BALL)
+        self.assertEqual(noticed.target, twin.target)
+        best = self.character.rank(noticed)
+        self.assertEqual(best, twin.candidates)
+        plan = self.character.plan(noticed, best[0]["clip"])
+        planned = [self.character.planned_pose(noticed, best[0]["clip"], frame / 60) for frame in range(61)]
+        self.assertLess(plan["first_motion_s"], plan["peak_s"])
+        self.assertAlmostEqual(plan["peak_s"], noticed.time_to_impact_s, places=3)
+        self.assertEqual(self.character.phase, "idle")
+        self.assertEqual(self.character.answer(noticed, best[0]["clip"], best), "ok")
+        self.assertEqual(self.character.candidates, best)
+        for frame in range(1, 61):
+            self.character.update(1 / 60)
+            twin.update(1 / 60)
+            numpy.testing.assert_array_equal(numbers(self.character.pose()), numbers(twin.pose()))
+            numpy.testing.assert_allclose(numbers(planned[frame]), numbers(twin.pose()), atol=1e-4)
+
+    def test_perceptions_are_values(self):
+        answer, noticed = self.character.notice_all([AWAY, BALL, BALL])
+        self.assertEqual((answer, len(noticed)), ("ok", 2))
+        one = noticed[0]
+        same = flinch.Perception(one.threat, one.target, one.time_to_impact_s, one.delay_s, one.position,
+                                 one.facing, one.stance_time_s, one.stance)
+        self.assertEqual(self.character.rank(same), self.character.rank(one))
+        late = flinch.Perception(BALL, "head", 0.1, delay_s=0.2)
+        clip = self.character.rank(late)[0]["clip"]
+        self.assertIsNone(self.character.plan(late, clip))
+        self.assertIsNone(self.character.planned_pose(late, clip, 0.1))
+        self.refuses(-7, self.character.rank, flinch.Perception(BALL, "head", -1))
+        self.refuses(-6, self.character.plan, one, 9999)
+
+    def test_a_library_without_a_selector_walks_and_answers_by_rule(self):
+        library = flinch.Library.take(WALKS.read_bytes())
+        graph = flinch.MotionGraph(library)
+        character, twin = flinch.Character(library), flinch.Character(library)
+        character.walk(graph, 7, 0, 0, 2)
+        twin.walk(flinch.MotionGraph(library), 8, 0, 0, 2)
+        self.assertEqual(character.phase, "walking")
+        for _ in range(300):
+            character.update(1 / 60)
+            twin.update(1 / 60)
+        self.assertFalse(numpy.array_equal(numbers(character.pose()), numbers(twin.pose())))
+        x, y = character.pose().root_position[:2]
+        near = flinch.Threat([x + 9, y + 1, 1.4], [-20, -2.2, 2.8])
+        self.assertEqual((character.brace(near), character.clip), ("ok", -1))
+        self.refuses(-18, character.perceive, near)
+        self.refuses(-29, flinch.Library.take, SELECTOR.read_bytes())
+        self.refuses(-4, flinch.Character(library).walk, flinch.MotionGraph(flinch.Library.take(WALKS.read_bytes())), 1)
 
     def test_a_saved_state_goes_on_as_the_original(self):
         self.character.perceive(BALL)

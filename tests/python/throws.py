@@ -1,13 +1,14 @@
 # SPDX-License-Identifier: MIT
-"""throws.py SELECTOR: does by the Python package what tests/throws/throws.c does, and prints the same."""
+"""throws.py SELECTOR LIBRARY: does by the Python package what tests/throws/throws.c does, and prints the same."""
 
+import pathlib
 import sys
 
 import numpy
 
 import flinch
 
-THROWS, HITS, FRAMES = 300, 20, 20
+THROWS, HITS, WALKS, FRAMES = 300, 20, 30, 20
 ANSWERS = {"ok": 0, "misses": 1, "unnoticed": 2, "outside_training": 3}
 F = numpy.float32
 
@@ -39,8 +40,38 @@ def ball(random):
 def play_and_print(character):
     for _ in range(FRAMES):
         character.update(1 / 60)
-    pose = character.pose()
-    print("pose", *(f"{number:.9g}" for number in (*pose.root_position, *pose.rotation.flat)))
+    print_pose(character.pose())
+
+
+def print_numbers(numbers):
+    print("pose", *(f"{number:.9g}" for number in numbers))
+
+
+def print_pose(pose):
+    print_numbers((*pose.root_position, *pose.rotation.flat))
+
+
+def answer_by_steps(character, threat):
+    hits, noticed = character.notice(threat)
+    print("notices", ANSWERS[hits], flinch.TARGETS.index(noticed.target) if noticed else 0)
+    if noticed is None:
+        return
+    best = character.rank(noticed)
+    clip = best[0]["clip"]
+    print_numbers(character.plan(noticed, clip).values())
+    print_pose(character.planned_pose(noticed, clip, 0.3))
+    print("answers", ANSWERS[character.answer(noticed, clip, best)], character.clip)
+    play_and_print(character)
+
+
+def walk(file, random):
+    library = flinch.Library.take(pathlib.Path(file).read_bytes())
+    character = flinch.Character(library)
+    character.walk(flinch.MotionGraph(library), 7, 0, 0, 3)
+    for _ in range(WALKS):
+        threat = ball(random)
+        play_and_print(character)
+        print("braces", ANSWERS[character.brace(threat)], character.clip)
 
 
 def main():
@@ -62,6 +93,9 @@ def main():
         character.react_to(threat)
         play_and_print(character)
         play_and_print(character)
+        character.place(0, 0, 0, 0.5)
+        answer_by_steps(character, threat)
+    walk(sys.argv[2], random)
 
 
 main()

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""compare_throws.py SELECTOR NATIVE COMMAND...: fails unless COMMAND SELECTOR, such as a program of
-another system, gives what the program NATIVE gives: the same clips, and poses within 1e-5."""
+"""compare_throws.py [--library LIBRARY] SELECTOR NATIVE COMMAND...: fails unless COMMAND SELECTOR [LIBRARY],
+such as a program of another system, gives what the program NATIVE gives: the same clips, and poses within
+1e-5."""
 
 import subprocess
 import sys
@@ -9,16 +10,18 @@ import sys
 MAX_DIFFERENCE = 1e-5
 
 
-def lines_of(command, selector):
-    done = subprocess.run([*command, selector], capture_output=True, text=True, check=False)
+def lines_of(command, files):
+    done = subprocess.run([*command, *files], capture_output=True, text=True, check=False)
     if done.returncode != 0:
         sys.exit(f"{command[-1]}: exit code {done.returncode}: {done.stderr}")
     return done.stdout.splitlines()
 
 
 def main():
-    selector, native, *command = sys.argv[1:]
-    expected, seen = lines_of([native], selector), lines_of(command, selector)
+    library = [sys.argv[2]] if sys.argv[1] == "--library" else []
+    selector, native, *command = sys.argv[1 + 2 * len(library):]
+    files = [selector, *library]
+    expected, seen = lines_of([native], files), lines_of(command, files)
     if len(expected) != len(seen):
         sys.exit(f"{len(seen)} lines instead of {len(expected)}")
     clips, poses, largest = set(), 0, 0.0

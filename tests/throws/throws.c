@@ -1,14 +1,15 @@
 /* SPDX-License-Identifier: MIT */
-/* throws SELECTOR: throws balls at a character and prints what it does: a line with the answer and
- * the clip of each throw, and lines with numbers that may differ in their last digits. Random
- * numbers come of whole ones, so that all systems throw the same balls. */
+/* throws SELECTOR [LIBRARY]: throws balls at a character and prints what it does: a line with the
+ * answer and the clip of each throw, and lines with numbers that may differ in their last digits.
+ * Random numbers come of whole ones, so that all systems throw the same balls. A character of the
+ * library, which has everyday motion, then walks about. */
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
 
 #include "flinch.h"
 
-enum { THROWS = 300, HITS = 20, FRAMES = 20 };
+enum { THROWS = 300, HITS = 20, WALKS = 30, FRAMES = 20 };
 
 static uint64_t state = 1;
 
@@ -51,20 +52,73 @@ static void print_clip(const flinch_character* character, const char* how, flinc
   printf("%s %" PRId32 " %" PRId32 "\n", how, answer, now.clip);
 }
 
+static void print_pose(const flinch_pose* pose) {
+  printf("pose");
+  for (int i = 0; i < 3; ++i) printf(" %.9g", (double)pose->root_position[i]);
+  for (int joint = 0; joint < FLINCH_JOINT_COUNT; ++joint)
+    for (int i = 0; i < 4; ++i) printf(" %.9g", (double)pose->rotation[joint][i]);
+  printf("\n");
+}
+
 static void play_and_print(flinch_character* character) {
   for (int frame = 0; frame < FRAMES; ++frame) check(flinch_character_update(character, 1.0F / 60));
   flinch_pose pose = {.size = sizeof pose};
   check(flinch_character_pose(character, &pose));
-  printf("pose");
-  for (int i = 0; i < 3; ++i) printf(" %.9g", (double)pose.root_position[i]);
-  for (int joint = 0; joint < FLINCH_JOINT_COUNT; ++joint)
-    for (int i = 0; i < 4; ++i) printf(" %.9g", (double)pose.rotation[joint][i]);
-  printf("\n");
+  print_pose(&pose);
+}
+
+/* Answers a threat by the steps of perceiving, and shows the plan on the way. */
+static void answer_by_steps(flinch_character* character, const flinch_threat* threat,
+                            flinch_workspace* workspace) {
+  flinch_perception noticed = {.size = sizeof noticed};
+  noticed.threat.size = sizeof noticed.threat;
+  const flinch_status hits = flinch_character_notice(character, threat, &noticed);
+  check(hits);
+  printf("notices %" PRId32 " %" PRId32 "\n", hits, noticed.target);
+  if (hits != FLINCH_OK) return;
+  flinch_candidate best[FLINCH_MOST_CANDIDATES];
+  int32_t count = 0;
+  check(
+      flinch_character_rank(character, &noticed, workspace, best, FLINCH_MOST_CANDIDATES, &count));
+  flinch_plan plan = {.size = sizeof plan};
+  check(flinch_character_plan(character, &noticed, best[0].clip, &plan));
+  printf("pose %.9g %.9g %.9g %.9g %.9g %.9g\n", (double)plan.first_motion_s, (double)plan.begin_s,
+         (double)plan.peak_s, (double)plan.end_s, (double)plan.duration_s,
+         (double)plan.playback_rate);
+  flinch_pose pose = {.size = sizeof pose};
+  check(flinch_character_planned_pose(character, &noticed, best[0].clip, 0.3F, &pose));
+  print_pose(&pose);
+  print_clip(character, "answers",
+             flinch_character_answer(character, &noticed, best[0].clip, best, count));
+  play_and_print(character);
+}
+
+/* Takes a library without a selector; its character walks, and braces on the way. */
+static void walk(const char* path) {
+  static char bytes[1 << 24];
+  FILE* file = fopen(path, "rb");
+  const size_t byte_count = file == NULL ? 0 : fread(bytes, 1, sizeof bytes, file);
+  if (file != NULL) fclose(file);
+  flinch_library* library = NULL;
+  flinch_motion_graph* graph = NULL;
+  flinch_character* character = NULL;
+  check(flinch_library_take(bytes, byte_count, &library));
+  check(flinch_motion_graph_create(library, &graph));
+  check(flinch_character_create(library, &character));
+  check(flinch_character_walk(character, graph, 7, 0, 0, 3));
+  for (int i = 0; i < WALKS; ++i) {
+    const flinch_threat threat = ball();
+    play_and_print(character);
+    print_clip(character, "braces", flinch_character_brace(character, &threat, 0));
+  }
+  flinch_character_free(character);
+  flinch_motion_graph_free(graph);
+  flinch_library_free(library);
 }
 
 int main(int count, char** arguments) {
-  if (count != 2) {
-    fprintf(stderr, "Usage: throws SELECTOR\n");
+  if (count != 2 && count != 3) {
+    fprintf(stderr, "Usage: throws SELECTOR [LIBRARY]\n");
     return 2;
   }
   flinch_library* library = NULL;
@@ -92,10 +146,13 @@ int main(int count, char** arguments) {
     check(flinch_character_react_to(character, &threat));
     play_and_print(character);
     play_and_print(character);
+    check(flinch_character_place(character, 0, 0, 0, 0.5F));
+    answer_by_steps(character, &threat, workspace);
   }
   flinch_character_free(character);
   flinch_look_ahead_free(look_ahead);
   flinch_workspace_free(workspace);
   flinch_library_free(library);
+  if (count == 3) walk(arguments[2]);
   return 0;
 }
