@@ -27,11 +27,34 @@ BoundingBox pelvis_bounding_box(const motion::Motion& motion) {
   return box;
 }
 
-/// Upper bound on the displacement of a surface point from one shape to the other: that of the
-/// centre plus that by rotation about the centre.
-double max_displacement(const motion::CollisionShape& from, const motion::CollisionShape& to) {
+/// Where a body's shape is.
+struct Place {
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();
+  Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();
+};
+
+/// Where the shapes, each in the frame of its body's joint, are in a pose.
+motion::PerBody<Place> places_of(const motion::PerBody<motion::CollisionShape>& shapes,
+                                 const motion::JointFrames& frames) {
+  motion::PerBody<Place> places;
+  for (const motion::Body body : motion::kBodies) {
+    const motion::Role role = motion::role_of(body);
+    const Eigen::Quaterniond joint = frames.orientation[role].cast<double>();
+    places[body].centre = frames.position[role].cast<double>() + joint * shapes[body].centre;
+    places[body].orientation = joint * shapes[body].orientation;
+  }
+  return places;
+}
+
+/// Upper bound on the displacement of a surface point of a shape that moves from one place to the
+/// other, that of the centre plus that by rotation about the centre, or `least` if that is more.
+double max_displacement(const Place& from, const Place& to, double reach_m, double least) {
   const Eigen::Quaterniond turn = to.orientation * from.orientation.conjugate();
-  return (to.centre - from.centre).norm() + motion::rotation_vector(turn).norm() * to.reach();
+  const double shift = (to.centre - from.centre).norm();
+  // An angle is at most pi times the sine of its half, which spares most poses the arc tangent.
+  constexpr double kMaxAnglePerSine = 3.1416;
+  if (shift + kMaxAnglePerSine * turn.vec().norm() * reach_m <= least) return least;
+  return std::max(least, shift + motion::rotation_vector(turn).norm() * reach_m);
 }
 
 }  // namespace
@@ -42,15 +65,18 @@ MotionBounds motion_bounds_of(const motion::Skeleton& skeleton, const motion::Bo
   MotionBounds bounds;
   bounds.pelvis_centre = 0.5F * (box.min + box.max);
   bounds.radius = 0.5F * (box.max - box.min).norm();
-  const auto outlines_at = [&](const motion::Pose& pose) {
-    return collision_shapes_of(model, forward_kinematics(skeleton, pose));
+  motion::PerBody<motion::CollisionShape> shapes;
+  for (const motion::Body body : motion::kBodies)
+    shapes[body] = motion::collision_shape_of(model[body].shape);
+  const auto places_in = [&](const motion::Pose& pose) {
+    return places_of(shapes, forward_kinematics(skeleton, pose));
   };
-  motion::PerBody<motion::CollisionShape> from = outlines_at(motion.poses.front());
+  motion::PerBody<Place> from = places_in(motion.poses.front());
   double displacement_m = 0;
   for (const motion::Pose& pose : motion.poses) {
-    const motion::PerBody<motion::CollisionShape> to = outlines_at(pose);
-    for (motion::Body body : motion::kBodies) {
-      displacement_m = std::max(displacement_m, max_displacement(from[body], to[body]));
+    const motion::PerBody<Place> to = places_in(pose);
+    for (const motion::Body body : motion::kBodies) {
+      displacement_m = max_displacement(from[body], to[body], shapes[body].reach(), displacement_m);
     }
     from = to;
   }

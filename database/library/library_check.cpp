@@ -48,7 +48,9 @@ bool is_within_bounds(const Pose& pose) {
   return is_sound(pose) && is_within(pose.root_position, kMaxDistance_m);
 }
 
-const char* fault_of(const Clip& clip, float rate_hz) {
+enum class Poses : bool { unchecked, sound };
+
+const char* fault_of(const Clip& clip, float rate_hz, Poses poses) {
   if (const char* what = fault_of_name(clip.name)) return what;
   if (!is_text(clip.kind, kMaxNameSize) || !is_text(clip.mirrored_from, kMaxNameSize) ||
       !is_text(clip.source, kMaxSourceSize)) {
@@ -58,7 +60,7 @@ const char* fault_of(const Clip& clip, float rate_hz) {
   if (clip.motion.rate_hz != rate_hz) return "has another rate than its library";
   if (clip.motion.poses.empty()) return "has no poses";
   if (clip.motion.poses.size() > kMaxPoses) return "has more than a million poses";
-  if (!std::ranges::all_of(clip.motion.poses, is_within_bounds)) {
+  if (poses == Poses::unchecked && !std::ranges::all_of(clip.motion.poses, is_within_bounds)) {
     return "has a pose with a number that is not finite, a rotation that is not a unit one or a "
            "root farther than 1 km away";
   }
@@ -152,7 +154,9 @@ const char* fault_of(const motion::Physique& character) {
   return nullptr;
 }
 
-std::optional<LibraryFault> fault_of(const ClipLibrary& library) {
+namespace {
+
+std::optional<LibraryFault> fault_of(const ClipLibrary& library, Poses poses) {
   const auto whole = [](const char* what) { return LibraryFault{std::nullopt, what}; };
   if (fault_of_name(library.name) != nullptr) {
     return whole(
@@ -162,7 +166,7 @@ std::optional<LibraryFault> fault_of(const ClipLibrary& library) {
   if (!is_in(library.rate_hz, kMinRate_hz, kMaxRate_hz)) {
     return whole("the rate is not between 1 Hz and 1000 Hz");
   }
-  if (const char* what = fault_of(library.character)) return whole(what);
+  if (const char* what = database::fault_of(library.character)) return whole(what);
   if (!is_text(library.provenance, kMaxProvenanceSize))
     return whole("the provenance is longer than 1 MiB or has control characters");
   if (library.idle < 0 || static_cast<std::size_t>(library.idle) >= library.clips.size()) {
@@ -172,10 +176,20 @@ std::optional<LibraryFault> fault_of(const ClipLibrary& library) {
   std::set<std::string_view> names;
   for (std::size_t i = 0; i < library.clips.size(); ++i) {
     const Clip& clip = library.clips[i];
-    if (const char* what = fault_of(clip, library.rate_hz)) return LibraryFault{i, what};
+    if (const char* what = fault_of(clip, library.rate_hz, poses)) return LibraryFault{i, what};
     if (!names.insert(clip.name).second) return LibraryFault{i, "shares its name with another"};
   }
   return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<LibraryFault> fault_of(const ClipLibrary& library) {
+  return fault_of(library, Poses::unchecked);
+}
+
+std::optional<LibraryFault> fault_beside_poses(const ClipLibrary& library) {
+  return fault_of(library, Poses::sound);
 }
 
 }  // namespace flinch::database

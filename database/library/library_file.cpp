@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "database/library/library_bounds.h"
+#include "database/library/library_check.h"
 #include "database/library/library_layout.h"
 #include "database/library/packed_poses.h"
 #include "database/library/pose_grid.h"
@@ -96,9 +97,8 @@ bool read_clip(const schema::Clip& stored, float rate_hz, motion::Clip& clip) {
 }
 
 void mirror_poses(const std::vector<motion::Pose>& from, std::vector<motion::Pose>& to) {
-  to.reserve(from.size());
-  for (const motion::Pose& pose : from)
-    make_zeros_positive(to.emplace_back(motion::mirrored(pose)));
+  motion::mirror(from, to);
+  for (motion::Pose& pose : to) make_zeros_positive(pose);
 }
 
 using StoredClips = flatbuffers::Vector<flatbuffers::Offset<schema::Clip>>;
@@ -183,10 +183,12 @@ LoadStatus read_unsealed(const VerifiedFile& file, ClipLibrary& library) {
   const schema::Library& stored = *schema::GetLibrary(file.content.data());
   ClipLibrary read;
   if (stored.clips()->size() > kMaxClips || !has_poses(*stored.clips(), file.version) ||
-      !has_bounded_size(stored, file.content.size()) || !read_stored(stored, read) ||
-      fault_of(read) || (file.version < kPackedVersion && float_version_of(read) != file.version)) {
+      !has_bounded_size(stored, file.content.size()) || !read_stored(stored, read)) {
     return LoadStatus::damaged;
   }
+  const bool is_packed = file.version >= kPackedVersion;
+  if (is_packed ? fault_beside_poses(read) : fault_of(read)) return LoadStatus::damaged;
+  if (!is_packed && float_version_of(read) != file.version) return LoadStatus::damaged;
   read.hash = read.provenance.empty() ? file.hash : stored.bare_hash();
   library = std::move(read);
   return LoadStatus::ok;

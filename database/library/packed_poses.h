@@ -41,8 +41,8 @@ inline constexpr std::size_t kPackedHeaderBytes =
 /// The number of poses that `bytes` say they hold; none if they are too few for that.
 std::optional<std::size_t> packed_pose_count(std::span<const std::uint8_t> bytes);
 
-/// Unpacks all poses. Returns false, with any content in `poses`, if the bytes are not as above.
-/// That rotations are unit and roots within their bounds is for the caller to check: fault_of().
+/// Unpacks all poses. Returns false, with any content in `poses`, if the bytes are not as above, a
+/// root is farther away than kMaxDistance_m, or three components of a rotation are longer than 1.
 bool unpack_poses(std::span<const std::uint8_t> bytes, std::vector<motion::Pose>& poses);
 
 }  // namespace flinch::database

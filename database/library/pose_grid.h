@@ -50,12 +50,16 @@ constexpr DerivedComponent derived_component(unsigned code) {
   return {code & 3U, (code & 4U) != 0};
 }
 
-/// The magnitude of the component that makes a rotation with these three others unit. The sum is
-/// exact for components on the grid, so every compiler gives the same bits. Not-a-number if they
-/// are longer than 1.
-inline float derived_magnitude(float a, float b, float c) {
+/// The square of the component that makes a rotation with these three others unit: below 0 if they
+/// are longer than 1. Exact for components on the grid, so every compiler gives the same bits.
+inline double derived_square(float a, float b, float c) {
   const double x = a, y = b, z = c;
-  return static_cast<float>(std::sqrt(1 - (x * x + y * y + z * z)));
+  return 1 - (x * x + y * y + z * z);
+}
+
+/// Its magnitude; not-a-number if the others are longer than 1.
+inline float derived_magnitude(float a, float b, float c) {
+  return static_cast<float>(std::sqrt(derived_square(a, b, c)));
 }
 
 /// Makes 0 of every -0, which no grid point has.

@@ -191,6 +191,15 @@ TEST(HostilePackedLibrary, WithARotationOrRootOutOfBoundsIsRefused) {
   constexpr std::size_t kPelvis = 4 + 3 * 5;
   EXPECT_TRUE(with(kPelvis + 1 + 1, 0xFF)) << "a component just below 1";
   EXPECT_FALSE(with(kPelvis + 1 + 2, 0x02)) << "a component of 2";
+  motion::Motion moving{.rate_hz = 60, .poses = std::vector<motion::Pose>(3)};
+  moving.poses[1].rotation[motion::Role::pelvis] =
+      Eigen::Quaternionf(Eigen::AngleAxisf(0.1F, Eigen::Vector3f::UnitX()));
+  moving.poses[1].root_position.x() = 1;
+  snap(moving);
+  packed = *pack_poses(moving.poses);
+  EXPECT_TRUE(with(2, 0));
+  EXPECT_FALSE(with(4 + 3, 0x02)) << "a root that moves 1024 m away";
+  EXPECT_FALSE(with(kPelvis + 1 + 2, 0x02)) << "a component about 2";
 }
 
 }  // namespace
