@@ -39,7 +39,7 @@ LoadStatus Library::load(std::span<const std::byte> bytes) noexcept try {
   auto contents = std::make_unique<Contents>();
   contents->clips = std::move(*file.library);
   contents->selector = std::move(file.selector);
-  contents->prepared = prepare(contents->clips);
+  contents->prepared = prepare(contents->clips, std::move(file.footwork));
   contents->push_responses = prepare_push_responses(contents->prepared);
   const std::optional<models::RealismModel>& realism = contents->selector.realism;
   contents->push_model =

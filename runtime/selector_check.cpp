@@ -210,6 +210,14 @@ bool is_part_sound(const std::vector<features::KnownKind>& kinds) {
 
 }  // namespace
 
+bool is_sound(const std::vector<Footwork>& footwork, const database::ClipLibrary& library) {
+  const auto is_of_clip = [](const Footwork& one, const motion::Clip& clip) {
+    return is_sound(one, clip);
+  };
+  return std::equal(footwork.begin(), footwork.end(), library.clips.begin(), library.clips.end(),
+                    is_of_clip);
+}
+
 bool is_sound(const models::Selector& selector) {
   const std::size_t clip_count = selector.clips.size();
   const auto feature_count = static_cast<std::size_t>(selector.layout.size());

@@ -135,6 +135,8 @@ bool has_bounded_size(const schema::Selector& stored, std::size_t content_size) 
     for (const schema::Kind* kind : *stored.kinds())
       unfolded.add(kind->name()).add(kind->numbers()).add(kind->rod());
   }
+  if (const schema::Footwork* footwork = stored.footwork())
+    unfolded.add(footwork->swings()).add(footwork->counts()).add(footwork->support());
   if (const schema::Realism* realism = stored.realism()) {
     unfolded.add(realism->judge()).add(realism->mean()).add(realism->basis());
     unfolded.add(realism->weight()).add(realism->points()).add(realism->quality());
@@ -264,6 +266,27 @@ bool read_stored(const schema::Selector& stored, models::Selector& selector) {
   return true;
 }
 
+/// Returns nothing unless it is that of so many clips.
+std::optional<std::vector<Footwork>> read_footwork(const schema::Footwork& stored,
+                                                   std::size_t clip_count) {
+  const std::vector<std::uint8_t> support = to_vector(*stored.support());
+  const std::vector<std::uint32_t> counts = to_vector(*stored.counts());
+  const std::vector<float> times_s = to_vector(*stored.swings());
+  if (support.size() != clip_count || counts.size() != 2 * clip_count) return std::nullopt;
+  std::vector<Footwork> footwork(clip_count);
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    if (times_s.size() - next < std::size_t{2} * counts[i]) return std::nullopt;
+    Footwork& of_clip = footwork[i / 2];
+    of_clip.support = static_cast<motion::Side>(support[i / 2]);
+    const motion::Side side = i % 2 == 0 ? motion::Side::left : motion::Side::right;
+    for (std::size_t count = counts[i]; count > 0; --count, next += 2)
+      of_clip.swings[side].push_back({times_s[next], times_s[next + 1]});
+  }
+  if (next != times_s.size()) return std::nullopt;
+  return footwork;
+}
+
 /// Reads the library that the file contains, if it contains one.
 LoadStatus read_clips(const schema::Selector& stored, SelectorFile& file) {
   if (stored.library() == nullptr) return LoadStatus::ok;
@@ -272,9 +295,14 @@ LoadStatus read_clips(const schema::Selector& stored, SelectorFile& file) {
   const LoadStatus status = database::read_embedded_library(bytes, file.library.emplace());
   if (status == LoadStatus::out_of_memory) return status;
   // Whatever the error, it means that this file cannot be used.
-  return status == LoadStatus::ok && is_compatible(file.selector, *file.library)
-             ? LoadStatus::ok
-             : LoadStatus::damaged;
+  if (status != LoadStatus::ok || !is_compatible(file.selector, *file.library))
+    return LoadStatus::damaged;
+  if (stored.footwork() == nullptr) return LoadStatus::ok;
+  std::optional<std::vector<Footwork>> footwork =
+      read_footwork(*stored.footwork(), file.library->clips.size());
+  if (!footwork || !is_sound(*footwork, *file.library)) return LoadStatus::damaged;
+  file.footwork = std::move(*footwork);
+  return LoadStatus::ok;
 }
 
 }  // namespace

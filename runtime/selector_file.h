@@ -5,9 +5,11 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "database/library/library_file.h"
 #include "models/selector.h"
+#include "runtime/response/footwork.h"
 
 namespace flinch::runtime {
 
@@ -16,6 +18,7 @@ struct SelectorFile {
   models::Selector selector;
   /// Of the selector's `library_hash`; none where the file was written without clips.
   std::optional<database::ClipLibrary> library;
+  std::vector<Footwork> footwork;  ///< of each of its clips; none where the file has none
 };
 
 /// Reads a selector file's bytes: verified against the content hash, the schemas, the features
@@ -29,6 +32,9 @@ database::LoadStatus read_selector_file(std::span<const std::byte> bytes,
 database::LoadStatus read_selector(std::span<const std::byte> bytes,
                                    models::Selector& selector) noexcept;
 database::LoadStatus read_selector(const std::string& path, models::Selector& selector) noexcept;
+
+/// Whether the library's clips could have this footwork (runtime/response/footwork.h).
+bool is_sound(const std::vector<Footwork>& footwork, const database::ClipLibrary& library);
 
 /// Whether classification can rely on it: clips, with the idle one among them, and known targets
 /// and degrees; scaling and model of as many features as the layout has; vectors of the sizes that

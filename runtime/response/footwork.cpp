@@ -20,6 +20,10 @@ using motion::Side;
 constexpr float kMinSwing_s = 0.05F;  // s, shortest swing, and shortest stance between two swings
 constexpr float kOpening_s = 0.2F;    // s, time over which weight is compared
 
+float onset_of(const motion::Clip& clip) {
+  return clip.annotation ? clip.annotation->onset_s : 0;
+}
+
 // Adds the swing that ends at `end_s`, or merges it with the last swing.
 void close_swing(float begin_s, float end_s, std::vector<Swing>& swings) {
   if (!swings.empty() && begin_s - swings.back().end_s < kMinSwing_s) {
@@ -141,7 +145,7 @@ float min_height(const Sole& sole, const JointFrames& frames, Side side) {
 
 Footwork footwork_of(const motion::Skeleton& skeleton, const motion::BodyModel& bodies,
                      const motion::PerSide<Sole>& soles, const motion::Clip& clip) {
-  const float onset_s = clip.annotation ? clip.annotation->onset_s : 0;
+  const float onset_s = onset_of(clip);
   const float peak_s = clip.annotation ? clip.annotation->peak_s : clip.motion.duration_s();
   Footwork footwork;
   motion::PerSide<float> first_swing_s{};
@@ -158,6 +162,22 @@ Footwork footwork_of(const motion::Skeleton& skeleton, const motion::BodyModel& 
     footwork.support = nearer_foot(skeleton, bodies, clip.motion, onset_s);
   }
   return footwork;
+}
+
+bool is_sound(const Footwork& footwork, const motion::Clip& clip) {
+  const float onset_s = onset_of(clip);
+  const float duration_s = clip.motion.duration_s();
+  const auto are_sound = [=](const std::vector<Swing>& swings) {
+    for (std::size_t i = 0; i < swings.size(); ++i) {
+      const auto [begin_s, end_s] = swings[i];
+      const bool in_order =
+          i == 0 ? begin_s >= onset_s : begin_s - swings[i - 1].end_s >= kMinSwing_s;
+      // Also false for not-a-number.
+      if (!in_order || !(end_s - begin_s >= kMinSwing_s && end_s <= duration_s)) return false;
+    }
+    return true;
+  };
+  return footwork.support <= Side::right && std::ranges::all_of(footwork.swings, are_sound);
 }
 
 }  // namespace flinch::runtime

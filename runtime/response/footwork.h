@@ -57,4 +57,8 @@ inline constexpr float kMaxStandingHeight_m = 0.008F;
 Footwork footwork_of(const motion::Skeleton& skeleton, const motion::BodyModel& bodies,
                      const motion::PerSide<Sole>& soles, const motion::Clip& clip);
 
+/// Whether a clip of this onset and duration could have this footwork: a known support foot, and
+/// swings in order, from the onset to the end, that are no noise. Does not look at the poses.
+bool is_sound(const Footwork& footwork, const motion::Clip& clip);
+
 }  // namespace flinch::runtime

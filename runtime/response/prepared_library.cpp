@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "runtime/response/prepared_library.h"
 
+#include <utility>
+
 namespace flinch::runtime {
 
-PreparedLibrary prepare(const database::ClipLibrary& library) {
+PreparedLibrary prepare(const database::ClipLibrary& library, std::vector<Footwork> footwork) {
   PreparedLibrary prepared;
   prepared.library = &library;
   prepared.joint_limits = motion::human_joint_limits();
@@ -30,6 +32,8 @@ PreparedLibrary prepare(const database::ClipLibrary& library) {
                                                 database::loop_of(library, clip)));
     }
   }
+  prepared.footwork = std::move(footwork);
+  if (!prepared.footwork.empty()) return prepared;
   prepared.footwork.reserve(library.clips.size());
   for (const motion::Clip& clip : library.clips) {
     prepared.footwork.push_back(footwork_of(skeleton, prepared.body_model, prepared.soles, clip));

@@ -56,7 +56,8 @@ struct PreparedLibrary {
   }
 };
 
-/// Prepares a library. Allocates, so do not call it every frame.
-PreparedLibrary prepare(const database::ClipLibrary& library);
+/// Prepares a library. Allocates, so do not call it every frame. `footwork` is that of its clips
+/// where a file has it, which saves much of the time; none: it is computed, to the same bits.
+PreparedLibrary prepare(const database::ClipLibrary& library, std::vector<Footwork> footwork = {});
 
 }  // namespace flinch::runtime

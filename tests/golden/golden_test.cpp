@@ -26,8 +26,8 @@ constexpr std::uint64_t kScenarios = 40;
 // Those of the paper and the room that a vector had for others when the hash was stated.
 constexpr std::size_t kHashedFeatures = 33;
 constexpr std::uint64_t kObservationsHash = 0xb31f555b415568a8;
-constexpr std::uint64_t kSelectorHash = 0x421d4567391777ed;
-constexpr std::uint64_t kPairwiseHash = 0x32f0ab8ce1cc5cea;
+constexpr std::uint64_t kSelectorHash = 0x6e28be78d480e1cc;
+constexpr std::uint64_t kPairwiseHash = 0x295ff4bae11a1fa7;
 constexpr std::uint64_t kPosesHash = 0xf49eaf2b57892cfe;
 
 constexpr const char* kAdvice =

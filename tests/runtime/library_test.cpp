@@ -3,16 +3,22 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstring>
 #include <functional>
 #include <random>
 
 #include "database/files/file_io.h"
 #include "motion/error.h"
+#include "runtime/character.h"
 #include "runtime/response/prepared_library.h"
 #include "runtime/selection.h"
 #include "runtime/selector_file.h"
+#include "selector_generated.h"
+#include "tests/motion/random_motion.h"
 #include "tests/runtime/made_up_selector.h"
 #include "tests/scenes/file_damage.h"
+#include "tests/scenes/not_finite.h"
 #include "tests/scenes/temporary_folder.h"
 
 namespace flinch::runtime {
@@ -56,6 +62,104 @@ TEST(Library, LoadsEverythingInTheFile) {
   Library from_file;
   ASSERT_EQ(from_file.load(folder / "a.flinch"), LoadStatus::ok);
   expect_whole(from_file);
+}
+
+TEST(Library, TakesFootworkFromTheFileAsItWouldComputeIt) {
+  Library library;
+  ASSERT_EQ(library.load(bytes_of(whole_file())), LoadStatus::ok);
+  SelectorFile file;
+  ASSERT_EQ(read_selector_file(bytes_of(whole_file()), file), LoadStatus::ok);
+  const PreparedLibrary computed = prepare(library.clip_library());
+  ASSERT_EQ(file.footwork.size(), computed.footwork.size());
+  std::size_t swings = 0;
+  for (std::size_t clip = 0; clip < computed.footwork.size(); ++clip) {
+    EXPECT_EQ(file.footwork[clip].support, computed.footwork[clip].support);
+    for (const motion::Side side : motion::kSides) {
+      const auto& stored = library.prepared().footwork[clip].swings[side];
+      const auto& expected = computed.footwork[clip].swings[side];
+      swings += expected.size();
+      EXPECT_TRUE(std::ranges::equal(stored, expected, [](const Swing& a, const Swing& b) {
+        return a.begin_s == b.begin_s && a.end_s == b.end_s;
+      }));
+    }
+  }
+  EXPECT_GT(swings, 0U) << "no clip lifts a foot";
+}
+
+TEST(Library, RefusesFootworkThatIsNoneOfItsClips) {
+  SelectorFile file;
+  ASSERT_EQ(read_selector_file(bytes_of(whole_file()), file), LoadStatus::ok);
+  const auto is_sound_with = [&](auto change) {
+    std::vector<Footwork> footwork = file.footwork;
+    footwork[1].swings[motion::Side::left] = {{0.1F, 0.2F}, {0.3F, 0.4F}};
+    change(footwork, footwork[1].swings[motion::Side::left]);
+    return is_sound(footwork, *file.library);
+  };
+  using Swings = std::vector<Swing>;
+  using All = std::vector<Footwork>;
+  EXPECT_TRUE(is_sound_with([](All&, Swings&) {}));
+  EXPECT_FALSE(is_sound_with([](All& all, Swings&) { all.pop_back(); }));
+  EXPECT_FALSE(is_sound_with([](All& all, Swings&) { all[0].support = motion::Side{2}; }));
+  EXPECT_FALSE(is_sound_with([](All&, Swings& swings) { swings[0].begin_s = -0.1F; }));
+  EXPECT_FALSE(is_sound_with([](All&, Swings& swings) { swings[0].end_s = 0.1F; }));
+  EXPECT_FALSE(is_sound_with([](All&, Swings& swings) { swings[0].end_s = 0.14F; })) << "noise";
+  EXPECT_FALSE(is_sound_with([](All&, Swings& swings) { swings[0].end_s = 0.26F; })) << "noise";
+  EXPECT_FALSE(is_sound_with([](All&, Swings& swings) { swings[1].begin_s = 0.15F; }));
+  EXPECT_FALSE(is_sound_with([](All&, Swings& swings) { swings[1].end_s = 1000; }));
+  EXPECT_FALSE(is_sound_with([](All&, Swings& swings) { swings[1].end_s = tests::kNan; }));
+}
+
+/// whole_file() with other footwork of as many swings, which the clips contradict.
+std::string with_made_up_footwork(std::mt19937& random, const database::ClipLibrary& clips) {
+  std::string content = tests::content_of(whole_file());
+  const schema::Footwork& stored = *schema::GetSelector(content.data())->footwork();
+  std::size_t next = 0;
+  const auto write = [&](const auto& numbers, std::size_t place, auto number) {
+    std::memcpy(content.data() +
+                    (numbers.Data() - reinterpret_cast<const std::uint8_t*>(content.data())) +
+                    place * sizeof number,
+                &number, sizeof number);
+  };
+  for (std::size_t i = 0; i < stored.counts()->size(); ++i) {
+    const motion::Clip& clip = clips.clips[i / 2];
+    const auto count = stored.counts()->Get(static_cast<flatbuffers::uoffset_t>(i));
+    const float onset_s = clip.annotation ? clip.annotation->onset_s : 0;
+    const float share_s = (clip.motion.duration_s() - onset_s) / static_cast<float>(count);
+    for (std::uint32_t k = 0; k < count; ++k) {
+      const float begin_s =
+          onset_s + share_s * (static_cast<float>(k) + tests::uniform(random, 0, 0.2F));
+      const float end_s = begin_s + share_s * tests::uniform(random, 0.3F, 0.6F);
+      write(*stored.swings(), next++, begin_s);
+      write(*stored.swings(), next++, end_s);
+    }
+    write(*stored.support(), i / 2, static_cast<std::uint8_t>(random() % 2));
+  }
+  return tests::with_header(database::kSelectorFormat, content);
+}
+
+TEST(Library, PlaysSoundPosesWhateverItsFootworkClaims) {
+  Library honest;
+  ASSERT_EQ(honest.load(bytes_of(whole_file())), LoadStatus::ok);
+  std::mt19937 random(1);
+  int different = 0;
+  for (int sample = 0; sample < 20; ++sample) {
+    Library library;
+    ASSERT_EQ(library.load(bytes_of(with_made_up_footwork(random, honest.clip_library()))),
+              LoadStatus::ok);
+    for (int clip = 1; clip < static_cast<int>(library.clip_library().clips.size()); ++clip) {
+      Character told(library);
+      Character expected(honest);
+      told.respond(clip, 0.6F);
+      expected.respond(clip, 0.6F);
+      for (int frame = 0; frame < 40; ++frame) {
+        told.update(0.03F);
+        expected.update(0.03F);
+        ASSERT_TRUE(motion::is_sound(told.pose()));
+        if ((told.pose().root_position - expected.pose().root_position).norm() > 1e-4F) ++different;
+      }
+    }
+  }
+  EXPECT_GT(different, 0) << "the file's footwork is not used";
 }
 
 TEST(Library, LoadsFromUnalignedBytes) {

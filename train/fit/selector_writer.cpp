@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "train/fit/selector_writer.h"
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
 #include "database/files/file_io.h"
 #include "motion/error.h"
+#include "runtime/response/prepared_library.h"
 #include "runtime/selector_file.h"
 #include "selector_generated.h"
 
@@ -156,6 +158,34 @@ Offset<schema::Training> store(FlatBufferBuilder& builder, const SelectorRecord&
                                 distribution, simulation);
 }
 
+Offset<schema::Footwork> store(FlatBufferBuilder& builder,
+                               const std::vector<runtime::Footwork>& footwork) {
+  std::vector<float> times_s;
+  std::vector<std::uint32_t> counts;
+  std::vector<std::uint8_t> support;
+  for (const runtime::Footwork& of_clip : footwork) {
+    for (const motion::Side side : motion::kSides) {
+      counts.push_back(static_cast<std::uint32_t>(of_clip.swings[side].size()));
+      for (const runtime::Swing& swing : of_clip.swings[side]) {
+        times_s.push_back(swing.begin_s);
+        times_s.push_back(swing.end_s);
+      }
+    }
+    support.push_back(static_cast<std::uint8_t>(of_clip.support));
+  }
+  const auto swings = builder.CreateVector(times_s);
+  const auto swing_counts = builder.CreateVector(counts);
+  const auto supports = builder.CreateVector(support);
+  return schema::CreateFootwork(builder, swings, swing_counts, supports);
+}
+
+/// The footwork of a library's file; none if it cannot be read.
+std::vector<runtime::Footwork> footwork_of(std::span<const std::byte> library_file) {
+  database::ClipLibrary library;
+  if (database::read_library(library_file, library) != database::LoadStatus::ok) return {};
+  return runtime::prepare(library).footwork;
+}
+
 void store(FlatBufferBuilder& builder, const models::Selector& selector,
            std::span<const std::byte> library_file, const SelectorRecord* record) {
   std::vector<Offset<schema::Clip>> stored;
@@ -184,6 +214,9 @@ void store(FlatBufferBuilder& builder, const models::Selector& selector,
   }
   Offset<schema::Realism> realism;
   if (selector.realism) realism = store(builder, *selector.realism);
+  Offset<schema::Footwork> footwork;
+  if (const auto computed = footwork_of(library_file); !computed.empty())
+    footwork = store(builder, computed);
   Offset<flatbuffers::String> provenance;
   Offset<schema::Training> training;
   if (record != nullptr) {
@@ -193,7 +226,7 @@ void store(FlatBufferBuilder& builder, const models::Selector& selector,
   schema::FinishSelectorBuffer(
       builder, schema::CreateSelector(builder, selector.library_hash, clips, selector.idle, names,
                                       least, most, selector.brawn, centres, kind, model, library,
-                                      costs, kinds, realism, provenance, training));
+                                      costs, kinds, realism, provenance, training, footwork));
 }
 
 }  // namespace
