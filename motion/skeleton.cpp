@@ -1,13 +1,25 @@
 // SPDX-License-Identifier: MIT
 #include "motion/skeleton.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstring>
 
 #include "motion/rotation.h"
 
 namespace flinch::motion {
 
 // p_i = p_parent + R_parent * offset_i,  R_i = R_parent * r_i,  parents first.
+bool has_same_bits(const Pose& first, const Pose& second) {
+  const auto is_same = [](const auto& p, const auto& q) {
+    return std::memcmp(p.data(), q.data(), sizeof(float) * static_cast<std::size_t>(p.size())) == 0;
+  };
+  return is_same(first.root_position, second.root_position) &&
+         std::ranges::equal(first.rotation, second.rotation, [&](const auto& p, const auto& q) {
+           return is_same(p.coeffs(), q.coeffs());
+         });
+}
+
 JointFrames forward_kinematics(const Skeleton& skeleton, const Pose& pose,
                                std::span<const Role> roles) {
   JointFrames frames;

@@ -34,6 +34,9 @@ struct Pose {
   }
 };
 
+/// Whether two poses are the same to the bit.
+bool has_same_bits(const Pose& first, const Pose& second);
+
 /// Position and orientation of every joint in the world.
 struct JointFrames {
   PerRole<Eigen::Vector3f> position;        ///< m

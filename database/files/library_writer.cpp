@@ -2,7 +2,6 @@
 #include "database/files/library_writer.h"
 
 #include <algorithm>
-#include <cstring>
 #include <span>
 #include <vector>
 
@@ -67,16 +66,7 @@ struct StoredPoses {
 };
 
 bool are_same(const std::vector<motion::Pose>& a, const std::vector<motion::Pose>& b) {
-  const auto has_same_bits = [](const auto& p, const auto& q) {
-    return std::memcmp(p.data(), q.data(), sizeof(float) * static_cast<std::size_t>(p.size())) == 0;
-  };
-  const auto is_same = [&](const motion::Pose& one, const motion::Pose& other) {
-    return has_same_bits(one.root_position, other.root_position) &&
-           std::equal(
-               one.rotation.begin(), one.rotation.end(), other.rotation.begin(),
-               [&](const auto& p, const auto& q) { return has_same_bits(p.coeffs(), q.coeffs()); });
-  };
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), is_same);
+  return std::ranges::equal(a, b, motion::has_same_bits);
 }
 
 /// The index of the clip that `clip` says it mirrors, if its poses are the mirror images.

@@ -195,12 +195,12 @@ void PoseTrial::add_group(std::span<const motion::Pose> poses,
                           std::span<const features::Ball> balls,
                           std::span<PoseScore> scores) const {
   const sim::Simulator& simulator = simulator_of(failures.front());
-  std::vector<sim::Rehearsal> rehearsals;
-  rehearsals.reserve(poses.size() * failures.size());
+  std::vector<motion::Motion> motions;
+  motions.reserve(poses.size() * failures.size());
   for (const motion::Pose& pose : poses)
-    for (const JointFailure failure : failures)
-      rehearsals.push_back(
-          simulator.rehearse(motion_to(pose, failure), options_.delay_s, duration_s()));
+    for (const JointFailure failure : failures) motions.push_back(motion_to(pose, failure));
+  const std::vector<sim::Rehearsal> rehearsals =
+      simulator.rehearse(motions, options_.delay_s, duration_s());
   std::vector<sim::Throw> throws;
   for (const sim::Rehearsal& rehearsal : rehearsals)
     for (const features::Ball& ball : balls) throws.push_back({rehearsal, ball});

@@ -1,34 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "sim/rehearsal/rehearsal.h"
 
-#include <algorithm>
 #include <cmath>
+#include <utility>
 
-#include "sim/encounter/encounter.h"
 #include "sim/rehearsal/rehearsal_track.h"
 
 namespace flinch::sim {
-namespace {
-
-Rehearsal::Track::Sphere reach_sphere(const FigureModel& figure_model, const StepPath& path) {
-  Rehearsal::Track::Sphere sphere;
-  sphere.centre.setZero();
-  for (const BodyState& body : path.from) sphere.centre += body.position / motion::kBodyCount;
-  for (motion::Body body : motion::kBodies) {
-    const BodyState state = path.moving(body);
-    const double radius = figure_model.radius[body];
-    const double speed = state.velocity.norm() + state.angular_velocity.norm() * radius;
-    sphere.radius = std::max(
-        sphere.radius, (state.position - sphere.centre).norm() + radius + speed * path.step_s);
-  }
-  return sphere;
-}
-
-}  // namespace
 
 Rehearsal::Track::Track(const FigureModel& figure_model, const SimulationOptions& options,
-                        const motion::Motion& response, double kept_from_s, double rehearsed_s)
-    : motion(response),
+                        motion::Motion response, double kept_from_s, double rehearsed_s)
+    : motion(std::move(response)),
       reference(figure_model.skeleton, figure_model.model, motion),
       from_s(kept_from_s),
       duration_s(rehearsed_s) {
@@ -36,25 +18,14 @@ Rehearsal::Track::Track(const FigureModel& figure_model, const SimulationOptions
   step_begins_s.reserve(steps);
   reach.reserve(steps);
   figures.reserve(steps + 1);
-  ReferenceState now = reference.at(0);
-  Encounter<TreeScene> encounter(figure_model, options, 0, figure_model, now.body, nullptr,
-                                 options.gravity_mps2);
-  while (encounter.time_s() < duration_s) {
-    if (encounter.time_s() <= from_s) {
-      figures.clear();
-      first_kept = step_begins_s.size();
-    }
-    step_begins_s.push_back(encounter.time_s());
-    figures.push_back(encounter.scene().bodies());
-    const double step_s = encounter.begin_step(now, duration_s - encounter.time_s());
-    const ReferenceState target = reference.at(encounter.time_s() + step_s);
-    encounter.end_step(now, target, step_s);
-    reach.push_back(
-        reach_sphere(figure_model, {figures.back(), encounter.scene().bodies(), step_s}));
-    now = target;
-  }
-  figures.push_back(encounter.scene().bodies());
-  if (first_kept > 0) figures.shrink_to_fit();
+}
+
+void Rehearsal::Track::copy_recording(const Track& other) {
+  recorded_s = other.recorded_s;
+  step_begins_s = other.step_begins_s;
+  reach = other.reach;
+  first_kept = other.first_kept;
+  figures = other.figures;
 }
 
 bool Rehearsal::Track::Sphere::may_reach(const features::Ball& ball, double time_s,

@@ -14,12 +14,16 @@
 namespace flinch::sim {
 
 /// What a rehearsal keeps: the figure at the start of every free step, and at the end of the last.
+/// record() steps the undisturbed figure.
 struct Rehearsal::Track {
-  /// Runs the undisturbed simulation. `figure_model` must outlive the track.
-  Track(const FigureModel& figure_model, const SimulationOptions& options,
-        const motion::Motion& response, double kept_from_s, double rehearsed_s);
+  /// Nothing is recorded yet. `figure_model` must outlive the track.
+  Track(const FigureModel& figure_model, const SimulationOptions& options, motion::Motion response,
+        double kept_from_s, double rehearsed_s);
   Track(const Track&) = delete;
   Track& operator=(const Track&) = delete;
+
+  /// Takes over what is recorded of a track of the same duration.
+  void copy_recording(const Track& other);
 
   std::size_t byte_count() const;
   /// The figure at the start of a step; for the number of steps, at the end of the last.
@@ -39,6 +43,7 @@ struct Rehearsal::Track {
   Reference reference;
   double from_s;
   double duration_s;
+  double recorded_s = 0;              ///< the time until which it is recorded
   std::vector<double> step_begins_s;  ///< one per step
   /// Bounding sphere of the figure over a whole step.
   struct Sphere {

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <memory>
+#include <span>
+#include <vector>
 
 #include "features/ball.h"
 #include "motion/body.h"
@@ -9,6 +11,7 @@
 #include "sim/rehearsal/rehearsal.h"
 #include "sim/simulation_options.h"
 #include "sim/simulation_result.h"
+#include "sim/tree/tree_lanes.h"
 
 namespace flinch::sim {
 
@@ -29,6 +32,10 @@ class Simulator {
   /// Tracks `reference` without a ball for `duration_s` and keeps the states that a ball may meet
   /// from `from_s` on.
   Rehearsal rehearse(const motion::Motion& reference, double from_s, double duration_s) const;
+  /// The same for several motions, side by side in lanes as ThrowSimulator, to the same bits in a
+  /// fraction of the time. What they all begin with is simulated once.
+  std::vector<Rehearsal> rehearse(std::span<const motion::Motion> references, double from_s,
+                                  double duration_s, std::size_t lanes = widest_lanes()) const;
   /// Returns what OdeSimulator::simulate of the rehearsed motion returns for this ball over the
   /// whole duration, in a fraction of the time and within the error bounds that docs/simulation.md
   /// gives; without the tracking error. `rehearsal` must come from this simulator. Throws Error if

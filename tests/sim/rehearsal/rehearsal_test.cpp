@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -14,6 +15,7 @@
 #include "sim/rehearsal/first_contact.h"
 #include "sim/rehearsal/simulator.h"
 #include "sim/rehearsal/throw_simulator.h"
+#include "sim/rehearsal/track_lanes.h"
 #include "tests/sim/random_hits.h"
 #include "tests/sim/rehearsal/total_impulse.h"
 #include "tests/sim/same_bits.h"
@@ -283,6 +285,7 @@ TEST_F(RehearsalTest, NothingTouchesBeforeTheFirstContact) {
   for (const auto& [name, motion] : motions_) {
     tracks.push_back(std::make_unique<Rehearsal::Track>(figure_model, options, motion, 0, 1));
   }
+  record(figure_model, options, tracks, widest_lanes());
   int met = 0;
   std::size_t samples = 0;
   for (const scenes::Hit& hit : balls(120, 12)) {
@@ -320,7 +323,10 @@ TEST_F(RehearsalTest, NothingTouchesBeforeTheFirstContact) {
 // The first contact is one: there the ball touches a part, or the ground.
 TEST_F(RehearsalTest, TheFirstContactTouches) {
   const FigureModel figure_model(character_);
-  const Rehearsal::Track track(figure_model, {}, motions_[1].motion, 0, 1);
+  const std::array tracks{std::make_unique<Rehearsal::Track>(figure_model, SimulationOptions{},
+                                                             motions_[1].motion, 0, 1)};
+  record(figure_model, {}, tracks, 1);
+  const Rehearsal::Track& track = *tracks.front();
   int parts = 0;
   int bounces = 0;
   for (const scenes::Hit& hit : balls(120, 15)) {
@@ -406,6 +412,58 @@ TEST_F(RehearsalTest, ThrowsSideBySideHaveTheBitsOfEachAlone) {
     }
     EXPECT_GT(hits, 2 * 60);
     EXPECT_GT(misses, 2 * 5);
+  }
+}
+
+void expect_same_bits(const Rehearsal& first, const Rehearsal& second) {
+  const Rehearsal::Track& one = first.track();
+  const Rehearsal::Track& other = second.track();
+  EXPECT_EQ(one.first_kept, other.first_kept);
+  EXPECT_EQ(one.step_begins_s, other.step_begins_s);
+  ASSERT_EQ(one.reach.size(), other.reach.size());
+  for (std::size_t k = 0; k < one.reach.size(); ++k) {
+    EXPECT_EQ(one.reach[k].centre, other.reach[k].centre);
+    EXPECT_EQ(one.reach[k].radius, other.reach[k].radius);
+  }
+  ASSERT_EQ(one.figures.size(), other.figures.size());
+  for (std::size_t k = 0; k < one.figures.size(); ++k)
+    for (const Body body : motion::kBodies) {
+      const BodyState& a = one.figures[k][body];
+      const BodyState& b = other.figures[k][body];
+      EXPECT_EQ(a.position, b.position);
+      EXPECT_EQ(a.orientation.coeffs(), b.orientation.coeffs());
+      EXPECT_EQ(a.velocity, b.velocity);
+      EXPECT_EQ(a.angular_velocity, b.angular_velocity);
+    }
+}
+
+TEST_F(RehearsalTest, MotionsSideBySideHaveTheBitsOfEachAlone) {
+  std::vector<motion::Motion> motions;
+  for (const auto& [name, motion] : motions_) motions.push_back(motion);
+  for (const double from_s : {0.0, 0.25}) {
+    for (const std::size_t lanes : lane_counts()) {
+      SCOPED_TRACE(lanes);
+      const std::vector<Rehearsal> together = simulator_.rehearse(motions, from_s, 1, lanes);
+      ASSERT_EQ(together.size(), motions.size());
+      for (std::size_t i = 0; i < motions.size(); ++i)
+        expect_same_bits(simulator_.rehearse(motions[i], from_s, 1), together[i]);
+    }
+  }
+}
+
+// They part at different poses, some before and some after what is kept begins; one does not part.
+TEST_F(RehearsalTest, WhatMotionsBeginWithInCommonChangesNoBit) {
+  const motion::Motion& ducks = motions_[1].motion;
+  const motion::Motion& other = motions_[2].motion;
+  for (const std::size_t parts : {3UL, 4UL, 12UL, 13UL, 30UL, 200UL}) {
+    SCOPED_TRACE(parts);
+    std::vector<motion::Motion> motions(3, ducks);
+    for (std::size_t k = parts; k < ducks.poses.size() && k < other.poses.size(); ++k)
+      motions[1].poses[k] = other.poses[k];
+    motions[2].poses.resize(std::min(parts + 5, ducks.poses.size()));
+    const std::vector<Rehearsal> together = simulator_.rehearse(motions, 0.22, 0.8);
+    for (std::size_t i = 0; i < motions.size(); ++i)
+      expect_same_bits(simulator_.rehearse(motions[i], 0.22, 0.8), together[i]);
   }
 }
 
