@@ -176,6 +176,14 @@ std::span<const JointFailure> PoseTrial::failures() const {
   return {kJointFailures.data(), options_.fails_joints ? kJointFailures.size() : 1};
 }
 
+std::vector<std::span<const JointFailure>> PoseTrial::failure_groups() const {
+  const std::span<const JointFailure> all = failures();
+  if (!options_.are_limp) return {all};
+  std::vector<std::span<const JointFailure>> groups;
+  for (std::size_t k = 0; k < all.size(); ++k) groups.push_back(all.subspan(k, 1));
+  return groups;
+}
+
 const sim::Simulator& PoseTrial::simulator_of(JointFailure failure) const {
   return simulators_[options_.are_limp ? static_cast<std::size_t>(failure) : 0];
 }
@@ -190,64 +198,91 @@ double PoseTrial::overlap_penalty(const motion::Pose& pose) const {
   return depth_m > 0 ? idle_pain_ * (kOverlapShare + kOverlapShare_per_m * depth_m) : 0;
 }
 
-void PoseTrial::add_group(std::span<const motion::Pose> poses,
-                          std::span<const JointFailure> failures,
-                          std::span<const features::Ball> balls,
-                          std::span<PoseScore> scores) const {
-  const sim::Simulator& simulator = simulator_of(failures.front());
-  std::vector<motion::Motion> motions;
-  motions.reserve(poses.size() * failures.size());
-  for (const motion::Pose& pose : poses)
-    for (const JointFailure failure : failures) motions.push_back(motion_to(pose, failure));
-  const std::vector<sim::Rehearsal> rehearsals =
-      simulator.rehearse(motions, options_.delay_s, duration_s());
-  std::vector<sim::Throw> throws;
-  for (const sim::Rehearsal& rehearsal : rehearsals)
-    for (const features::Ball& ball : balls) throws.push_back({rehearsal, ball});
-  const std::vector<sim::SimulationResult> results =
-      sim::ThrowSimulator(simulator).simulate(throws);
-  const std::size_t per_pose = failures.size() * balls.size();
-  for (std::size_t i = 0; i < results.size(); ++i) {
-    PoseScore& score = scores[i / per_pose];
-    score.pain += pain_of(options_.pain, figure_.bodies, results[i].places);
-    score.limits += options_.limit_weight_per_rads * idle_pain_ * results[i].limit_excess_rads;
-    if (results[i].places.empty()) continue;
-    score.distance +=
-        distance_weight_ * (results[i].places.front().point_world - options_.thrown.aim).norm();
-  }
-  for (std::size_t i = 0; i < rehearsals.size(); ++i)
-    scores[i / failures.size()].energy +=
-        energy_weight_ * static_cast<double>(balls.size()) * effort_of(rehearsals[i]);
-}
-
-std::vector<PoseScore> PoseTrial::test_batch(std::span<const Chromosome> chromosomes,
-                                             std::span<const features::Ball> balls) const {
+PoseTrial::SharedPoses PoseTrial::rehearse(std::span<const Chromosome> chromosomes) const {
+  std::vector<RehearsedPose> rehearsed(chromosomes.size());
   std::vector<motion::Pose> poses;
-  std::vector<PoseScore> scores(chromosomes.size());
   for (std::size_t i = 0; i < chromosomes.size(); ++i) {
     poses.push_back(pose(chromosomes[i]));
-    scores[i].overlap = overlap_penalty(poses[i]);
+    rehearsed[i].overlap_penalty = overlap_penalty(poses[i]);
   }
-  const std::span<const JointFailure> all = failures();
-  if (options_.are_limp) {
-    for (std::size_t k = 0; k < all.size(); ++k) add_group(poses, all.subspan(k, 1), balls, scores);
-  } else {
-    add_group(poses, all, balls, scores);
+  for (const std::span<const JointFailure> group : failure_groups()) {
+    std::vector<motion::Motion> motions;
+    for (const motion::Pose& pose : poses)
+      for (const JointFailure failure : group) motions.push_back(motion_to(pose, failure));
+    std::vector<sim::Rehearsal> made =
+        simulator_of(group.front()).rehearse(motions, options_.delay_s, duration_s());
+    for (std::size_t i = 0; i < made.size(); ++i) {
+      RehearsedPose& to = rehearsed[i / group.size()];
+      to.efforts.push_back(effort_of(made[i]));
+      to.rehearsals.push_back(std::move(made[i]));
+    }
   }
-  const auto count = static_cast<double>(all.size() * balls.size());
-  for (PoseScore& score : scores)
+  SharedPoses shared;
+  for (RehearsedPose& one : rehearsed)
+    shared.push_back(std::make_shared<const RehearsedPose>(std::move(one)));
+  return shared;
+}
+
+PoseTrial::SharedPoses PoseTrial::rehearsed(std::span<const Chromosome> chromosomes,
+                                            const RehearsedPoses* remembered) const {
+  SharedPoses poses(chromosomes.size());
+  std::vector<Chromosome> fresh;
+  for (std::size_t i = 0; i < chromosomes.size(); ++i) {
+    if (remembered) poses[i] = remembered->find(chromosomes[i]);
+    if (!poses[i]) fresh.push_back(chromosomes[i]);
+  }
+  const SharedPoses made = rehearse(fresh);
+  auto next = made.begin();
+  for (auto& pose : poses)
+    if (!pose) pose = *next++;
+  return poses;
+}
+
+std::vector<PoseScore> PoseTrial::test_batch(const SharedPoses& poses,
+                                             std::span<const features::Ball> balls) const {
+  std::vector<PoseScore> scores(poses.size());
+  std::size_t first = 0;  // failure of the group
+  for (const std::span<const JointFailure> group : failure_groups()) {
+    std::vector<sim::Throw> throws;
+    for (const auto& pose : poses)
+      for (std::size_t k = first; k < first + group.size(); ++k)
+        for (const features::Ball& ball : balls) throws.push_back({pose->rehearsals[k], ball});
+    const std::vector<sim::SimulationResult> results =
+        sim::ThrowSimulator(simulator_of(group.front())).simulate(throws);
+    const std::size_t per_pose = group.size() * balls.size();
+    for (std::size_t i = 0; i < results.size(); ++i) add_result(results[i], scores[i / per_pose]);
+    first += group.size();
+  }
+  const auto ball_count = static_cast<double>(balls.size());
+  const double count = static_cast<double>(failures().size()) * ball_count;
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    PoseScore& score = scores[i];
+    score.overlap = poses[i]->overlap_penalty;
+    for (const double effort : poses[i]->efforts)
+      score.energy += energy_weight_ * ball_count * effort;
     for (double* term : {&score.pain, &score.energy, &score.distance, &score.limits})
       *term /= count;
+  }
   return scores;
+}
+
+void PoseTrial::add_result(const sim::SimulationResult& result, PoseScore& score) const {
+  score.pain += pain_of(options_.pain, figure_.bodies, result.places);
+  score.limits += options_.limit_weight_per_rads * idle_pain_ * result.limit_excess_rads;
+  if (result.places.empty()) return;
+  score.distance +=
+      distance_weight_ * (result.places.front().point_world - options_.thrown.aim).norm();
 }
 
 std::optional<std::vector<PoseScore>> PoseTrial::test(std::span<const Chromosome> chromosomes,
                                                       std::uint64_t draw, int threads,
-                                                      const std::atomic<bool>* stop) const {
-  constexpr std::size_t kBatch = 4;  // fills the lanes, and keeps 16 rehearsals
+                                                      const std::atomic<bool>* stop,
+                                                      RehearsedPoses* remembered) const {
+  constexpr std::size_t kBatch = 4;  // fills the lanes, and needs 16 rehearsals at most
   const auto thrown = balls(draw);
   const auto batches = static_cast<int>((chromosomes.size() + kBatch - 1) / kBatch);
   std::vector<PoseScore> scores(chromosomes.size());
+  SharedPoses tested(remembered ? chromosomes.size() : 0);
   std::exception_ptr failure;
 #pragma omp parallel for schedule(dynamic) num_threads(threads)
   for (int batch = 0; batch < batches; ++batch) {
@@ -255,8 +290,10 @@ std::optional<std::vector<PoseScore>> PoseTrial::test(std::span<const Chromosome
     try {
       const std::size_t first = static_cast<std::size_t>(batch) * kBatch;
       const std::size_t count = std::min(kBatch, chromosomes.size() - first);
-      std::ranges::copy(test_batch(chromosomes.subspan(first, count), thrown),
-                        scores.begin() + static_cast<std::ptrdiff_t>(first));
+      SharedPoses poses = rehearsed(chromosomes.subspan(first, count), remembered);
+      const auto at = static_cast<std::ptrdiff_t>(first);
+      std::ranges::copy(test_batch(poses, thrown), scores.begin() + at);
+      if (remembered) std::ranges::move(poses, tested.begin() + at);
     } catch (...) {
 #pragma omp critical
       failure = std::current_exception();
@@ -264,6 +301,7 @@ std::optional<std::vector<PoseScore>> PoseTrial::test(std::span<const Chromosome
   }
   if (failure) std::rethrow_exception(failure);
   if (stop && *stop) return std::nullopt;
+  for (std::size_t i = 0; i < tested.size(); ++i) remembered->add(chromosomes[i], tested[i]);
   return scores;
 }
 

@@ -8,6 +8,7 @@
 #include "evolve/pain/pain.h"
 #include "evolve/trial/move_time.h"
 #include "evolve/trial/pose_genes.h"
+#include "evolve/trial/rehearsed_pose.h"
 #include "evolve/trial/threat_grid.h"
 #include "sim/rehearsal/simulator.h"
 
@@ -70,11 +71,14 @@ class PoseTrial {
   PoseTrial(const motion::Physique& character, const motion::Motion& idle,
             const TrialOptions& options);
 
-  /// Tests chromosomes on the balls of draw `draw`, the same for all. Independent of `threads` to
-  /// the last bit. Returns nothing if `stop` became true first.
+  /// Tests chromosomes on the balls of draw `draw`, the same for all. Independent of `threads` and
+  /// of what is remembered to the last bit. Returns nothing if `stop` became true first. With
+  /// `remembered`, which may come from earlier tests of this trial, poses in it are not rehearsed
+  /// again, and the others join it.
   std::optional<std::vector<PoseScore>> test(std::span<const Chromosome> chromosomes,
                                              std::uint64_t draw, int threads,
-                                             const std::atomic<bool>* stop = nullptr) const;
+                                             const std::atomic<bool>* stop = nullptr,
+                                             RehearsedPoses* remembered = nullptr) const;
   /// The same for standing still.
   PoseScore test_idle(std::uint64_t draw) const;
   /// Simulates balls of one failure of a pose.
@@ -105,13 +109,19 @@ class PoseTrial {
   double idle_pain() const { return idle_pain_; }
 
  private:
-  /// Balls and the failures they are tried with, for one chromosome.
-  std::vector<PoseScore> test_batch(std::span<const Chromosome> chromosomes,
+  using SharedPoses = std::vector<std::shared_ptr<const RehearsedPose>>;
+
+  SharedPoses rehearse(std::span<const Chromosome> chromosomes) const;
+  /// Those that are remembered, and the others rehearsed.
+  SharedPoses rehearsed(std::span<const Chromosome> chromosomes,
+                        const RehearsedPoses* remembered) const;
+  /// Throws each ball at each failure of each pose.
+  std::vector<PoseScore> test_batch(const SharedPoses& poses,
                                     std::span<const features::Ball> balls) const;
-  /// Adds the means over the balls of failures that share a simulator.
-  void add_group(std::span<const motion::Pose> poses, std::span<const JointFailure> failures,
-                 std::span<const features::Ball> balls, std::span<PoseScore> scores) const;
+  void add_result(const sim::SimulationResult& result, PoseScore& score) const;
   std::span<const JointFailure> failures() const;
+  /// The failures in groups that share a simulator.
+  std::vector<std::span<const JointFailure>> failure_groups() const;
   const sim::Simulator& simulator_of(JointFailure failure) const;
   double effort_of(const sim::Rehearsal& rehearsal) const;
   std::vector<sim::SimulationResult> thrown_at(const motion::Motion& motion, JointFailure failure,

@@ -137,6 +137,34 @@ TEST_F(PoseTrialTest, GivesTheSameBitsForAnyNumberOfThreadsAndCompany) {
   }
 }
 
+// The slow twin remembers nothing. A memory of three has room for few, and a pose appears twice.
+TEST_F(PoseTrialTest, RememberedRehearsalsChangeNoBit) {
+  for (const bool limp : {false, true}) {
+    TrialOptions tried = options(Style::near);
+    tried.are_limp = limp;
+    const PoseTrial trial(character_, idle_, tried);
+    const std::vector<Chromosome> first = chromosomes(7);
+    std::vector<Chromosome> second = chromosomes(5);
+    for (const std::size_t k : {6U, 0U, 3U, 3U}) second.insert(second.begin() + 2, first[k]);
+    const auto expected = trial.test(second, 8, 2);
+    for (const std::size_t room : {0U, 3U, 512U}) {
+      RehearsedPoses remembered(room);
+      ASSERT_TRUE(trial.test(first, 7, 2, nullptr, &remembered));
+      EXPECT_EQ(remembered.find(first[0]) != nullptr, room > 0);
+      EXPECT_EQ(remembered.find(first[6]) != nullptr, room > 6);
+      remembered.keep_only(second);
+      EXPECT_EQ(remembered.find(first[1]), nullptr);
+      const auto before = remembered.find(first[3]);
+      EXPECT_EQ(before != nullptr, room > 3);
+      const auto found = trial.test(second, 8, 3, nullptr, &remembered);
+      EXPECT_EQ(std::memcmp(found->data(), expected->data(), 9 * sizeof(PoseScore)), 0);
+      if (before) {  // it was rehearsed once
+        EXPECT_EQ(remembered.find(first[3]), before);
+      }
+    }
+  }
+}
+
 TEST_F(PoseTrialTest, AFailedShoulderStaysAsItIdles) {
   const PoseTrial trial(character_, idle_, options());
   const motion::Pose goal = trial.pose(chromosomes(1)[0]);
