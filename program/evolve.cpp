@@ -92,8 +92,10 @@ void check_evolve_outputs(const EvolveOptions& options, std::string_view log_hea
       overwrite_of(options.force));
 }
 
-std::string evolved_provenance(const EvolveOptions& options, const database::ClipLibrary& from) {
+std::string evolved_provenance(const EvolveOptions& options, const evolve::GeneticOptions& defaults,
+                               const database::ClipLibrary& from) {
   const EvolveOptions usual;
+  const evolve::GeneticOptions genetic = genetic_options(options, defaults);
   database::Provenance made{.command = "evolve", .seed = options.seed};
   made.inputs.push_back({"library", "", from.hash, from.provenance});
   add_option("weakest", options.weakest, made);
@@ -104,11 +106,11 @@ std::string evolved_provenance(const EvolveOptions& options, const database::Cli
   add_option("elevation", options.elevation, usual.elevation, made);
   add_option("speed", options.speed_mps, usual.speed_mps, made);
   add_option("style", options.style, usual.style, made);
-  add_option("population", options.population, made);
+  add_option("population", genetic.population, defaults.population, made);
   add_option("tournament", options.tournament, usual.tournament, made);
   add_option("mutation", options.mutation, usual.mutation, made);
   add_option("gene-map", options.gene_map, usual.gene_map, made);
-  add_option("generations", options.generations, made);
+  add_option("generations", genetic.max_generations, defaults.max_generations, made);
   if (options.pain) add_inputs("pain", {*options.pain}, made);
   add_option("figure", options.figure, usual.figure, made);
   add_option("failed-joints", options.failed_joints, usual.failed_joints, made);

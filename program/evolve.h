@@ -58,8 +58,10 @@ std::string unfinished_file(const EvolveOptions& options);
 /// Error.
 void check_evolve_outputs(const EvolveOptions& options, std::string_view log_header);
 
-/// The provenance of the library that a run makes from another. Throws Error.
-std::string evolved_provenance(const EvolveOptions& options, const database::ClipLibrary& from);
+/// The provenance of the library that a run makes from another, with the options that differ from
+/// the defaults of its mode. Throws Error.
+std::string evolved_provenance(const EvolveOptions& options, const evolve::GeneticOptions& defaults,
+                               const database::ClipLibrary& from);
 
 /// Tells how to continue a run of this many generations. Throws Error.
 [[noreturn]] void throw_interrupted(const EvolveOptions& options, std::size_t generations);

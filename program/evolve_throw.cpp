@@ -133,7 +133,7 @@ void run_evolve_throw(const EvolveOptions& options) {
   run.threads = options.threads.value_or(omp_get_num_procs());
   run.stop = &catch_interrupts();
   database::ClipLibrary library = database::load_library(options.library);
-  const std::string provenance = evolved_provenance(options, library);
+  const std::string provenance = evolved_provenance(options, {}, library);
   const evolve::TrialOptions tried = trial_options(options, library);
   const evolve::PoseTrial trial(library.character, library.idle_clip().motion, tried);
   if (!(trial.idle_pain() > 0))

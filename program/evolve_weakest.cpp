@@ -84,6 +84,12 @@ void write_log(const std::string& path, const EvolutionSeries& series,
 }
 
 Json to_json(const OracleGain& gain) {
+  if (gain.scenarios == 0)
+    return {{"scenarios", 0},
+            {"cost_before_ns", nullptr},
+            {"cost_after_ns", nullptr},
+            {"difference_ns", nullptr},
+            {"difference_ci_ns", {nullptr, nullptr}}};
   return {
       {"scenarios", gain.scenarios},
       {"cost_before_ns", gain.before_ns},
@@ -103,6 +109,8 @@ Json to_json(const MendedCell& cell) {
 
 /// Such as "12.34 -> 8.90 N s, -27.9 % (2048 scenarios)".
 std::string text_of(const OracleGain& gain) {
+  if (gain.scenarios == 0)
+    return "not measured, no fresh scenario fell into them; raise --scenarios\n";
   const double share = gain.before_ns > 0 ? gain.difference_ns.value / gain.before_ns : 0;
   return fixed(gain.before_ns, 3) + " -> " + fixed(gain.after_ns, 3) + " N s, " +
          fixed(100 * share, 1) + " %, difference " + fixed(gain.difference_ns.interval.low, 3) +
@@ -133,11 +141,15 @@ void print_result(const EvolveOptions& options, const database::ClipLibrary& lib
                {"before, N s", Table::Align::right},
                {"after, N s", Table::Align::right},
                {"clip"}});
-  for (const MendedCell& cell : mended.cells)
+  for (const MendedCell& cell : mended.cells) {
+    const auto fresh = [&](double cost_ns) {
+      return cell.gain.scenarios > 0 ? fixed(cost_ns, 3) : "not met";
+    };
     table.add({std::string(motion::name_of(cell.weak.cell.target)),
                std::to_string(direction_degrees(cell.weak.cell)), time_name(cell.weak.cell),
-               fixed(cell.weak.mean_ns, 3), fixed(cell.gain.before_ns, 3),
-               fixed(cell.gain.after_ns, 3), cell.clip.empty() ? "none kept" : cell.clip});
+               fixed(cell.weak.mean_ns, 3), fresh(cell.gain.before_ns), fresh(cell.gain.after_ns),
+               cell.clip.empty() ? "none kept" : cell.clip});
+  }
   std::cout << table.text() << "the oracle's cost on fresh scenarios, mean\n  in these cells: "
             << text_of(mended.cells_gain) << "  in all: " << text_of(mended.whole_gain);
 }
@@ -162,7 +174,8 @@ void run_evolve_weakest(const EvolveOptions& options) {
   weakest.threads = options.threads.value_or(omp_get_num_procs());
   weakest.stop = &catch_interrupts();
   database::ClipLibrary library = database::load_library(options.library);
-  const std::string provenance = evolved_provenance(options, library);
+  const std::string provenance =
+      evolved_provenance(options, evolve::WeakestOptions{}.genetic, library);
   const std::string key = key_of(options, library, weakest);
   EvolutionSeries series =
       evolve::read_evolution(unfinished, key, weakest.genetic.population, evolve::clip_gene_count())

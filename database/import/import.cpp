@@ -251,8 +251,11 @@ ImportResult import_with_manifest(const std::vector<std::string>& paths,
     entry_paths.push_back(add(entry.file, entry.where));
   }
   sources.finish();
-  const float rate = options.rate_hz.value_or(manifest.rate_hz.value_or(kDefaultRate));
-  return build(manifest, entry_paths, skeleton, sources, rate);
+  const float default_rate = manifest.rate_hz.value_or(kDefaultRate);
+  ImportResult result =
+      build(manifest, entry_paths, skeleton, sources, options.rate_hz.value_or(default_rate));
+  result.report.default_rate_hz = default_rate;
+  return result;
 }
 
 bool is_source_file(const fs::path& path) {
@@ -411,7 +414,8 @@ std::string imported_provenance(const std::optional<std::string>& manifest,
                                 const ImportOptions& options, const ImportReport& report) {
   const SourceOptions& source = options.source;
   Provenance made{.command = "import"};
-  add_option("rate", options.rate_hz, made);
+  const float default_rate = report.default_rate_hz;
+  add_option("rate", options.rate_hz.value_or(default_rate), default_rate, made);
   add_option("unit", name_of_given(source.unit), made);
   add_option("up", name_of_given(source.up), made);
   add_option("roles", text_of(source.roles), std::string(), made);

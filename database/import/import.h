@@ -51,6 +51,7 @@ struct ImportReport {
   std::vector<ClipReport> clips;
   std::vector<SkippedFile> skipped;
   std::vector<std::string> warnings;
+  float default_rate_hz = 60;  ///< without ImportOptions::rate_hz
 };
 
 struct ImportResult {

@@ -212,6 +212,24 @@ class Provenance(ProgramTest):
         self.assertEqual((made["command"], made["options"]), ("import", {"rate": "30"}))
         self.assertEqual(made["inputs"],
                          [{"role": "motion", "name": "stand.bvh", "hash": xxh64(clip.read_bytes())}])
+        manifest = self.folder / "library.toml"
+        manifest.write_text('[library]\nrate = 30\n[[idle]]\nname = "stand"\nfile = "stand.bvh"\n')
+        for rate, usual in [("60", []), ("30", ["--manifest", manifest])]:
+            files = [self.folder / name for name in ("said.flinchlib", "unsaid.flinchlib")]
+            self.succeed("import", clip, *usual, "--out", files[0], "--force", "--rate", rate)
+            self.succeed("import", clip, *usual, "--out", files[1], "--force")
+            self.assertEqual(files[0].read_bytes(), files[1].read_bytes(), rate)
+            self.assertEqual(self.document("info", files[0])["provenance"]["options"], {})
+
+    def test_defaults_that_are_said_change_no_bit(self):
+        said = self.folder / "said.flinchlib"
+        unsaid = self.folder / "unsaid.flinchlib"
+        weak = ["--weakest", 1, "--scenarios", 200, "--population", 8]
+        for given, defaults in [(["--generations", 1], ["--population", 400, "--tournament", 4]),
+                                (weak, ["--generations", 20, "--mutation", "A"])]:
+            self.succeed("evolve", self.library, "--out", unsaid, "--force", *given)
+            self.succeed("evolve", self.library, "--out", said, "--force", *given, *defaults)
+            self.assertEqual(said.read_bytes(), unsaid.read_bytes(), given)
 
     def test_nothing_tells_when_where_and_by_whom(self):
         self.simulate(self.store, "-n", 2)
