@@ -9,7 +9,6 @@
 
 namespace flinch::motion {
 
-// p_i = p_parent + R_parent * offset_i,  R_i = R_parent * r_i,  parents first.
 bool has_same_bits(const Pose& first, const Pose& second) {
   const auto is_same = [](const auto& p, const auto& q) {
     return std::memcmp(p.data(), q.data(), sizeof(float) * static_cast<std::size_t>(p.size())) == 0;
@@ -20,6 +19,7 @@ bool has_same_bits(const Pose& first, const Pose& second) {
          });
 }
 
+// p_i = p_parent + R_parent * offset_i,  R_i = R_parent * r_i,  parents first.
 JointFrames forward_kinematics(const Skeleton& skeleton, const Pose& pose,
                                std::span<const Role> roles) {
   JointFrames frames;
