@@ -248,6 +248,7 @@ void snap(ClipLibrary& library) {
 }
 
 std::optional<std::vector<std::uint8_t>> pack_poses(const std::vector<Pose>& poses) {
+  if (poses.empty()) return std::nullopt;
   Packer packer(poses.size());
   for (int i = 0; i < static_cast<int>(kRootTracks); ++i) {
     Numbers track;

@@ -15,7 +15,7 @@ namespace flinch::database {
 void snap(motion::Motion& motion);
 void snap(ClipLibrary& library);
 
-/// At least one pose as packed_poses.h describes; none unless every one is on the grid.
+/// Poses as packed_poses.h describes; none unless there are some and every one is on the grid.
 std::optional<std::vector<std::uint8_t>> pack_poses(const std::vector<motion::Pose>& poses);
 
 }  // namespace flinch::database

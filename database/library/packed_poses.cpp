@@ -168,20 +168,14 @@ class TrackValues {
   bool is_constant_ = false;
 };
 
-/// The rotation with these components, in ascending order, but the one of that code.
-Eigen::Quaternionf rotation_of(unsigned code, float magnitude, float a, float b, float c) {
-  const auto [component, is_negative] = derived_component(code);
-  const float derived = is_negative ? -magnitude : magnitude;
-  switch (component) {
-    case 0:
-      return {derived, a, b, c};
-    case 1:
-      return {a, derived, b, c};
-    case 2:
-      return {a, b, derived, c};
-    default:
-      return {a, b, c, derived};
-  }
+/// The rotation with these components, in ascending order, and the derived one of that code.
+Eigen::Quaternionf rotation_with(unsigned code, float magnitude,
+                                 const std::array<float, 3>& others) {
+  const auto [derived, is_negative] = derived_component(code);
+  Components components{};
+  for (unsigned i = 0, next = 0; i < components.size(); ++i)
+    components[i] = i != derived ? others[next++] : is_negative ? -magnitude : magnitude;
+  return rotation_of(components);
 }
 
 /// derived_magnitude() of each element, to the same bits.
@@ -218,14 +212,14 @@ class ClipUnpacker {
     for (TrackValues* track : {&a_, &b_, &c_}) track->read(unpacker_, kRotationBits[role]);
     if (!is_per_pose && a_.is_constant() && b_.is_constant() && c_.is_constant()) {
       const float magnitude = derived_magnitude(a_[0], b_[0], c_[0]);
-      const Eigen::Quaternionf rotation = rotation_of(derived, magnitude, a_[0], b_[0], c_[0]);
+      const Eigen::Quaternionf rotation = rotation_with(derived, magnitude, {a_[0], b_[0], c_[0]});
       for (motion::Pose& pose : poses_) pose.rotation[role] = rotation;
       return !std::isnan(magnitude);
     }
     find_derived_magnitudes(memory_[0], memory_[1], memory_[2], magnitudes_);
     if (is_per_pose) {
       for (std::size_t k = 0; k < poses_.size(); ++k)
-        poses_[k].rotation[role] = rotation_of(codes.next(), magnitude(k), a_[k], b_[k], c_[k]);
+        poses_[k].rotation[role] = rotation_with(codes.next(), magnitude(k), {a_[k], b_[k], c_[k]});
     } else {
       write_rotations(role, derived);
     }

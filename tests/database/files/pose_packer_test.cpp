@@ -164,6 +164,10 @@ TEST(PackedPoses, AreNoneOffTheGrid) {
   }));
 }
 
+TEST(PackedPoses, AreNoneOfNoPose) {
+  EXPECT_FALSE(pack_poses({}));
+}
+
 TEST(PackedPoses, OfAPoseThatStandsStillTakeNoBits) {
   const std::vector<Pose> poses(1000, snapped(random_motion(2)).poses[0]);
   EXPECT_EQ(pack_poses(poses)->size(), kPackedHeaderBytes + kPaddingBytes);
