@@ -3,6 +3,7 @@
 #include <iostream>
 #include <memory>
 #include <optional>
+#include <span>
 
 #include "database/library/library.h"
 #include "program/command.h"
@@ -37,6 +38,7 @@ struct TrainOptions {
   std::optional<double> c;
   std::optional<double> gamma;
   std::optional<double> coef0;
+  bool without_clips = false;
   bool force = false;
   bool json = false;
 };
@@ -69,7 +71,8 @@ train::SelectorChoice choice_of(const TrainOptions& options) {
           .vulnerability = options.cost.vulnerability,
           .pain = options.cost.pain,
           .seed = options.seed,
-          .fixed = fixed_parameters(options)};
+          .fixed = fixed_parameters(options),
+          .without_clips = options.without_clips};
 }
 
 Json summary_of(const TrainOptions& options, const train::Store& store,
@@ -121,7 +124,9 @@ void run_train(const TrainOptions& options) {
       options.seed.value_or(store.header.seed), fixed_parameters(options));
   const train::SelectorRecord record =
       train::make_selector_record(choice_of(options), store, training);
-  train::write_selector(training.selector, store.header.library_file, &record, options.selector);
+  const std::span<const std::byte> clips =
+      options.without_clips ? std::span<const std::byte>() : store.header.library_file;
+  train::write_selector(training.selector, clips, &record, options.selector);
   const Json summary = summary_of(options, store, vulnerability.name, training);
   if (options.json) {
     print(summary);
@@ -151,8 +156,14 @@ Command train_command() {
                              features_option(options->features)},
                             label_options(options->cost),
                             fitting_options(*options),
-                            {force_option(options->force), json_option(options->json)}}),
-          .notes = "Example:\n  flinch train real.flinchobs --out real.flinch",
+                            {{"--without-clips",
+                              "leave the clips out of the file, for selectors that share a library",
+                              &options->without_clips},
+                             force_option(options->force),
+                             json_option(options->json)}}),
+          .notes =
+              "A selector without clips is used with its library, whose file is beside it.\n\n"
+              "Example:\n  flinch train real.flinchobs --out real.flinch",
           .run = [options] { run_train(*options); }};
 }
 

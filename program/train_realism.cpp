@@ -62,7 +62,8 @@ void run_train_realism(const TrainRealismOptions& options) {
     check_realism_report(options.report, {options.labels, options.selector}, options.force);
   runtime::SelectorFile file = train::load_selector_file(options.selector);
   if (!file.library)
-    throw Error(options.selector, "the selector has no clips; run `flinch train` again");
+    throw Error(options.selector,
+                "the selector has no clips; run `flinch train` without --without-clips");
   const runtime::PreparedLibrary prepared = runtime::prepare(*file.library);
   const runtime::PushResponses responses = runtime::prepare_push_responses(prepared);
   train::LabelSet set = train::read_labels(options.labels, *file.library, responses);

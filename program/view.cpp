@@ -31,17 +31,20 @@ void run_view(const ViewOptions& options) {
                      std::to_string(options.selectors.size()) + " are given");
   database::check_output_folder(options.out, {{kPageName, database::FileKind::text, kPageMark}},
                                 options.selectors, overwrite_of(options.force));
+  std::vector<PageFile> files;
+  for (const std::string& selector : options.selectors) {
+    if (!train::load_selector_file(selector).library)
+      throw Error(selector,
+                  "the selector has no clips, which a page needs; run `flinch train` without "
+                  "--without-clips");
+    files.push_back(
+        {std::filesystem::path(selector).filename().string(), database::read_file(selector)});
+  }
   const std::string page = find_page(kThrowPage);
   if (page.empty())
     throw Error("",
                 "there is no page beside this program; scripts/page builds it, and "
                 "build/release/flinch finds it");
-  std::vector<PageFile> files;
-  for (const std::string& selector : options.selectors) {
-    train::load_runtime_library(selector);  // the page needs what a game needs
-    files.push_back(
-        {std::filesystem::path(selector).filename().string(), database::read_file(selector)});
-  }
   const std::string filled = page_with(page, files);
   create_folder(options.out);
   const std::filesystem::path file = std::filesystem::path(options.out) / kPageName;

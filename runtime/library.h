@@ -24,8 +24,9 @@ struct PushModel;
 struct MotionGraph;
 
 /// What a game loads, once for all characters of one kind: a selector with its clips, from one file
-/// that `flinch train` writes. Immutable after loading, so any number of characters and threads may
-/// share one. It must outlive its characters. Moving it moves nothing that its accessors return.
+/// that `flinch train` writes, or from two. Immutable after loading, so any number of characters
+/// and threads may share one. It must outlive its characters. Moving it moves nothing that its
+/// accessors return.
 class Library {
  public:
   /// Empty: load() fills it.
@@ -41,9 +42,19 @@ class Library {
   /// The same from the file's bytes, which are not needed afterwards.
   database::LoadStatus load(std::span<const std::byte> bytes) noexcept;
 
+  /// Loads a selector file for the clips of `owner`, which both share from then on: so selectors
+  /// that `flinch train --without-clips` writes play from one library, in memory and on disk. The
+  /// file's own clips, if it has any, are verified and not kept. Returns LoadStatus::other_library
+  /// unless the selector names the hash of the owner's library. `owner` is loaded, and need not
+  /// live on.
+  database::LoadStatus load(const std::string& path, const Library& owner) noexcept;
+  database::LoadStatus load(std::span<const std::byte> bytes, const Library& owner) noexcept;
+
   /// Takes clips without a selector: its characters answer by rule (Character::brace) or as they
   /// are told (Character::respond). Allocates; throws nothing.
   database::LoadStatus take(database::ClipLibrary clips) noexcept;
+  /// The same from a library's file (FILE.flinchlib).
+  database::LoadStatus take(const std::string& path) noexcept;
 
   /// Whether a file was loaded. The functions below are for loaded libraries only.
   bool is_loaded() const noexcept { return contents_ != nullptr; }
@@ -61,7 +72,10 @@ class Library {
   std::size_t selection_bytes() const noexcept;
 
  private:
+  struct Clips;
   struct Contents;
+  void keep(std::shared_ptr<const Clips> clips, models::Selector selector);
+
   std::unique_ptr<const Contents> contents_;
 };
 

@@ -28,6 +28,12 @@ public sealed class Library : IDisposable {
     Native.Check(Native.flinch_library_load_memory(file, (UIntPtr)file.Length, out made));
     Handle = new Handle(made, Native.flinch_library_free);
   }
+  /// <summary>Loads a selector's file for the clips of another library, which both share.</summary>
+  public Library(byte[] file, Library owner) {
+    IntPtr made;
+    Native.Check(Native.flinch_library_load_beside(file, (UIntPtr)file.Length, owner.Handle, out made));
+    Handle = new Handle(made, Native.flinch_library_free);
+  }
   private Library(Handle made) { Handle = made; }
   /// <summary>Takes the bytes of a library's file, which has clips and no selector.</summary>
   public static Library Take(byte[] clips) {

@@ -107,6 +107,7 @@ internal static unsafe class Native {
   [DllImport(Flinch)] internal static extern int flinch_character_reaction(Handle character, ref Reaction reaction);
   [DllImport(Flinch)] internal static extern IntPtr flinch_version();
   [DllImport(Flinch)] internal static extern IntPtr flinch_body_name(int body);
+  [DllImport(Flinch)] internal static extern int flinch_library_load_beside(byte[] bytes, UIntPtr count, Handle owner, out IntPtr made);
   [DllImport(Flinch)] internal static extern int flinch_library_take(byte[] bytes, UIntPtr count, out IntPtr made);
   [DllImport(Flinch)] internal static extern int flinch_library_skeleton(Handle library, ref Skeleton skeleton);
   [DllImport(Flinch)] internal static extern int flinch_library_outline(Handle library, int body, ref Outline outline);

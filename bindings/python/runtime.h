@@ -45,6 +45,7 @@ class Library {
   static std::shared_ptr<Library> from_bytes(const pybind11::bytes& bytes);
   /// Of the bytes of a library's file, which has clips and no selector.
   static std::shared_ptr<Library> take(const pybind11::bytes& bytes);
+  static std::shared_ptr<Library> load_beside(const pybind11::bytes& bytes, const Library& owner);
 
   flinch_library* get() const { return handle_.get(); }
   flinch_workspace* workspace() const { return workspace_.get(); }

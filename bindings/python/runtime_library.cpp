@@ -42,6 +42,13 @@ std::shared_ptr<Library> Library::take(const py::bytes& bytes) {
   return std::shared_ptr<Library>(new Library(loaded));
 }
 
+std::shared_ptr<Library> Library::load_beside(const py::bytes& bytes, const Library& owner) {
+  const std::string_view view = bytes;
+  flinch_library* loaded = nullptr;
+  checked(flinch_library_load_beside(view.data(), view.size(), owner.get(), &loaded));
+  return std::shared_ptr<Library>(new Library(loaded));
+}
+
 MotionGraph::MotionGraph(const Library& library) {
   flinch_motion_graph* made = nullptr;
   checked(flinch_motion_graph_create(library.get(), &made));
@@ -166,6 +173,8 @@ void bind_library(py::module_& module) {
                   "The same from the file's bytes.")
       .def_static("take", &Library::take, py::arg("bytes"),
                   "Of the bytes of a library's file, whose characters answer by rule.")
+      .def_static("load_beside", &Library::load_beside, py::arg("bytes"), py::arg("owner"),
+                  "A selector's file for the clips of another library, which both share.")
       .def_property_readonly("idle_clip", [](const Library& self) { return self.info().idle_clip; })
       .def_property_readonly("rate_hz", [](const Library& self) { return self.info().rate_hz; })
       .def_property_readonly("mass_kg", [](const Library& self) { return self.info().mass_kg; })

@@ -23,6 +23,8 @@ const char* message_of(LoadStatus status) noexcept {
       return "was trained on other features than this version of Flinch computes";
     case LoadStatus::without_clips:
       return "has no clips in it";
+    case LoadStatus::other_library:
+      return "was trained for another library";
     case LoadStatus::out_of_memory:
       return "does not fit into memory";
   }

@@ -16,6 +16,7 @@ enum class LoadStatus : std::uint8_t {
   damaged,        ///< cut short, changed or out of bounds: the content hash or a check fails
   other_layout,   ///< a selector trained on features that this build does not compute
   without_clips,  ///< a selector whose file holds no clips
+  other_library,  ///< a selector that was trained for another library than the one given
   out_of_memory,
 };
 

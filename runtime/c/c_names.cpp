@@ -83,13 +83,16 @@ const char* flinch_status_message(flinch_status status) {
     case FLINCH_OTHER_LAYOUT:
       return "the selector was trained on other features than this version of Flinch computes";
     case FLINCH_WITHOUT_CLIPS:
-      return "the selector has no clips in its file: train it again";
+      return "the selector has no clips in its file: load it beside its library, or train it again";
     case FLINCH_WITHOUT_COSTS:
       return "the selector does not know what its clips cost: train it again";
     case FLINCH_WITHOUT_SELECTOR:
       return "the clips were taken without a selector, which alone chooses among them";
     case FLINCH_NOT_A_LIBRARY:
       return "the bytes are not of a library";
+    case FLINCH_OTHER_CLIPS:
+      return "the selector was trained for another library: give it the one of its hash, which "
+             "flinch info shows";
     default:
       return "this is not a status of Flinch";
   }

@@ -109,6 +109,8 @@ flinch_status status_of(LoadStatus status) noexcept {
       return FLINCH_OTHER_LAYOUT;
     case LoadStatus::without_clips:
       return FLINCH_WITHOUT_CLIPS;
+    case LoadStatus::other_library:
+      return FLINCH_OTHER_CLIPS;
     case LoadStatus::out_of_memory:
       return FLINCH_OUT_OF_MEMORY;
   }

@@ -91,6 +91,20 @@ flinch_status flinch_library_take(const void* bytes, size_t byte_count, flinch_l
   return FLINCH_OUT_OF_MEMORY;
 }
 
+flinch_status flinch_library_load_beside(const void* bytes, size_t byte_count,
+                                         const flinch_library* owner, flinch_library** out) try {
+  if (out == nullptr) return FLINCH_NULL_POINTER;
+  *out = nullptr;
+  if (bytes == nullptr) return FLINCH_NULL_POINTER;
+  if (const flinch_status status = check(owner)) return status;
+  const std::span file(static_cast<const std::byte*>(bytes), byte_count);
+  const auto library = std::make_shared<runtime::Library>();
+  if (const flinch_status status = status_of(library->load(file, *owner->content))) return status;
+  return make_handle(out, [&] { return library; });
+} catch (const std::bad_alloc&) {
+  return FLINCH_OUT_OF_MEMORY;
+}
+
 flinch_status flinch_library_free(flinch_library* library) {
   return free_handle(library);
 }

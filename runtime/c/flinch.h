@@ -104,11 +104,12 @@ enum {
   FLINCH_OTHER_VERSION = -22,  /* of the file format */
   FLINCH_DAMAGED = -23,        /* cut short, changed, or with a value out of bounds */
   FLINCH_OTHER_LAYOUT = -24,   /* trained on other features than this build computes */
-  FLINCH_WITHOUT_CLIPS = -25,  /* a selector without its clips: train it again */
+  FLINCH_WITHOUT_CLIPS = -25,  /* a selector without its clips: see flinch_library_load_beside */
   FLINCH_NOT_A_FILE = -26,     /* a folder, a pipe or a device */
   FLINCH_TOO_LARGE = -27,      /* larger than 1 GiB */
   FLINCH_WITHOUT_COSTS = -28,  /* a selector that does not know what clips cost: train it again */
-  FLINCH_NOT_A_LIBRARY = -29   /* another kind of file, where flinch_library_take wants clips */
+  FLINCH_NOT_A_LIBRARY = -29,  /* another kind of file, where flinch_library_take wants clips */
+  FLINCH_OTHER_CLIPS = -30     /* a selector of another library than the one given */
 };
 
 /* The status in words: one line of English without a full stop. Never NULL, for any number. */
@@ -131,6 +132,13 @@ FLINCH_API flinch_status flinch_library_load_memory(const void* bytes, size_t by
  * (flinch_character_respond). What asks a selector gives FLINCH_WITHOUT_SELECTOR. */
 FLINCH_API flinch_status flinch_library_take(const void* bytes, size_t byte_count,
                                              flinch_library** out);
+/* Loads the bytes of a selector's file for the clips of `owner`, which both share from then on: so
+ * selectors that `flinch train --without-clips` writes play from one library, in memory and on
+ * disk. `owner` comes from any of these functions and may be freed before or after.
+ * FLINCH_OTHER_CLIPS: the selector was trained for another library. */
+FLINCH_API flinch_status flinch_library_load_beside(const void* bytes, size_t byte_count,
+                                                    const flinch_library* owner,
+                                                    flinch_library** out);
 /* Frees a library. NULL is allowed and does nothing, here and for all other handles. */
 FLINCH_API flinch_status flinch_library_free(flinch_library* library);
 

@@ -193,6 +193,35 @@ class Respond(ProgramTest):
         self.assertIn(str(damaged), line)
         self.assertEqual(sorted(p.name for p in self.folder.iterdir()), ["damaged.flinch"])
 
+    def test_a_selector_without_clips_answers_by_the_library_beside_it(self):
+        made = pathlib.Path(self.made.name)
+        bare = self.folder / "bare.flinch"
+        self.succeed("train", made / "default.flinchobs", "--out", bare, "--model", "knn",
+                     "--without-clips")
+        library_size = (made / "default.flinchlib").stat().st_size
+        self.assertLess(bare.stat().st_size, self.selector.stat().st_size - library_size // 2)
+        shown = self.document("info", bare)
+        whole = self.document("info", self.selector)
+        self.assertFalse(shown["has_clips"])
+        self.assertEqual(shown["library_hash"], whole["library_hash"])
+        self.assertEqual(shown["provenance"]["options"]["without-clips"], "true")
+        self.assertEqual(self.succeed("select", bare, *THREAT).stdout,
+                         self.succeed("select", self.selector, *THREAT).stdout)
+        for command in (["respond", bare, *THREAT, "--out", self.folder / "a.glb"],
+                        ["select", bare, *THREAT, "--look-ahead", 2]):
+            line = self.fail_with(1, *command)
+            self.assertIn(f"{bare}: the selector has no clips", line)
+            self.assertIn(whole["library_hash"], line)
+        self.succeed("author", "--out", self.folder / "a.flinchlib", "--startle")
+        self.assertIn(whole["library_hash"], self.fail_with(1, *command))
+        (self.folder / "b.flinchlib").write_bytes((made / "default.flinchlib").read_bytes())
+        played = self.folder / "bare.glb"
+        self.document("respond", bare, *THREAT, "--out", played)
+        expected, _ = self.respond("whole.glb")
+        self.assertEqual(played.read_bytes(), expected.read_bytes())
+        self.assertIn("has no clips, which a page needs",
+                      self.fail_with(1, "view", bare, "--out", self.folder / "page"))
+
 
 if __name__ == "__main__":
     unittest.main()

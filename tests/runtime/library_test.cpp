@@ -9,6 +9,7 @@
 #include <random>
 
 #include "database/files/file_io.h"
+#include "database/library/library_file.h"
 #include "motion/error.h"
 #include "runtime/character.h"
 #include "runtime/response/prepared_library.h"
@@ -160,6 +161,57 @@ TEST(Library, PlaysSoundPosesWhateverItsFootworkClaims) {
     }
   }
   EXPECT_GT(different, 0) << "the file's footwork is not used";
+}
+
+/// A selector's file without clips, and a library of its clips alone.
+std::string bare_file() {
+  return train::selector_bytes(made_up().selector);
+}
+
+Library clips_alone() {
+  database::ClipLibrary clips;
+  EXPECT_EQ(database::read_library(made_up().library_bytes(), clips), LoadStatus::ok);
+  Library owner;
+  EXPECT_EQ(owner.take(std::move(clips)), LoadStatus::ok);
+  return owner;
+}
+
+TEST(Library, SelectorsWithoutClipsShareThoseOfAnOwner) {
+  Library owner = clips_alone();
+  const database::ClipLibrary* const shared = &owner.clip_library();
+  Library first;
+  Library second;
+  EXPECT_EQ(first.load(bytes_of(bare_file())), LoadStatus::without_clips);
+  ASSERT_EQ(first.load(bytes_of(bare_file()), owner), LoadStatus::ok);
+  ASSERT_EQ(second.load(bytes_of(whole_file()), first), LoadStatus::ok) << "an owner with selector";
+  owner = Library();
+  for (const Library* library : {&first, &second}) {
+    expect_whole(*library);
+    EXPECT_EQ(&library->clip_library(), shared);
+  }
+  const tests::TemporaryFolder folder;
+  database::write_file_atomically(folder / "a.flinchlib", made_up().library_file);
+  database::write_file_atomically(folder / "a.flinch", bare_file());
+  ASSERT_EQ(owner.take(folder / "a.flinchlib"), LoadStatus::ok);
+  ASSERT_EQ(second.load(folder / "a.flinch", owner), LoadStatus::ok);
+  expect_whole(second);
+  EXPECT_EQ(&second.clip_library(), &owner.clip_library());
+}
+
+TEST(Library, RefusesTheClipsOfAnotherLibrary) {
+  Library other;
+  ASSERT_EQ(other.take(tests::made_up_library(12, 60)), LoadStatus::ok);
+  Library library;
+  ASSERT_EQ(library.load(bytes_of(whole_file())), LoadStatus::ok);
+  EXPECT_EQ(library.load(bytes_of(bare_file()), other), LoadStatus::other_library);
+  expect_whole(library);
+  database::ClipLibrary forged;  // of the right hash and too few clips
+  ASSERT_EQ(database::read_library(made_up().library_bytes(), forged), LoadStatus::ok);
+  forged.clips.pop_back();
+  ASSERT_EQ(other.take(std::move(forged)), LoadStatus::ok);
+  EXPECT_EQ(library.load(bytes_of(bare_file()), other), LoadStatus::damaged);
+  EXPECT_EQ(library.load(bytes_of(bare_file().substr(0, 900)), clips_alone()), LoadStatus::damaged);
+  expect_whole(library);
 }
 
 TEST(Library, LoadsFromUnalignedBytes) {

@@ -23,6 +23,7 @@ std::string selector_provenance(const SelectorChoice& choice, const Store& store
   add_option("gamma", choice.fixed.gamma, made);
   add_option("degree", choice.fixed.degree, made);
   add_option("coef0", choice.fixed.coef0, made);
+  if (choice.without_clips) made.options.emplace_back("without-clips", "true");
   return database::provenance_text(made);
 }
 

@@ -21,6 +21,7 @@ struct SelectorChoice {
   std::optional<std::string> pain{};                            ///< name or file
   std::optional<std::uint64_t> seed{};                          ///< none: the store's
   FixedParameters fixed{};
+  bool without_clips = false;
 };
 
 /// Returns the record of a selector that was trained on this store. Throws Error where a file that

@@ -28,6 +28,46 @@ TEST(CApiLoad, ReportsWhatIsWrongWithAFile) {
   EXPECT_EQ(library, nullptr);
 }
 
+TEST(CApiLoad, SelectorsWithoutClipsPlayFromALibraryBesideThem) {
+  const tests::MadeUpSelector made = tests::made_up_selector(
+      database::authored_library(motion::default_character()), 60, tests::ModelKind::knn);
+  const std::string bare = train::selector_bytes(made.selector);
+  flinch_library* owner = nullptr;
+  ASSERT_EQ(flinch_library_take(made.library_file.data(), made.library_file.size(), &owner),
+            FLINCH_OK);
+  flinch_library* library = nullptr;
+  EXPECT_EQ(flinch_library_load_beside(nullptr, 4, owner, &library), FLINCH_NULL_POINTER);
+  EXPECT_EQ(flinch_library_load_beside(bare.data(), bare.size(), nullptr, &library),
+            FLINCH_NULL_POINTER);
+  EXPECT_EQ(flinch_library_load_beside(bare.data(), bare.size(), owner, nullptr),
+            FLINCH_NULL_POINTER);
+  EXPECT_EQ(flinch_library_load_beside(bare.data(), 900, owner, &library), FLINCH_DAMAGED);
+  EXPECT_EQ(library, nullptr);
+  ASSERT_EQ(flinch_library_load_beside(bare.data(), bare.size(), owner, &library), FLINCH_OK);
+  EXPECT_EQ(flinch_library_free(owner), FLINCH_OK);
+  flinch_workspace* workspace = nullptr;
+  flinch_character* character = nullptr;
+  ASSERT_EQ(flinch_workspace_create(library, &workspace), FLINCH_OK);
+  ASSERT_EQ(flinch_character_create(library, &character), FLINCH_OK);
+  auto threat = tests::sized<flinch_threat>();
+  threat.position[0] = 6;
+  threat.position[2] = 1.5F;
+  threat.velocity[0] = -12;
+  threat.radius = 0.1F;
+  threat.mass_kg = 0.3F;
+  EXPECT_GE(flinch_character_perceive(character, &threat, workspace), FLINCH_OK);
+  const tests::MadeUpSelector other =
+      tests::made_up_selector(scenes::synthetic_library(), 60, tests::ModelKind::knn);
+  const std::string foreign = train::selector_bytes(other.selector);
+  flinch_library* refused = nullptr;
+  EXPECT_EQ(flinch_library_load_beside(foreign.data(), foreign.size(), library, &refused),
+            FLINCH_OTHER_CLIPS);
+  EXPECT_EQ(refused, nullptr);
+  EXPECT_EQ(flinch_character_free(character), FLINCH_OK);
+  EXPECT_EQ(flinch_workspace_free(workspace), FLINCH_OK);
+  EXPECT_EQ(flinch_library_free(library), FLINCH_OK);
+}
+
 TEST(CApiLoad, RejectsAFileTruncatedOrChangedAnywhere) {
   const std::string& file = selector_file();
   flinch_library* library = nullptr;
