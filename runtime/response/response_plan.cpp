@@ -95,19 +95,20 @@ void place_clip(const motion::Annotation& annotation, float time_to_impact_s, fl
   r.shifts[0] = {};
 }
 
-// The weight shift before the first step of a clip that has been placed, and the blend into it.
-void plan_blend(Response& r) {
+// Shifts the weight before the first step of a clip that has been placed. The momentum of a walk
+// takes it over the foot in front; a shift would hurry it.
+void plan_first_shift(Response& r) {
   const std::optional<float> lift_s = first_lift_s(r);
-  const auto shift = [&] {
-    shift_weight(r, 0, r.support, *lift_s, std::max(*lift_s - kShiftDuration_s, r.leave_s),
-                 r.end_s);
-  };
-  // The momentum of a walk takes the weight over the foot in front; a shift would hurry it.
-  const bool shifts = lift_s && !r.goes_on_over_support;
-  if (shifts) shift();
+  if (!lift_s || r.goes_on_over_support) return;
+  shift_weight(r, 0, r.support, *lift_s, std::max(*lift_s - kShiftDuration_s, r.leave_s), r.end_s);
+}
+
+// The blend into a clip that has been placed. It takes most of a plan's time.
+void plan_blend(Response& r) {
   choose_blend_duration(r);
-  const bool is_lifted_meanwhile = shifts && *lift_s < r.begin_s + r.blend_duration_s;
-  if (is_lifted_meanwhile) shift();
+  const std::optional<float> lift_s = first_lift_s(r);
+  const bool is_lifted_meanwhile = lift_s && *lift_s < r.begin_s + r.blend_duration_s;
+  if (is_lifted_meanwhile) plan_first_shift(r);
 }
 
 // When a clip that has been placed must begin if its first step has too little time: the weight has
@@ -119,16 +120,17 @@ std::optional<float> later_begin_s(const Response& r) {
   return ready_s - (*lift_s - r.begin_s) * r.playback_rate / kMaxPlaybackRate;
 }
 
-// A walker needs time to land whether it shifts its weight or not, so that its blend, which takes
-// most of a plan's time, is planned once.
+// A walker needs time to land whether it shifts its weight or not, others only if they shift it.
 void plan_clip(const motion::Annotation& annotation, float time_to_impact_s, bool walked,
                Response& r) {
   place_clip(annotation, time_to_impact_s, r.leave_s, r);
-  if (!walked) plan_blend(r);
-  const std::optional<float> begin_s = later_begin_s(r);
-  const bool must_wait = begin_s && (walked || !r.shifts[0].pelvis.isZero(0));
-  if (must_wait) place_clip(annotation, time_to_impact_s, *begin_s, r);
-  if (walked || must_wait) plan_blend(r);
+  const std::optional<float> later_s = later_begin_s(r);
+  if (!later_s || !walked) plan_first_shift(r);
+  if (later_s && (walked || !r.shifts[0].pelvis.isZero(0))) {
+    place_clip(annotation, time_to_impact_s, *later_s, r);
+    plan_first_shift(r);
+  }
+  plan_blend(r);
 }
 
 }  // namespace

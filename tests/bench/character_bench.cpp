@@ -5,10 +5,13 @@
 
 #include <random>
 
+#include "database/author/authored_library.h"
+#include "motion/default_character.h"
 #include "runtime/character.h"
 #include "runtime/response/prepared_library.h"
 #include "tests/motion/random_motion.h"
 #include "tests/runtime/loaded_selector.h"
+#include "tests/scenes/walk.h"
 
 namespace flinch::runtime {
 namespace {
@@ -140,28 +143,43 @@ void perceive_and_plan_by_network(benchmark::State& state) {
 }
 BENCHMARK(perceive_and_plan_by_network)->Unit(benchmark::kMicrosecond);
 
-/// Only the planning, for any clip at any time.
-void plan(benchmark::State& state) {
+/// The stances of the authored library and a walk.
+enum Stance { kIdle, kGuard, kWalk };
+
+const PreparedLibrary& library_with_walk() {
+  static const database::ClipLibrary clips =
+      tests::with_walk(database::authored_library(motion::default_character()));
+  static const PreparedLibrary prepared = prepare(clips);
+  return prepared;
+}
+
+/// Only the planning, for any clip at any time, from any moment of a stance.
+void plan(benchmark::State& state, Stance stance) {
   std::mt19937 random(5);
   struct Answer {
     int clip;
     float time_to_impact_s;
+    float stance_time_s;
   };
+  const PreparedLibrary& library = library_with_walk();
   std::vector<Answer> answers;
-  const auto clip_count = loaded().library.clip_library().clips.size();
-  for (int i = 0; i < 512; ++i) {
-    answers.push_back(
-        {static_cast<int>(random() % clip_count), tests::uniform(random, 0.25F, 1.2F)});
+  while (answers.size() < 512) {
+    const auto clip = static_cast<int>(random() % library.library->clips.size());
+    const float time_to_impact_s = tests::uniform(random, 0.25F, 1.2F);
+    const float stance_time_s = tests::uniform(random, 0, 2);
+    if (library.library->clip(clip).annotation)
+      answers.push_back({clip, time_to_impact_s, stance_time_s});
   }
-  const features::CharacterState there{.idle_time_s = 0.5F, .position = {0, 0}, .facing = 0};
   std::size_t next = 0;
   for (auto _ : state) {
     const Answer& answer = answers[next++ % answers.size()];
-    benchmark::DoNotOptimize(
-        make_response(loaded().library.prepared(), there, answer.clip, answer.time_to_impact_s));
+    const features::CharacterState there{answer.stance_time_s, {0, 0}, 0, stance};
+    benchmark::DoNotOptimize(make_response(library, there, answer.clip, answer.time_to_impact_s));
   }
 }
-BENCHMARK(plan)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(plan, from_idle, kIdle)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(plan, from_guard, kGuard)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(plan, from_walk, kWalk)->Unit(benchmark::kMicrosecond);
 
 /// A frame of all characters, with a ball at each every three seconds: one iteration per frame.
 void frame_of_a_thousand(benchmark::State& state) {
