@@ -29,11 +29,28 @@ RealismFeatures random_features(std::mt19937& random, float reach) {
   return features;
 }
 
+/// Gives every example one of `responses` responses, as the examples of a library have.
+models::RealismModel with_shared_responses(models::RealismModel model, std::size_t responses) {
+  const std::size_t count = model.size();
+  for (std::size_t k = models::kConfigurationComponents; k < 2 * models::kConfigurationComponents;
+       ++k) {
+    for (std::size_t i = responses; i < count; ++i)
+      model.points[k * count + i] = model.points[k * count + i % responses];
+  }
+  return model;
+}
+
 TEST(RealismQuery, EqualsTheComparisonWithEveryExample) {
+  struct Size {
+    std::size_t examples;
+    std::size_t responses;
+  };
   std::mt19937 random(1);
   int zeros = 0;
-  for (const std::size_t count : {std::size_t{10}, std::size_t{31}, std::size_t{400}}) {
-    const models::RealismModel model = tests::random_realism(static_cast<unsigned>(count), count);
+  for (const auto [count, responses] :
+       {Size{10, 10}, Size{31, 31}, Size{400, 400}, Size{31, 3}, Size{400, 1}, Size{700, 30}}) {
+    const models::RealismModel model = with_shared_responses(
+        tests::random_realism(static_cast<unsigned>(count), count), responses);
     ASSERT_TRUE(models::is_sound(model));
     const models::RealismIndex index(model);
     std::vector<float> memory(models::RealismQuery::memory_size(index));
@@ -44,8 +61,8 @@ TEST(RealismQuery, EqualsTheComparisonWithEveryExample) {
         RealismFeatures features = random_features(random, candidate == 0 ? 9.0F : 2.0F);
         features.character = base.character;
         features.asked = base.asked;
-        const std::array log_tapers{0.0F, 1.5F, 4.0F};
-        std::array<float, 3> estimates{};
+        const std::array log_tapers{0.0F, 1.5F, 4.0F, -3.0F, 9.0F};
+        std::array<float, 5> estimates{};
         query.estimate(features, log_tapers, estimates);
         for (std::size_t t = 0; t < log_tapers.size(); ++t) {
           features.log_taper = log_tapers[t];
