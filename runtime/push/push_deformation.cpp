@@ -43,13 +43,13 @@ struct Shifting {
   const motion::Skeleton& skeleton;
   const JointFrames& frames;  ///< of the pose before
   const motion::PerRole<Eigen::Vector3f>& shifts;
-  JointFrames moved;
+  JointFrames moved;  ///< of the pelvis and of joints that have turned; others are not set
   motion::Pose& pose;
 
   Shifting(const motion::Skeleton& of, const JointFrames& from,
            const motion::PerRole<Eigen::Vector3f>& by, motion::Pose& to)
-      : skeleton(of), frames(from), shifts(by), moved(from), pose(to) {
-    moved.position[Role::pelvis] += shifts[Role::pelvis];
+      : skeleton(of), frames(from), shifts(by), pose(to) {
+    moved.position[Role::pelvis] = wanted(Role::pelvis);
     pose.root_position = moved.position[Role::pelvis];
   }
   Eigen::Vector3f wanted(Role role) const { return frames.position[role] + shifts[role]; }
