@@ -168,7 +168,8 @@ void print_selector(const SelectorView& view) {
               << file.library->rate_hz << " Hz of library " << printable(file.library->name)
               << '\n';
   } else {
-    std::cout << ", without motion in this file: train it again to respond with it\n";
+    std::cout << ", without motion in this file: it plays that of its library, a .flinchlib file "
+                 "beside it\n";
   }
   std::cout << made_by;
 }

@@ -29,7 +29,8 @@
  * undefined. Libraries are reference-counted: you may free one before its workspaces and
  * characters; it then lives until the last of them is freed.
  *
- * Memory. Only functions that load or create allocate memory; only those that free return it.
+ * Memory. Functions that load or create allocate, and those that may hand a body to physics
+ * (flinch_character_react_to, and flinch_character_push of a character with reactions).
  *
  * Threads. Flinch has no global state and starts no thread. Any number of threads may use a library
  * at once. A workspace or a character is for one thread at a time; different ones are independent.
