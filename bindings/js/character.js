@@ -15,10 +15,17 @@ export class Character {
     );
   }
 
-  /** Puts it at (x, y), turned by `facing`, at a time of its idle clip. */
-  place(x, y, facing = 0, idle_time_s = 0) {
+  /** Puts it at (x, y), turned by `facing`, at a time of a stance: an index in Library.stances. */
+  place(x, y, facing = 0, stance_time_s = 0, stance = 0) {
     const { call } = this.memory;
-    this.memory.checked(call.flinch_character_place(this.handle, x, y, facing, idle_time_s));
+    this.memory.checked(
+      call.flinch_character_place_in_stance(this.handle, x, y, facing, stance_time_s, stance),
+    );
+  }
+
+  /** Changes to another stance smoothly. */
+  changeStance(stance) {
+    this.memory.checked(this.memory.call.flinch_character_change_stance(this.handle, stance));
   }
 
   /** Makes perception imperfect. */

@@ -161,7 +161,9 @@ export interface Trial {
 /** A character: it perceives, answers, can be hit, and returns to idle. */
 export class Character {
   readonly library: Library;
-  place(x: number, y: number, facing?: number, idle_time_s?: number): void;
+  /** At a time of a stance, an index in Library.stances: 0, the default, is the idle clip. */
+  place(x: number, y: number, facing?: number, stance_time_s?: number, stance?: number): void;
+  changeStance(stance: number): void;
   limitPerception(limits: PerceptionLimits, seed?: number | bigint): void;
   perceive(...threats: Threat[]): Answer;
   lookAhead(threats: Threat[], options?: { candidates?: number }): LookAheadResult;
@@ -259,6 +261,8 @@ export class Library {
   readonly skeleton: { offset: Float32Array; tip: Float32Array };
   readonly clips: Clip[];
   readonly kinds: ThreatKind[];
+  /** The clips of its stances, the idle clip first. */
+  readonly stances: number[];
   readonly outlines: Outline[];
   createCharacter(): Character;
   createOracle(): Oracle;

@@ -25,6 +25,7 @@ export class Library {
     this.skeleton = this.described("flinch_skeleton", "flinch_library_skeleton");
     this.clips = Array.from({ length: this.info.clip_count }, (_, clip) => this.clipAt(clip));
     this.kinds = Array.from({ length: this.info.kind_count }, (_, kind) => this.kindAt(kind));
+    this.stances = this.stanceClips();
     this.outlines = flinch.bodies.map((_, body) =>
       memory.result("flinch_outline", (out) =>
         call.flinch_library_outline(this.handle, body, out),
@@ -44,6 +45,15 @@ export class Library {
       memory.call.flinch_library_clip(this.handle, index, out),
     );
     return { ...clip, name: memory.text(clip.name), kind: memory.text(clip.kind) };
+  }
+
+  stanceClips() {
+    const stances = [];
+    for (;;) {
+      const clip = this.memory.call.flinch_library_stance(this.handle, stances.length);
+      if (clip < 0) return stances;
+      stances.push(clip);
+    }
   }
 
   kindAt(index) {

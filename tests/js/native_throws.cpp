@@ -15,6 +15,7 @@
 #include "database/author/authored_library.h"
 #include "motion/default_character.h"
 #include "tests/runtime/made_up_selector.h"
+#include "tests/scenes/walk.h"
 
 using namespace flinch;
 
@@ -25,9 +26,8 @@ constexpr int kHits = 40;
 constexpr int kOracleThrows = 3;
 constexpr float kFrame_s = 1.0F / 60;
 
-std::string selector_with_costs() {
-  const database::ClipLibrary authored = database::authored_library(motion::default_character());
-  return tests::with_response_costs(tests::made_up_selector(authored, 60, tests::ModelKind::knn))
+std::string selector_with_costs(const database::ClipLibrary& library) {
+  return tests::with_response_costs(tests::made_up_selector(library, 60, tests::ModelKind::knn))
       .file();
 }
 
@@ -220,8 +220,11 @@ void write_hit(Json& json, const Scene& scene, flinch_threat threat) {
 }
 
 void write_all(const std::string& folder) {
-  const std::string file = selector_with_costs();
+  const database::ClipLibrary authored = database::authored_library(motion::default_character());
+  const std::string file = selector_with_costs(authored);
   std::ofstream(folder + "/throws.flinch", std::ios::binary) << file;
+  std::ofstream(folder + "/stances.flinch", std::ios::binary)
+      << selector_with_costs(tests::with_walk(authored));
   std::ofstream out(folder + "/throws.json");
   const Scene scene(file);
   Json json(out);

@@ -91,6 +91,26 @@ assert.ok(vertices > 1000 && skin.triangles.every((corners) => corners.every((v)
 assert.ok(skin.position.every((value, i) => i % 3 !== 2 || (value > -0.01 && value < 2)));
 assert.ok(skin.joint.every((joint) => joint < flinch.joints.length));
 
+// A character takes every stance at any time of it, where it is put, and changes to another.
+const moving = flinch.load(await readFile(`${folder}/stances.flinch`));
+assert.deepEqual(moving.stances.map((clip) => moving.clips[clip].name), ["idle", "guard", "walk"]);
+const walker = moving.createCharacter();
+const turns = () => [...walker.pose().rotation.slice(4)];
+for (const [stance, clip] of moving.stances.entries()) {
+  walker.place(0, 0, 0, 0.3, stance);
+  const expected_turns = [...moving.clipPose(clip, 0.3).rotation.slice(4)];
+  assert.ok(largestDifference(turns(), expected_turns) < 1e-3, `stance ${stance}`);
+}
+const walked = () => walker.pose().root_position[0];
+const from = walked();
+for (let frame = 0; frame < 60; ++frame) walker.update(1 / 60);
+assert.ok(Math.abs(walked() - from - 0.9) < 0.05, `it walks ${walked() - from} m in a second`);
+walker.changeStance(1);
+for (let frame = 0; frame < 180; ++frame) walker.update(1 / 60);
+const stood = walked();
+for (let frame = 0; frame < 60; ++frame) walker.update(1 / 60);
+assert.ok(Math.abs(walked() - stood) < 0.02, "on guard it stands");
+
 // Errors are exceptions with the library's text.
 const refuses = (act, status, text) =>
   assert.throws(act, (error) => {
@@ -106,6 +126,7 @@ refuses(() => flinch.load(selector.subarray(0, selector.length >> 1)), -23, /cut
 refuses(() => flinch.load(new Uint8Array(0)), -21, /not a selector/);
 refuses(() => flinch.load(new TextEncoder().encode("HIERARCHY")), -21, /flinch train/);
 refuses(() => character.update(-1), -8, /time/);
+assert.throws(() => walker.place(0, 0, 0, 0, 3), FlinchError);
 const ball = { position: [NaN, 0, 0], velocity: [1, 0, 0], radius: 0.1, mass_kg: 1 };
 refuses(() => character.perceive(ball), -7, /threat|number/);
 assert.throws(() => character.perceive({ position: [1, 0, 0] }), /flinch_threat needs .* velocity/);

@@ -3,7 +3,7 @@
 import type { Flinch, ThreatKind } from "flinch";
 import { connectAim } from "./aim";
 import { showCaption, showCaptions } from "./captions";
-import { atRest, choose, choosersOf, loadSelector, type Chooser, type Conditions, type Selector } from "./chooser";
+import { beforeThrow, choose, choosersOf, loadSelector, type Chooser, type Conditions, type Selector } from "./chooser";
 import { ClipEditor } from "./clip_editor";
 import { ClipRecording } from "./clip_recording";
 import { button, byId } from "./dom";
@@ -161,7 +161,8 @@ export class App {
 
   /** Shows what the link says. */
   private restore(): void {
-    this.view = viewOf(location.hash, this.choosers.length, this.clipCount);
+    const stances = this.selectors[0]?.library.stances.length ?? 1;
+    this.view = viewOf(location.hash, this.choosers.length, this.clipCount, stances);
     this.player.setPace(this.view.pace);
     this.player.time = this.view.time;
     this.showPage();
@@ -174,8 +175,9 @@ export class App {
   }
 
   get conditions(): Conditions {
-    const { thrown, delay } = this.view;
-    return { threat: threatOf(thrown, this.kinds), delay, brawn: this.brawn };
+    const { thrown, delay, stance } = this.view;
+    const threat = threatOf(thrown, this.kinds);
+    return { threat, delay, stance, time: thrown.time, brawn: this.brawn };
   }
 
   /** What the first selector was trained for. */
@@ -218,10 +220,10 @@ export class App {
     for (let tries = 0; tries < 300; ++tries) {
       this.view.seed = (this.view.seed + 1) >>> 0;
       const thrown = randomThrow(randomNumbers(this.view.seed));
-      const conditions = { ...this.conditions, threat: threatOf(thrown) };
+      const conditions = { ...this.conditions, threat: threatOf(thrown), time: thrown.time };
       const names = asked.map((chooser) => {
         const { selector } = chooser;
-        const clip = choose(chooser, atRest(selector, this.view.delay), conditions);
+        const clip = choose(chooser, beforeThrow(selector, conditions), conditions.threat);
         return selector.library.clips[clip]!.name;
       });
       if (new Set(names).size < 2) continue;
@@ -360,8 +362,7 @@ export class App {
     this.showCells();
     const oracle = shown.findIndex(({ kind }) => kind === "oracle");
     if (oracle < 0) return;
-    const { threat, delay, brawn } = this.conditions;
-    this.workers().ask(threat, delay, brawn, (best) => {
+    this.workers().ask(this.conditions, (best) => {
       if (throwNumber !== this.shown || !best) return;
       this.takes[oracle]!.free();
       this.takes[oracle] = new Take(shown[oracle]!, this.conditions, best.clip);

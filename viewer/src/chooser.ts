@@ -9,7 +9,7 @@ export interface Selector {
   name: string;
   library: Library;
   oracle: Oracle;
-  probe: Character; // to ask what would be; see atRest()
+  probe: Character; // to ask what would be; see beforeThrow()
 }
 
 export interface Chooser {
@@ -19,9 +19,15 @@ export interface Chooser {
   selector: Selector;
 }
 
-export interface Conditions {
+/** How a throw finds a character. */
+export interface Start {
+  delay: number; // of the reaction, s
+  stance?: number; // of those of the library; 0, the idle clip, if there is no such
+  time?: number; // s, after which it is at the origin, if it goes on as it is
+}
+
+export interface Conditions extends Required<Start> {
   threat: Threat;
-  delay: number;
   brawn: number; // weight of work against damage, 0 to 1
 }
 
@@ -77,9 +83,19 @@ export function bestTrial(trials: readonly Trial[], oracle: Oracle, brawn: numbe
   return best;
 }
 
-/** A character as every throw finds it. */
-export function prepared(character: Character, delay: number): Character {
-  character.place(0, 0);
+/** Puts a character in a stance where it comes to the origin in so much time. */
+function approach(character: Character, stance: number, time: number): void {
+  character.place(0, 0, 0, 0, stance);
+  const from = character.pose().root_position;
+  character.update(time);
+  const to = character.pose().root_position;
+  character.place(from[0]! - to[0]!, from[1]! - to[1]!, 0, 0, stance);
+}
+
+/** A character as a throw finds it. */
+export function prepared(character: Character, { delay, stance = 0, time = 0 }: Start): Character {
+  if (stance > 0 && stance < character.library.stances.length) approach(character, stance, time);
+  else character.place(0, 0);
   character.limitPerception({
     reaction_delay_s: delay,
     bearing_noise: 0,
@@ -91,13 +107,13 @@ export function prepared(character: Character, delay: number): Character {
   return character;
 }
 
-/** The selector's probe, as every throw finds a character. */
-export function atRest({ probe }: Selector, delay: number): Character {
-  return prepared(probe, delay);
+/** The selector's probe, as a throw finds a character. */
+export function beforeThrow({ probe }: Selector, start: Start): Character {
+  return prepared(probe, start);
 }
 
 /** The clip that a chooser other than the oracle answers with; the character answers with it. */
-export function choose(chooser: Chooser, character: Character, { threat }: Conditions): number {
+export function choose(chooser: Chooser, character: Character, threat: Threat): number {
   const { library, oracle } = chooser.selector;
   switch (chooser.kind) {
     case "selector":

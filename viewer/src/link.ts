@@ -9,6 +9,7 @@ const kModes: readonly Mode[] = ["one", "compare", "volley", "clips", "rose", "t
 export interface View {
   mode: Mode;
   thrown: Throw;
+  stance: number; // that the character is in when it perceives the throw
   figure: number; // which chooser is shown alone
   clip: number; // which clip `clips` shows
   brawn: number; // weighs work against damage in what is shown and in the oracle's choice
@@ -22,6 +23,7 @@ export interface View {
 export const kDefaultView: View = {
   mode: "one",
   thrown: kDefaultThrow,
+  stance: 0,
   figure: 0,
   clip: 0,
   brawn: -1, // the selector's own
@@ -41,6 +43,7 @@ export function linkOf(view: View): string {
     from: [thrown.azimuth, thrown.from_height].map(rounded).join(","),
     aim: thrown.aim.map(rounded).join(","),
     ball: [thrown.speed, thrown.time, thrown.radius, thrown.mass, thrown.kind].map(rounded).join(","),
+    stance: String(view.stance),
     who: String(view.figure),
     clip: String(view.clip),
     brawn: rounded(view.brawn),
@@ -53,8 +56,8 @@ export function linkOf(view: View): string {
   return "#" + Object.entries(parts).map(([key, value]) => `${key}=${value}`).join("&");
 }
 
-/** Reads a link for a page with this many choosers and clips. */
-export function viewOf(link: string, choosers: number, clips: number): View {
+/** Reads a link for a page with this many choosers, clips and stances. */
+export function viewOf(link: string, choosers: number, clips: number, stances: number): View {
   const parts = new Map(
     link
       .replace(/^#/, "")
@@ -90,6 +93,7 @@ export function viewOf(link: string, choosers: number, clips: number): View {
       mass,
       kind,
     }),
+    stance: Math.floor(number("stance", 0, 0, Math.max(stances - 1, 0))),
     figure: Math.floor(number("who", 0, 0, Math.max(choosers - 1, 0))),
     clip: Math.floor(number("clip", 0, 0, Math.max(clips - 1, 0))),
     brawn: number("brawn", kDefaultView.brawn, -1, 1),

@@ -41,6 +41,7 @@ export class Panel {
   private readonly why = element("div", { id: "why" });
   private readonly ball = element("div");
   private readonly kind = element("select", { className: "choice", ariaLabel: "Kind of threat" });
+  private readonly stance = element("select", { className: "choice", ariaLabel: "Stance" });
   private readonly overlay = element("label", { className: "quiet" });
   private readonly throwing = element("div"); // all that is about throws
   private readonly rose = element("select", { className: "choice", ariaLabel: "Colours of the rose" });
@@ -69,6 +70,7 @@ export class Panel {
       const own = usual(this.kinds[kind]!);
       this.acts.set({ thrown: allowed({ ...this.view.thrown, ...own, kind }) });
     };
+    this.stance.onchange = () => this.acts.set({ stance: this.stance.selectedIndex });
     this.who.onchange = () => this.acts.set({ figure: this.who.selectedIndex });
     this.rose.append(
       element("option", { value: "kind", textContent: "Colour: kind of clip" }),
@@ -109,6 +111,7 @@ export class Panel {
       this.why,
       this.ball,
       element("h2", { textContent: "The character" }),
+      this.stance,
       this.delay.root,
       this.brawn.root,
       element("p", {
@@ -145,8 +148,15 @@ export class Panel {
       ...this.kinds.map(({ name }) => element("option", { textContent: name.replaceAll("_", " ") })),
     );
     this.kind.selectedIndex = Math.min(view.thrown.kind, this.kinds.length - 1);
-    // The other views throw balls of their own.
-    this.kind.hidden = this.kinds.length < 2 || !["one", "compare"].includes(view.mode);
+    const { clips = [], stances = [] } = choosers[0]?.selector.library ?? {};
+    this.stance.replaceChildren(
+      ...stances.map((clip) => element("option", { textContent: clips[clip]!.name.replaceAll("_", " ") })),
+    );
+    this.stance.selectedIndex = view.stance;
+    // The other views throw balls of their own, at an idle character.
+    const isSet = ["one", "compare"].includes(view.mode);
+    this.kind.hidden = this.kinds.length < 2 || !isSet;
+    this.stance.hidden = stances.length < 2 || !isSet;
     for (const [key, made] of this.sliders) made.set(view.thrown[key]);
     this.brawn.set(brawn);
     this.delay.set(view.delay);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // How a chooser answers throws from all around, at all heights: what the threat rose shows.
-import { atRest, bestTrial, choose, costOf, type Chooser } from "./chooser";
+import { beforeThrow, bestTrial, choose, costOf, type Chooser } from "./chooser";
 import { allowed, threatOf, type Throw } from "./throw";
 
 export const kSectors = 24;
@@ -35,9 +35,11 @@ function petalOf(chooser: Chooser, thrown: Throw, { delay, brawn }: RoseConditio
   const { library, oracle } = selector;
   const threat = threatOf(thrown);
   const best =
-    kind === "oracle" ? bestTrial(oracle.tryAll(atRest(selector, delay), threat).trials, oracle, brawn) : null;
-  const clip = best?.clip ?? choose(chooser, atRest(selector, delay), { threat, delay, brawn });
-  const character = atRest(selector, delay);
+    kind === "oracle"
+      ? bestTrial(oracle.tryAll(beforeThrow(selector, { delay }), threat).trials, oracle, brawn)
+      : null;
+  const clip = best?.clip ?? choose(chooser, beforeThrow(selector, { delay }), threat);
+  const character = beforeThrow(selector, { delay });
   const idle = oracle.tryClip(character, threat, library.info.idle_clip);
   const own = clip === library.info.idle_clip ? idle : oracle.tryClip(character, threat, clip);
   const cost = idle ? costOf(idle, oracle, brawn) : 0;

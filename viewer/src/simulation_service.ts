@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Simulations in a worker, so that the page never waits.
-import type { Threat, Trial } from "flinch";
+import type { Trial } from "flinch";
+import type { Conditions } from "./chooser";
 import type { Ring, RoseConditions } from "./petals";
 import type { Standing, TournamentPlan } from "./tournament";
 import FlinchWorker from "./worker?worker&inline";
@@ -30,8 +31,8 @@ export class SimulationService {
   }
 
   /** Asks for the oracle's choice. Of several questions at once only the last is answered. */
-  ask(threat: Threat, delay: number, brawn: number, found: Found): void {
-    const request: OracleRequest = { kind: "oracle", id: ++this.next, threat, delay, brawn };
+  ask(conditions: Conditions, found: Found): void {
+    const request: OracleRequest = { kind: "oracle", id: ++this.next, conditions };
     if (this.found) {
       this.waiting = [request, found];
       return;

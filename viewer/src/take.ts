@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // One character's answer to one throw.
 import type { Character, Threat, ThreatKind, Trial } from "flinch";
-import { atRest, choose, prepared, type Chooser, type Conditions } from "./chooser";
+import { beforeThrow, choose, prepared, type Chooser, type Conditions } from "./chooser";
 import { advanced, isSpecial, type FullThreat } from "./kinds";
 import { fly, kRate, Recording, type FlyingBall, type Rod } from "./recording";
 import { kGravity } from "./throw";
@@ -31,9 +31,9 @@ export class Take extends Recording {
     super(kDuration);
     const { selector, kind } = chooser;
     const { threat, delay } = conditions;
-    this.character = prepared(selector.library.createCharacter(), delay);
-    this.clip = chosen ?? choose(chooser, this.character, conditions);
-    this.trial = selector.oracle.tryClip(atRest(selector, delay), threat, this.clip);
+    this.character = prepared(selector.library.createCharacter(), conditions);
+    this.clip = chosen ?? choose(chooser, this.character, threat);
+    this.trial = selector.oracle.tryClip(beforeThrow(selector, conditions), threat, this.clip);
     if (kind === "oracle" || kind === "nearest") this.answersAt = delay;
     this.ball = { position: Array.from(threat.position), velocity: Array.from(threat.velocity) };
     this.kind = selector.library.kinds[threat.kind ?? 0];
@@ -45,12 +45,12 @@ export class Take extends Recording {
     return this.conditions.threat;
   }
 
-  /** When the ball would touch the character if that stood still; null if never. Simulated when first
+  /** When the ball would touch the character if that went on as it is; null if never. Simulated when first
    * asked for. */
   get contact_s_at_rest(): number | null {
     if (this.foreseen === undefined) {
       const { oracle, library } = this.chooser.selector;
-      const idle = oracle.tryClip(atRest(this.chooser.selector, 0), this.threat, library.info.idle_clip);
+      const idle = oracle.tryClip(this.withoutDelay(), this.threat, library.info.idle_clip);
       this.foreseen = idle && Number.isFinite(idle.contact_s) ? idle.contact_s : null;
     }
     return this.foreseen;
@@ -97,9 +97,13 @@ export class Take extends Recording {
     if (this.clip !== idle_clip && this.trial && left > 0) this.character.respond(this.clip, left);
   }
 
-  /** As a character that stands still predicts it. */
+  private withoutDelay(): Character {
+    return beforeThrow(this.chooser.selector, { ...this.conditions, delay: 0 });
+  }
+
+  /** As a character that goes on as it is predicts it. */
   private timeToImpact(): number {
-    const watching = atRest(this.chooser.selector, 0);
+    const watching = this.withoutDelay();
     watching.perceive(this.conditions.threat);
     return watching.state().time_to_impact_s;
   }

@@ -34,7 +34,7 @@ export const kRanges = {
   from_height: [0.1, 3],
   speed: [3, 40],
   time: [0.15, 1.5],
-  radius: [0.02, 0.25],
+  radius: [0.01, 0.25],
   mass: [0.02, 6],
 } as const;
 const kAimRange = [

@@ -45,7 +45,7 @@ export class Volley extends Recording {
     private readonly conditions: VolleyConditions,
   ) {
     super(kPeriod * (kBalls - 1) + kLast);
-    this.character = prepared(chooser.selector.library.createCharacter(), conditions.delay);
+    this.character = prepared(chooser.selector.library.createCharacter(), conditions);
     this.random = randomNumbers(conditions.seed);
     this.record();
   }

@@ -2,7 +2,7 @@
 // Why this clip: the candidates with what the selector expects and what a simulation finds, the
 // predicted contact, and where the ball hit.
 import type { Flinch, Trial } from "flinch";
-import { atRest, costOf, type Chooser, type Conditions } from "./chooser";
+import { beforeThrow, costOf, type Chooser, type Conditions } from "./chooser";
 import { element } from "./dom";
 import type { Take } from "./take";
 
@@ -51,12 +51,12 @@ export function whyThisClip(flinch: Flinch, take: Take, conditions: Conditions):
 /** What the chooser's selector considers for a throw. */
 function considered(chooser: Chooser, conditions: Conditions) {
   const { selector } = chooser;
-  const { threat, delay } = conditions;
-  const character = atRest(selector, delay);
+  const { threat } = conditions;
+  const character = beforeThrow(selector, conditions);
   character.perceive(threat);
   const { target, time_to_impact_s } = character.state();
   const candidates = character.candidates();
-  const before = atRest(selector, delay);
+  const before = beforeThrow(selector, conditions);
   const rows = candidates.map(({ clip, vote, expected_cost_ns }): Row => {
     const says = Number.isNaN(expected_cost_ns)
       ? `${(100 * vote).toFixed(0)} % votes`

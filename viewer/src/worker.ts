@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What takes tenths of a second: the oracle's choice, tournaments and roses.
-import { loadFlinch, type Threat, type Trial } from "flinch";
-import { atRest, bestTrial, choosersOf, loadSelector, type Selector } from "./chooser";
+import { loadFlinch, type Trial } from "flinch";
+import { beforeThrow, bestTrial, choosersOf, loadSelector, type Conditions, type Selector } from "./chooser";
 import { ringsOf, type Ring, type RoseConditions } from "./petals";
 import { playTournament, type Standing, type TournamentPlan } from "./tournament";
 
@@ -11,7 +11,7 @@ export interface SelectorFile {
 }
 export type Request =
   | { kind: "load"; module: WebAssembly.Module; selectors: SelectorFile[] }
-  | { kind: "oracle"; id: number; threat: Threat; delay: number; brawn: number }
+  | { kind: "oracle"; id: number; conditions: Conditions }
   | ({ kind: "tournament"; id: number } & TournamentPlan)
   | { kind: "rose"; id: number; chooser: number; conditions: RoseConditions };
 export type Reply =
@@ -28,11 +28,11 @@ async function load({ module, selectors: files }: Extract<Request, { kind: "load
   selectors = files.map(({ name, bytes }) => loadSelector(flinch, name, bytes));
 }
 
-function askOracle({ id, threat, delay, brawn }: Extract<Request, { kind: "oracle" }>) {
+function askOracle({ id, conditions }: Extract<Request, { kind: "oracle" }>) {
   const begin = performance.now();
   const selector = selectors[0]!;
-  const { trials } = selector.oracle.tryAll(atRest(selector, delay), threat);
-  const best = bestTrial(trials, selector.oracle, brawn);
+  const { trials } = selector.oracle.tryAll(beforeThrow(selector, conditions), conditions.threat);
+  const best = bestTrial(trials, selector.oracle, conditions.brawn);
   post({ kind: "oracle", id, best, trials, took_ms: performance.now() - begin });
 }
 
