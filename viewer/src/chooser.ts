@@ -60,7 +60,7 @@ export function choosersOf(selectors: readonly Selector[]): Chooser[] {
   const others: [ChooserKind, string, string][] = [
     ["ahead", "Look-ahead", `simulates the ${kLookedAt} best clips of ${first.name}`],
     ["oracle", "Oracle", "simulates every clip: the best that is possible"],
-    ["idle", "Idle", "stands still"],
+    ["idle", "Idle", "goes on as it is"],
     ["nearest", "Nearest", "the clip with the nearest annotation, as games script it"],
   ];
   for (const [kind, name, about] of others) chosen.push({ kind, name, about, selector: first });

@@ -24,7 +24,7 @@ export function whyThisClip(flinch: Flinch, take: Take, conditions: Conditions):
   root.append(
     element("p", {
       className: "quiet",
-      textContent: `Standing still, the ball would hit the ${flinch.targets[target]} in ${time.toFixed(2)} s. Costs in N s: as the selector expects them, and simulated.`,
+      textContent: `If it goes on as it is, the threat hits the ${flinch.targets[target]} in ${time.toFixed(2)} s. Costs in N s: as the selector expects them, and simulated.`,
     }),
   );
   if (!rows.some(({ clip }) => clip === take.clip))
