@@ -33,42 +33,108 @@ Response response_of(const RealismModel& model, std::size_t example) {
   return response;
 }
 
-/// The nearest examples for each of several widths, which differ in one feature alone.
-class NearestByTaper {
+/// The smallest squared distances so far.
+class SmallestDistances {
  public:
-  NearestByTaper(float weight, std::span<const float> log_tapers) : count_(log_tapers.size()) {
-    for (std::size_t t = 0; t < count_; ++t) {
-      x_[t] = weight * log_tapers[t];
-      bound_[t] = std::numeric_limits<float>::infinity();
-    }
-  }
-  /// An example that is farther than this without its width is nearest for none.
-  float bound() const { return largest_; }
-  void add(float squared, float taper, float quality) {
-    std::array<float, RealismQuery::kMaxTapers> all;
-    int nearer = 0;
-    for (std::size_t t = 0; t < all.size(); ++t) {
-      all[t] = squared + (x_[t] - taper) * (x_[t] - taper);
-      nearer += all[t] < bound_[t] ? 1 : 0;
-    }
-    if (nearer == 0) return;
-    for (std::size_t t = 0; t < count_; ++t) {
-      nearest_[t].add(all[t], quality);
-      bound_[t] = nearest_[t].bound();
-    }
-    largest_ = *std::ranges::max_element(std::span(bound_).first(count_));
-  }
-  float estimate(std::size_t t, float max_distance) const {
-    return nearest_[t].estimate(max_distance);
+  SmallestDistances() { squared_.fill(std::numeric_limits<float>::max()); }
+  /// The largest of them; finite before there are enough, so that what fills a block is never kept.
+  float largest() const { return squared_.back(); }
+  void add(float squared) {
+    if (!(squared < squared_.back())) return;
+    std::size_t at = kRealismNeighbours - 1;
+    for (; at > 0 && squared < squared_[at - 1]; --at) squared_[at] = squared_[at - 1];
+    squared_[at] = squared;
   }
 
  private:
-  std::size_t count_;
-  std::array<float, RealismQuery::kMaxTapers> x_{};
-  std::array<float, RealismQuery::kMaxTapers> bound_{};  // 0 where there is no width
-  std::array<NearestExamples, RealismQuery::kMaxTapers> nearest_{};
-  float largest_ = std::numeric_limits<float>::infinity();
+  std::array<float, kRealismNeighbours> squared_;
 };
+
+/// Four widths beside each other. A vector of the compiler: loops over arrays become branches.
+constexpr std::size_t kTapersAtOnce = 4;
+using PerTaper [[gnu::vector_size(sizeof(float) * kTapersAtOnce)]] = float;
+
+PerTaper all_tapers(float x) {
+  return PerTaper{x, x, x, x};
+}
+
+/// Estimates for four widths, x_t weighted, from examples that differ from the query in other
+/// features by the squared distances s_i: the ten nearest by s_i + (x_t - taper_i)^2.
+class EstimateByTaper {
+ public:
+  EstimateByTaper(const RealismQuery::Kept& kept, std::size_t count,
+                  const PerTaper& weighted_tapers)
+      : kept_(kept), count_(count), x_(weighted_tapers) {
+    smallest_.fill(all_tapers(std::numeric_limits<float>::infinity()));
+    for (std::size_t i = 0; i < count_; ++i) {
+      PerTaper entering = squared(i);
+      for (PerTaper& kept_here : smallest_) {  // sorted: the farther one goes on down the list
+        const PerTaper here = kept_here;
+        kept_here = entering < here ? entering : here;
+        entering = entering < here ? here : entering;
+      }
+    }
+  }
+  /// See NearestExamples::estimate().
+  PerTaper estimate(float max_distance) const {
+    const PerTaper last = smallest_.back();
+    const PerTaper one = all_tapers(1);
+    const PerTaper none = all_tapers(0);
+    PerTaper sum = none;
+    PerTaper weights = none;
+    PerTaper found = none;
+    for (std::size_t i = 0; i < count_; ++i) {
+      const PerTaper distance = squared(i);
+      const PerTaper weight = distance < last ? weight_of(distance) : none;
+      sum += weight * kept_.quality[i];
+      weights += weight;
+      found += distance < last ? one : none;
+    }
+    // Of those as far as the tenth, the first ones.
+    const PerTaper last_weight = weight_of(last);
+    const PerTaper wanted = all_tapers(float{kRealismNeighbours});
+    for (std::size_t i = 0; i < count_; ++i) {
+      const PerTaper is_tenth = squared(i) == last ? one : none;
+      const PerTaper taken = found < wanted ? is_tenth : none;
+      sum += taken * last_weight * kept_.quality[i];
+      weights += taken * last_weight;
+      found += taken;
+    }
+    const PerTaper mean = sum / weights;
+    return square_root(smallest_.front()) <= all_tapers(max_distance) ? mean : none;
+  }
+
+ private:
+  PerTaper squared(std::size_t i) const {
+    const PerTaper difference = x_ - kept_.taper[i];
+    return kept_.squared[i] + difference * difference;
+  }
+  static PerTaper square_root(PerTaper x) {
+    for (std::size_t t = 0; t < kTapersAtOnce; ++t) x[t] = std::sqrt(x[t]);
+    return x;
+  }
+  static PerTaper weight_of(const PerTaper& squared_distance) {
+    const PerTaper least = all_tapers(kLeastDistance);
+    const PerTaper distance = square_root(squared_distance);
+    return 1 / (distance < least ? least : distance);
+  }
+
+  const RealismQuery::Kept& kept_;
+  std::size_t count_;
+  PerTaper x_;
+  std::array<PerTaper, kRealismNeighbours> smallest_;
+};
+
+/// The largest squared difference of any of the widths, weighted, to one in `range`.
+float largest_difference(std::span<const float> log_tapers, float weight,
+                         const std::array<float, 2>& range) {
+  float largest = 0;
+  for (const float log_taper : log_tapers) {
+    for (const float end : range)
+      largest = std::max(largest, (weight * log_taper - end) * (weight * log_taper - end));
+  }
+  return largest;
+}
 
 }  // namespace
 
@@ -87,14 +153,14 @@ RealismIndex::RealismIndex(const RealismModel& of) : model(&of), size(0), groups
     if (distinct.empty() || distinct.back() != response) {
       distinct.push_back(response);
       example_at.resize((example_at.size() + kBlock - 1) / kBlock * kBlock, kNone);
+      first_block.push_back(example_at.size() / kBlock);
     }
-    if (example_at.size() % kBlock == 0)
-      group_of.push_back(static_cast<std::uint32_t>(distinct.size() - 1));
     example_at.push_back(example);
   }
   example_at.resize((example_at.size() + kBlock - 1) / kBlock * kBlock, kNone);
   size = example_at.size();
   groups = distinct.size();
+  first_block.push_back(size / kBlock);
 
   for (std::size_t k = 0; k < kConfigurationComponents; ++k) {
     for (const Response& response : distinct) responses.push_back(response[k]);
@@ -108,12 +174,15 @@ RealismIndex::RealismIndex(const RealismModel& of) : model(&of), size(0), groups
   for (const std::size_t k : flinch::models::kOwn) column(own, of.points.data() + k * count, 0);
   column(taper, of.points.data() + kTaper * count, 0);
   column(quality, of.quality.data(), 0);
+  const auto [least, most] =
+      std::ranges::minmax(std::span(of.points).subspan(kTaper * count, count));
+  taper_range = {least, most};
   for (const std::size_t example : example_at)
     padding.push_back(example == kNone ? std::numeric_limits<float>::infinity() : 0);
 }
 
 std::size_t RealismQuery::memory_size(const RealismIndex& index) {
-  return index.size + 2 * index.group_of.size() + index.groups;
+  return 4 * index.size + index.size / kBlock + 2 * index.groups;
 }
 
 RealismQuery::RealismQuery(const RealismIndex& index, const RealismFeatures& features,
@@ -121,8 +190,10 @@ RealismQuery::RealismQuery(const RealismIndex& index, const RealismFeatures& fea
     : index_(&index),
       shared_(memory.data()),
       block_shared_(shared_ + index.size),
-      group_distance_(block_shared_ + index.group_of.size()),
-      block_bound_(group_distance_ + index.groups) {
+      group_shared_(block_shared_ + index.size / kBlock),
+      group_distance_(group_shared_ + index.groups),
+      kept_{group_distance_ + index.groups, group_distance_ + index.groups + index.size,
+            group_distance_ + index.groups + 2 * index.size} {
   const auto x = as_array(features);
   std::copy(index.padding.begin(), index.padding.end(), shared_);
   for (std::size_t k = 0; k < kShared.size(); ++k) {
@@ -131,9 +202,14 @@ RealismQuery::RealismQuery(const RealismIndex& index, const RealismFeatures& fea
       add_squares(index.shared.data() + k * index.size, weight * x[kShared[k]], index.size,
                   shared_);
   }
-  for (std::size_t block = 0; block < index.group_of.size(); ++block) {
-    const float* const first = shared_ + block * kBlock;
-    block_shared_[block] = *std::min_element(first, first + kBlock);
+  for (std::size_t group = 0; group < index.groups; ++group) {
+    group_shared_[group] = std::numeric_limits<float>::infinity();
+    for (std::size_t block = index.first_block[group]; block < index.first_block[group + 1];
+         ++block) {
+      const float* const first = shared_ + block * kBlock;
+      block_shared_[block] = *std::min_element(first, first + kBlock);
+      group_shared_[group] = std::min(group_shared_[group], block_shared_[block]);
+    }
   }
 }
 
@@ -147,42 +223,66 @@ void RealismQuery::estimate(const RealismFeatures& features, std::span<const flo
     add_squares(index.responses.data() + k * index.groups,
                 weights[kFirstResponse + k] * x[kFirstResponse + k], index.groups, group_distance_);
   }
-  const std::size_t blocks = index.group_of.size();
-  for (std::size_t block = 0; block < blocks; ++block)
-    block_bound_[block] = block_shared_[block] + group_distance_[index.group_of[block]];
-
-  NearestByTaper nearest(weights[kTaper], log_tapers);
-  const auto compare = [&](std::size_t block) {
+  // Widths change a squared distance by at most `slack`, so whatever is nearest for one of them is
+  // no farther without its width than the tenth nearest without its width, and `slack`.
+  const float slack = largest_difference(log_tapers, weights[kTaper], index.taper_range);
+  SmallestDistances smallest;
+  std::size_t kept = 0;
+  const auto compare = [&](std::size_t block, float response) {
     const std::size_t first = block * kBlock;
-    const float response = group_distance_[index.group_of[block]];
     std::array<float, kBlock> sums;
     for (std::size_t i = 0; i < kBlock; ++i) sums[i] = response + shared_[first + i];
     for (std::size_t k = 0; k < kOwn.size(); ++k) {
-      add_squares(index.own.data() + k * index.size + first, weights[kOwn[k]] * x[kOwn[k]], kBlock,
+      const float weight = weights[kOwn[k]];
+      if (weight == 0) continue;
+      add_squares(index.own.data() + k * index.size + first, weight * x[kOwn[k]], kBlock,
                   sums.data());
     }
     for (std::size_t i = 0; i < kBlock; ++i) {
-      if (sums[i] < nearest.bound())
-        nearest.add(sums[i], index.taper[first + i], index.quality[first + i]);
+      if (!(sums[i] <= smallest.largest() + slack)) continue;
+      smallest.add(sums[i]);
+      kept_.squared[kept] = sums[i];
+      kept_.taper[kept] = index.taper[first + i];
+      kept_.quality[kept] = index.quality[first + i];
+      ++kept;
     }
   };
-  // The most promising block comes first and then its group, so that the others have a bound to be
-  // below: one block alone holds fewer examples than an estimate needs.
-  const auto best = static_cast<std::size_t>(std::min_element(block_bound_, block_bound_ + blocks) -
-                                             block_bound_);
-  const std::uint32_t group = index.group_of[best];
-  compare(best);
-  const auto compare_where = [&](bool is_in_group) {
-    for (std::size_t block = 0; block < blocks; ++block) {
-      if (block_bound_[block] < nearest.bound() &&
-          (index.group_of[block] == group) == is_in_group && block != best)
-        compare(block);
+  const auto compare_group = [&](std::size_t group) {
+    const float response = group_distance_[group];
+    for (std::size_t block = index.first_block[group]; block < index.first_block[group + 1];
+         ++block) {
+      if (response + block_shared_[block] <= smallest.largest() + slack) compare(block, response);
     }
   };
-  compare_where(true);
-  compare_where(false);
-  for (std::size_t t = 0; t < log_tapers.size(); ++t)
-    estimates[t] = nearest.estimate(t, index.model->max_distance);
+  // The most promising group comes first, so that the others have a bound to be below.
+  const auto bound_of = [&](std::size_t group) {
+    return group_distance_[group] + group_shared_[group];
+  };
+  std::size_t best = 0;
+  for (std::size_t group = 1; group < index.groups; ++group) {
+    if (bound_of(group) < bound_of(best)) best = group;
+  }
+  compare_group(best);
+  for (std::size_t group = 0; group < index.groups; ++group) {
+    if (group != best && bound_of(group) <= smallest.largest() + slack) compare_group(group);
+  }
+
+  // The first ones were kept by a wider bound.
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < kept; ++i) {
+    kept_.squared[count] = kept_.squared[i];
+    kept_.taper[count] = kept_.taper[i];
+    kept_.quality[count] = kept_.quality[i];
+    if (kept_.squared[i] <= smallest.largest() + slack) ++count;
+  }
+  for (std::size_t first = 0; first < log_tapers.size(); first += kTapersAtOnce) {
+    const std::size_t lanes = std::min(kTapersAtOnce, log_tapers.size() - first);
+    PerTaper tapers{};
+    for (std::size_t t = 0; t < lanes; ++t) tapers[t] = weights[kTaper] * log_tapers[first + t];
+    const PerTaper means =
+        EstimateByTaper(kept_, count, tapers).estimate(index.model->max_distance);
+    for (std::size_t t = 0; t < lanes; ++t) estimates[first + t] = means[t];
+  }
 }
 
 }  // namespace flinch::models

@@ -10,6 +10,9 @@
 
 namespace flinch::models {
 
+/// Nearer examples count as if they were this far: one at the point itself decides nearly alone.
+inline constexpr float kLeastDistance = 1e-4F;
+
 /// The examples nearest to a point, as they are found.
 class NearestExamples {
  public:
@@ -24,11 +27,8 @@ class NearestExamples {
     squared_[at] = squared;
     quality_[at] = quality;
   }
-  /// Squared distance that an example must be below to be kept.
-  float bound() const { return squared_.back(); }
   /// See estimate_realism().
   float estimate(float max_distance) const {
-    constexpr float kLeastDistance = 1e-4F;  // an example at the point itself decides nearly alone
     if (!(std::sqrt(squared_.front()) <= max_distance)) return 0;
     float sum = 0;
     float weights = 0;
@@ -61,16 +61,17 @@ struct RealismIndex {
   explicit RealismIndex(const RealismModel& model);
 
   const RealismModel* model;
-  std::size_t size;                     ///< number of examples, in whole blocks
-  std::size_t groups;                   ///< number of different responses
-  std::vector<std::uint32_t> group_of;  ///< one per block
-  std::vector<float> responses;         ///< weighted, one component of all groups after the other
+  std::size_t size;                      ///< number of examples, in whole blocks
+  std::size_t groups;                    ///< number of different responses
+  std::vector<std::size_t> first_block;  ///< of each group, and the number of blocks
+  std::vector<float> responses;          ///< weighted, one component of all groups after the other
   /// Weighted features, one of all examples after the other.
   std::vector<float> shared;
   std::vector<float> own;
   std::vector<float> taper;
   std::vector<float> quality;
-  std::vector<float> padding;  ///< 0 for an example, infinite for what fills a block
+  std::array<float, 2> taper_range;  ///< least and largest of `taper`
+  std::vector<float> padding;        ///< 0 for an example, infinite for what fills a block
 };
 
 /// Estimates many pushed motions of one character and one asked push at a time. What they have in
@@ -87,19 +88,25 @@ class RealismQuery {
   RealismQuery(const RealismIndex& index, const RealismFeatures& features,
                std::span<float> memory) noexcept;
 
-  /// Writes the estimates for the same response, deformation and turn with each of `log_tapers` (at
-  /// most kMaxTapers) to `estimates`.
+  /// Writes the estimates for the same response, deformation and turn with each of `log_tapers`
+  /// to `estimates`.
   void estimate(const RealismFeatures& features, std::span<const float> log_tapers,
                 std::span<float> estimates) noexcept;
 
-  static constexpr std::size_t kMaxTapers = 8;
+  /// Examples that may be among the nearest for some width.
+  struct Kept {
+    float* squared;  ///< distance by everything but the width
+    float* taper;    ///< weighted
+    float* quality;
+  };
 
  private:
   const RealismIndex* index_;
   float* shared_;          // squared distance by what is common, of every example
   float* block_shared_;    // least of a block
+  float* group_shared_;    // least of a group
   float* group_distance_;  // squared distance by the response, of every group
-  float* block_bound_;     // what no example of a block is nearer than, squared
+  Kept kept_;
 };
 
 }  // namespace flinch::models

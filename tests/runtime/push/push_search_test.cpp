@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "models/realism_query.h"
 #include "motion/rotation.h"
@@ -74,6 +76,25 @@ TEST(RealismQuery, EqualsTheComparisonWithEveryExample) {
     }
   }
   EXPECT_GT(zeros, 10) << "far from every example the estimate is 0";
+}
+
+TEST(RealismQuery, OfExamplesEquallyFarTheFirstTenCount) {
+  models::RealismModel model = tests::random_realism(4, 40);
+  for (std::size_t k = 0; k < models::kRealismFeatureCount; ++k)
+    std::fill_n(model.points.begin() + static_cast<std::ptrdiff_t>(k * model.size()), model.size(),
+                model.points[k * model.size()]);
+  model.max_distance = 1000;
+  const float mean = std::accumulate(model.quality.begin(), model.quality.begin() + 10, 0.0F) / 10;
+  std::mt19937 random(6);
+  RealismFeatures features = random_features(random, 2);
+  const models::RealismIndex index(model);
+  std::vector<float> memory(models::RealismQuery::memory_size(index));
+  models::RealismQuery query(index, features, memory);
+  const std::array log_tapers{0.0F, 1.0F, 2.0F, 3.0F, 4.0F};
+  std::array<float, 5> estimates{};
+  query.estimate(features, log_tapers, estimates);
+  for (const float estimate : estimates) EXPECT_NEAR(estimate, mean, 1e-5F);
+  EXPECT_NEAR(models::estimate_realism(model, features), mean, 1e-5F);
 }
 
 TEST(EstimateRealism, IsTheExamplesOwnWhereItStandsAndZeroFarAway) {
