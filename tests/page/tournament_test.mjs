@@ -28,7 +28,7 @@ const bundled = async (name) => {
   return import(pathToFileURL(outfile));
 };
 const { playTournament } = await bundled("tournament");
-const { atRest, choosersOf, loadSelector } = await bundled("chooser");
+const { beforeThrow, choosersOf, loadSelector } = await bundled("chooser");
 const { loadFlinch } = await import(pathToFileURL(`${packageFolder}/flinch.js`));
 const selector = loadSelector(await loadFlinch(), "a", readFileSync(`${folder}/a.flinch`));
 const { brawn } = selector.oracle.costs();
@@ -63,7 +63,7 @@ const random = randomNumbers(1);
 const computed_ms = Array.from({ length: 40 }, () => {
   const threat = threatOf(randomThrow(random));
   const begin = process.cpuUsage().user;
-  selector.oracle.tryAll(atRest(selector, 0), threat);
+  selector.oracle.tryAll(beforeThrow(selector, { delay: 0 }), threat);
   return (process.cpuUsage().user - begin) / 1000;
 }).slice(10); // the first are slower, until their code is compiled well
 computed_ms.sort((a, b) => a - b);
