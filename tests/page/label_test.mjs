@@ -5,11 +5,11 @@
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
-import { createRequire } from "node:module";
 import { pathToFileURL } from "node:url";
 
+import { openBrowser } from "./in_browser.mjs";
+
 const [program, viewer, make_library, folder, shot] = process.argv.slice(2);
-const { chromium } = createRequire(`${viewer}/package.json`)("playwright-core");
 rmSync(folder, { recursive: true, force: true });
 mkdirSync(folder, { recursive: true });
 const flinch = (...parts) =>
@@ -20,22 +20,13 @@ flinch("train", "a.flinchobs", "--out", "a.flinch", "--model", "knn");
 flinch("view", "a.flinch", "--out", "page");
 const address = pathToFileURL(`${folder}/page/index.html`).href;
 
-const browser = await chromium.launch({
-  executablePath: "/usr/bin/chromium",
-  args: ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"],
-});
-const complaints = [];
+const { browser, watch, run } = await openBrowser(viewer);
 const context = await browser.newContext({ viewport: { width: 900, height: 560 }, acceptDownloads: true });
 let opened = 0;
 async function open(view = "label") {
-  const page = await context.newPage();
+  const page = watch(await context.newPage());
   // Motions are drawn by the time of the sitting.
   await page.clock.setFixedTime(Date.UTC(2026, 0, 1, 12, 0, opened++));
-  page.setDefaultTimeout(60000);
-  page.on("console", (message) => {
-    if (message.type() === "error") complaints.push(message.text());
-  });
-  page.on("pageerror", (error) => complaints.push(String(error)));
   await page.goto(`${address}#view=${view}`, { waitUntil: "commit" });
   await page.waitForFunction(() => globalThis.flinchPage?.alone);
   return page;
@@ -182,19 +173,6 @@ const tests = {
   },
 };
 
-let failed = 0;
-for (const [name, test] of Object.entries(tests)) {
-  try {
-    await test();
-    console.log(`ok: ${name}`);
-  } catch (error) {
-    ++failed;
-    console.log(`FAILED: ${name}\n${error.stack}`);
-  }
-}
-if (complaints.length > 0) {
-  ++failed;
-  console.log(`the browser complains: ${complaints.join("\n")}`);
-}
+const failed = await run(tests);
 await browser.close();
 process.exit(failed ? 1 : 0);

@@ -9,13 +9,13 @@ import { execFileSync } from "node:child_process";
 import { mkdirSync } from "node:fs";
 import { mkdtemp, readFile, rm } from "node:fs/promises";
 import { createServer } from "node:http";
-import { createRequire } from "node:module";
 import { tmpdir } from "node:os";
 import { pathToFileURL } from "node:url";
 import { gzipSync } from "node:zlib";
 
+import { openBrowser } from "./in_browser.mjs";
+
 const [program, viewer, packageFolder, selector_file, shots, ...shown_selectors] = process.argv.slice(2);
-const { chromium } = createRequire(`${viewer}/package.json`)("playwright-core");
 const { loadFlinch } = await import(pathToFileURL(`${packageFolder}/flinch.js`));
 const selector = await readFile(selector_file);
 const folder = await mkdtemp(`${tmpdir()}/flinch-page-`);
@@ -23,20 +23,11 @@ const page_file = `${folder}/index.html`;
 execFileSync(program, ["view", selector_file, "--out", folder]);
 const address = pathToFileURL(page_file).href;
 
-const browser = await chromium.launch({
-  executablePath: "/usr/bin/chromium",
-  args: ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"],
-});
+const { browser, watch, run } = await openBrowser(viewer);
 
-const complaints = [];
 async function open(where) {
   const context = await browser.newContext({ viewport: { width: 740, height: 340 } });
-  const made = await context.newPage();
-  made.setDefaultTimeout(90000);
-  made.on("console", (message) => {
-    if (message.type() === "error") complaints.push(message.text());
-  });
-  made.on("pageerror", (error) => complaints.push(String(error)));
+  const made = watch(await context.newPage());
   const session = await context.newCDPSession(made);
   await session.send("Performance.enable", { timeDomain: "threadTicks" });
   /** CPU time of the page's thread so far: in all (TaskDuration), or in scripts (ScriptDuration). */
@@ -446,8 +437,7 @@ const tests = {
   async "without WebAssembly the page says so, and nothing breaks"() {
     const context = await browser.newContext();
     await context.addInitScript(() => delete globalThis.WebAssembly);
-    const made = await context.newPage();
-    made.on("pageerror", (error) => complaints.push(String(error)));
+    const made = watch(await context.newPage());
     await made.goto(address, { waitUntil: "commit" });
     await made.waitForFunction(() => /cannot run WebAssembly/.test(document.getElementById("message")?.textContent));
     assert.equal(await made.locator("#message").isVisible(), true);
@@ -547,21 +537,8 @@ async function takePictures() {
   }
 }
 
-let failed = 0;
-for (const [name, test] of Object.entries(tests)) {
-  const begin = performance.now();
-  try {
-    await test();
-    assert.deepEqual(complaints.splice(0), [], "the console has errors");
-    console.log(`ok      ${name} (${((performance.now() - begin) / 1000).toFixed(1)} s)`);
-  } catch (error) {
-    ++failed;
-    complaints.length = 0;
-    console.log(`FAILED  ${name}\n${error.stack}`);
-  }
-}
+const failed = await run(tests);
 if (shots) await takePictures();
 await browser.close();
 await rm(folder, { recursive: true });
-console.log(`${Object.keys(tests).length} tests, ${failed} failed`);
 process.exit(failed ? 1 : 0);

@@ -6,11 +6,11 @@
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { mkdirSync, readFileSync, readdirSync, rmSync } from "node:fs";
-import { createRequire } from "node:module";
 import { pathToFileURL } from "node:url";
 
+import { openBrowser } from "./in_browser.mjs";
+
 const [program, source, make_library, folder, shots, pictured] = process.argv.slice(2);
-const { chromium } = createRequire(`${source}/viewer/package.json`)("playwright-core");
 rmSync(folder, { recursive: true, force: true });
 mkdirSync(folder, { recursive: true });
 const run = (command, ...parts) =>
@@ -26,16 +26,12 @@ run(program, "train-realism", "p.flinchlabels", "--into", "p.flinch", "--report"
 const report = JSON.parse(readFileSync(`${folder}/report/report.json`, "utf8"));
 const timing = JSON.parse(readFileSync(`${folder}/report/timing.json`, "utf8"));
 
-const browser = await chromium.launch({ executablePath: "/usr/bin/chromium", args: ["--no-sandbox"] });
-const complaints = [];
+const { browser, watch, run: runTests } = await openBrowser(`${source}/viewer`);
 async function open(width = 1180, colorScheme = "light", file = `${folder}/report/report.html`) {
   const context = await browser.newContext({ viewport: { width, height: 900 }, colorScheme });
-  const page = await context.newPage();
-  page.on("console", (message) => {
-    if (message.type() === "error") complaints.push(message.text());
-  });
-  page.on("pageerror", (error) => complaints.push(String(error)));
+  const page = watch(await context.newPage());
   await page.goto(pathToFileURL(file).href);
+  if (file.endsWith(".html")) await page.locator("section table tbody tr").first().waitFor();
   return page;
 }
 const page = await open();
@@ -207,18 +203,6 @@ const tests = {
   },
 };
 
-let failed = 0;
-for (const [name, test] of Object.entries(tests)) {
-  try {
-    await test();
-    assert.deepEqual(complaints.splice(0), [], "the console has errors");
-    console.log(`ok      ${name}`);
-  } catch (error) {
-    ++failed;
-    complaints.length = 0;
-    console.log(`FAILED  ${name}\n${error.stack}`);
-  }
-}
+const failed = await runTests(tests);
 await browser.close();
-console.log(`${Object.keys(tests).length} tests, ${failed} failed`);
 process.exit(failed ? 1 : 0);

@@ -4,11 +4,11 @@
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { mkdirSync, rmSync } from "node:fs";
-import { createRequire } from "node:module";
 import { pathToFileURL } from "node:url";
 
+import { openBrowser } from "./in_browser.mjs";
+
 const [program, viewer, moving, folder, shot] = process.argv.slice(2);
-const { chromium } = createRequire(`${viewer}/package.json`)("playwright-core");
 rmSync(folder, { recursive: true, force: true });
 mkdirSync(folder, { recursive: true });
 const flinch = (...parts) => execFileSync(program, parts.map(String), { cwd: folder, stdio: ["ignore", "pipe", "pipe"] });
@@ -16,18 +16,11 @@ flinch("author", "--out", "a.flinchlib");
 flinch("simulate", "a.flinchlib", "--out", "kinds.flinchobs", "-n", 60, "--threats", "kinds");
 flinch("train", "kinds.flinchobs", "--out", "kinds.flinch", "--model", "knn");
 
-const browser = await chromium.launch({
-  executablePath: "/usr/bin/chromium",
-  args: ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"],
-});
-const complaints = [];
+const { browser, watch, run } = await openBrowser(viewer);
 async function open(selector, hash) {
   const name = /(\w+)\.flinch$/.exec(selector)[1];
   flinch("view", selector, "--out", name);
-  const page = await browser.newPage({ viewport: { width: 740, height: 600 } });
-  page.setDefaultTimeout(90000);
-  page.on("pageerror", (error) => complaints.push(String(error)));
-  page.on("console", (message) => message.type() === "error" && complaints.push(message.text()));
+  const page = watch(await browser.newPage({ viewport: { width: 740, height: 600 } }));
   await page.goto(`${pathToFileURL(`${folder}/${name}/index.html`).href}${hash}`, { waitUntil: "commit" });
   await page.waitForFunction(() => globalThis.flinchPage?.takes.length > 0);
   return page;
@@ -128,18 +121,6 @@ const tests = {
   },
 };
 
-let failed = 0;
-for (const [name, test] of Object.entries(tests)) {
-  try {
-    await test();
-    assert.deepEqual(complaints.splice(0), [], "the console has errors");
-    console.log(`ok      ${name}`);
-  } catch (error) {
-    ++failed;
-    complaints.length = 0;
-    console.log(`FAILED  ${name}\n${error.stack}`);
-  }
-}
+const failed = await run(tests);
 await browser.close();
-console.log(`${Object.keys(tests).length} tests, ${failed} failed`);
 process.exit(failed ? 1 : 0);
