@@ -19,6 +19,7 @@ constexpr std::int64_t kMillion = 1'000'000;
 
 StoreHeader header_of_many_clips() {
   StoreHeader header = made_up_header();
+  header.keeps_places = false;  // as by default
   database::ClipLibrary library = scenes::synthetic_library();
   while (header.clips.size() < kClips) {
     library.clips.push_back(library.clips.back());
@@ -44,6 +45,7 @@ Observation random_observation(const StoreHeader& header, std::uint64_t number) 
   features::Random random(header.seed, features::RandomStream::baseline, number);
   Observation observation = made_up_observation(header, number);
   observation.trials.assign(kTrialsPerScenario, {});
+  observation.places.clear();
   for (int i = 0; i < kTrialsPerScenario; ++i) {
     Trial& trial = observation.trials[static_cast<std::size_t>(i)];
     trial.clip = i * (kClips - 1) / (kTrialsPerScenario - 1);
