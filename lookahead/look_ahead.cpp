@@ -18,10 +18,15 @@ namespace {
 // How long training simulates after the predicted impact (train::SimulationPlan::tail_s).
 constexpr double kTail_s = 0.3;
 
-/// The phase of the idle clip at the impact, in periods.
-float phase_at_impact(const runtime::PreparedLibrary& library, const features::Scenario& scenario) {
-  const float period_s = 2 * library.idle().duration_s();
-  return period_s > 0 ? (scenario.state.idle_time_s + scenario.time_to_impact_s) / period_s : 0;
+/// From where the character answers, as the table of work has it.
+models::ResponseStart start_of(const runtime::PreparedLibrary& library,
+                               const models::ResponseCosts& costs,
+                               const features::Scenario& scenario) {
+  features::CharacterState known = scenario.state;
+  known.stance = models::stance_of_work(costs, known.stance);
+  const float period_s = library.stance_of(known).loop.period_s();
+  const float time_s = scenario.time_to_impact_s;
+  return {known.stance, period_s > 0 ? (known.idle_time_s + time_s) / period_s : 0, time_s};
 }
 
 bool is_over(const Budget& budget, double end_us) {
@@ -211,8 +216,7 @@ bool Search::try_candidate(ForeseenCandidate& candidate, const Budget& budget, d
   const ForeseenCandidate best = status_.candidates[status_.chosen];
   const double limit_ns =
       is_known(best) ? double{best.cost_ns} : std::numeric_limits<double>::infinity();
-  candidate.work_j = work_j(costs, clip, phase_at_impact(library.prepared(), urgent.scenario),
-                            urgent.scenario.time_to_impact_s);
+  candidate.work_j = work_j(costs, clip, start_of(library.prepared(), costs, urgent.scenario));
   const double work_j = double{candidate.work_j};
   // Of several threats, the one that is met says what work counts.
   const int kind = urgent.scenario.threat.kind;

@@ -6,18 +6,34 @@
 
 namespace flinch::models {
 
-float work_j(const ResponseCosts& costs, int clip, float idle_phase, float time_s) {
-  const auto phases = static_cast<std::size_t>(costs.phase_count);
+namespace {
+
+/// The work from a stance other than the idle clip, if it is known.
+const StanceWork* work_of_stance(const ResponseCosts& costs, int stance) {
+  const auto own = std::ranges::find(costs.of_stance, stance, &StanceWork::stance);
+  return own == costs.of_stance.end() ? nullptr : &*own;
+}
+
+}  // namespace
+
+int stance_of_work(const ResponseCosts& costs, int stance) {
+  return work_of_stance(costs, stance) == nullptr ? 0 : stance;
+}
+
+float work_j(const ResponseCosts& costs, int clip, const ResponseStart& start) {
+  const StanceWork* own = work_of_stance(costs, start.stance);
+  const std::vector<float>& work_j = own == nullptr ? costs.work_j : own->work_j;
+  const int phase_count = own == nullptr ? costs.phase_count : own->phase_count;
+  const auto phases = static_cast<std::size_t>(phase_count);
   const auto times = static_cast<std::size_t>(costs.time_count);
-  const float at_time = std::clamp((time_s - costs.min_time_s) / costs.time_step_s, 0.0F,
-                                   static_cast<float>(costs.time_count - 1));
+  const float at_time = std::clamp((start.time_to_impact_s - costs.min_time_s) / costs.time_step_s,
+                                   0.0F, static_cast<float>(costs.time_count - 1));
   const auto time = std::min(static_cast<std::size_t>(at_time), times - 1);
   const auto next_time = std::min(time + 1, times - 1);
-  const float at_phase =
-      (idle_phase - std::floor(idle_phase)) * static_cast<float>(costs.phase_count);
+  const float at_phase = (start.phase - std::floor(start.phase)) * static_cast<float>(phase_count);
   const auto phase = static_cast<std::size_t>(at_phase) % phases;
   const auto next_phase = (phase + 1) % phases;
-  const float* of_clip = &costs.work_j[static_cast<std::size_t>(clip) * phases * times];
+  const float* of_clip = &work_j[static_cast<std::size_t>(clip) * phases * times];
   const float time_weight = at_time - static_cast<float>(time);
   const float phase_weight = at_phase - std::floor(at_phase);
   const auto at = [&](std::size_t p) {

@@ -9,6 +9,15 @@
 
 namespace flinch::models {
 
+/// The work of each clip's response from a stance other than the idle clip.
+struct StanceWork {
+  int stance = 0;  ///< which of the library's stances (features::CharacterState), above 0
+  /// For each clip, phase of the stance at the impact and time, as ResponseCosts::work_j, J.
+  std::vector<float> work_j;
+  int phase_count = 1;
+  bool operator==(const StanceWork&) const = default;
+};
+
 /// What the selector's clips cost, as it was fitted to (docs/cost.md): what turns the impulses of a
 /// simulated hit into a cost at run time, and the measured work of each clip's response.
 struct ResponseCosts {
@@ -18,21 +27,35 @@ struct ResponseCosts {
   /// D* of each kind of threat that the selector knows, positive.
   std::vector<double> reference_damage_ns = std::vector<double>(1, 1.0);
   double reference_work_j = 1;  ///< W*, positive
-  /// The work of the response of each clip, J: for each clip of the library, for each phase of the
-  /// idle clip at the impact, from `min_time_s` to the impact on in steps of `time_step_s`.
+  /// The work of the response of each clip from the idle clip, J: for each clip of the library, for
+  /// each phase of the idle clip at the impact, from `min_time_s` to the impact on in steps of
+  /// `time_step_s`.
   std::vector<float> work_j;
   int phase_count = 1;
   int time_count = 1;
   float min_time_s = 0;
   float time_step_s = 1;
+  /// The same from other stances, by rising stance, at the same times to impact.
+  std::vector<StanceWork> of_stance;
   /// The name of the vulnerability table; empty for the trainer's default.
   std::string vulnerability_name;
 };
 
-/// Returns the work of a clip's response to an impact in `time_s`, J, interpolated between the
-/// measured ones and constant beyond them. `idle_phase` is that of the idle clip at the impact, in
-/// whole periods; its integral part does not matter.
-float work_j(const ResponseCosts& costs, int clip, float idle_phase, float time_s);
+/// Where and when a response begins, as far as its work depends on it.
+struct ResponseStart {
+  int stance = 0;
+  /// Of that stance at the impact, in whole periods; its integral part does not matter.
+  float phase = 0;
+  float time_to_impact_s = 0;
+};
+
+/// Returns `stance` if the work of the responses from there is known, else 0, the idle clip, whose
+/// work is taken for it.
+int stance_of_work(const ResponseCosts& costs, int stance);
+
+/// Returns the work of a clip's response, J, interpolated between the measured ones and constant
+/// beyond them. `start.stance` is one that stance_of_work() returns.
+float work_j(const ResponseCosts& costs, int clip, const ResponseStart& start);
 
 /// Returns v_b against a kind of threat.
 const motion::PerBody<double>& vulnerability_to(const ResponseCosts& costs, int kind);

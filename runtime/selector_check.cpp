@@ -171,9 +171,22 @@ bool is_part_sound(const models::PairwiseModel& model, std::size_t clip_count,
          });
 }
 
-bool is_part_sound(const models::ResponseCosts& costs, std::size_t clip_count) {
+bool is_amount(double x) {
+  return std::isfinite(x) && x >= 0;
+}
+
+/// Whether work is that of so many clips, phases and times.
+bool is_work_sound(std::span<const float> work_j, std::size_t clip_count, int phase_count,
+                   int time_count) {
   constexpr int kMaxCount = 1 << 12;
-  const auto is_amount = [](double x) { return std::isfinite(x) && x >= 0; };
+  return phase_count >= 1 && phase_count <= kMaxCount && time_count >= 1 &&
+         time_count <= kMaxCount &&
+         work_j.size() == clip_count * static_cast<std::size_t>(phase_count) *
+                              static_cast<std::size_t>(time_count) &&
+         std::ranges::all_of(work_j, [](float work) { return is_amount(double{work}); });
+}
+
+bool is_part_sound(const models::ResponseCosts& costs, std::size_t clip_count) {
   const auto are_amounts = [&](const motion::PerBody<double>& table) {
     return std::all_of(table.begin(), table.end(), is_amount);
   };
@@ -189,12 +202,16 @@ bool is_part_sound(const models::ResponseCosts& costs, std::size_t clip_count) {
          std::ranges::all_of(costs.reference_damage_ns,
                              [&](double x) { return is_amount(x) && x > 0; }) &&
          is_amount(costs.reference_work_j) && costs.reference_work_j > 0 &&
-         costs.phase_count >= 1 && costs.phase_count <= kMaxCount && costs.time_count >= 1 &&
-         costs.time_count <= kMaxCount &&
-         costs.work_j.size() == clip_count * static_cast<std::size_t>(costs.phase_count) *
-                                    static_cast<std::size_t>(costs.time_count) &&
-         std::all_of(costs.work_j.begin(), costs.work_j.end(),
-                     [&](float work) { return is_amount(double{work}); }) &&
+         is_work_sound(costs.work_j, clip_count, costs.phase_count, costs.time_count) &&
+         std::ranges::all_of(
+             costs.of_stance,
+             [&](const models::StanceWork& own) {
+               // A stance is a clip, so there are no more of them.
+               return own.stance >= 1 && static_cast<std::size_t>(own.stance) < clip_count &&
+                      is_work_sound(own.work_j, clip_count, own.phase_count, costs.time_count);
+             }) &&
+         std::ranges::adjacent_find(costs.of_stance, std::ranges::greater_equal{},
+                                    &models::StanceWork::stance) == costs.of_stance.end() &&
          std::isfinite(costs.min_time_s) && std::isfinite(costs.time_step_s) &&
          costs.time_step_s > 0 &&
          (costs.vulnerability_name.empty() ||
@@ -244,7 +261,12 @@ bool is_compatible(const models::Selector& selector, const database::ClipLibrary
   const auto is_same = [](const models::ClipSummary& summary, const motion::Clip& clip) {
     return summary.name == clip.name && (clip.annotation || !summary.annotation);
   };
+  const std::size_t stances = database::stance_clips(library).size();
+  const auto is_stance = [stances](const models::StanceWork& own) {
+    return static_cast<std::size_t>(own.stance) < stances;
+  };
   return selector.library_hash == library.hash && selector.idle == library.idle &&
+         (!selector.costs || std::ranges::all_of(selector.costs->of_stance, is_stance)) &&
          std::equal(selector.clips.begin(), selector.clips.end(), library.clips.begin(),
                     library.clips.end(), is_same);
 }

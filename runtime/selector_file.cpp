@@ -129,6 +129,10 @@ bool has_bounded_size(const schema::Selector& stored, std::size_t content_size) 
       for (const schema::KindVulnerability* own : *costs->of_kind())
         unfolded.add(own->vulnerability());
     }
+    if (costs->of_stance() != nullptr) {
+      if (costs->of_stance()->size() > stored.clips()->size()) return false;
+      for (const schema::StanceWork* own : *costs->of_stance()) unfolded.add(own->work_j());
+    }
   }
   if (stored.kinds() != nullptr) {
     if (stored.kinds()->size() > features::kMaxThreatKinds) return false;
@@ -171,6 +175,10 @@ std::optional<models::ResponseCosts> read_costs(const schema::ResponseCosts& sto
   costs.time_step_s = stored.time_step_s();
   if (stored.vulnerability_name() != nullptr)
     costs.vulnerability_name = stored.vulnerability_name()->str();
+  if (stored.of_stance() != nullptr) {
+    for (const schema::StanceWork* own : *stored.of_stance())
+      costs.of_stance.push_back({own->stance(), to_vector(*own->work_j()), own->phase_count()});
+  }
   if (stored.of_kind() == nullptr) return costs;
   for (const schema::KindVulnerability* own : *stored.of_kind()) {
     if (own->vulnerability()->size() != motion::kBodyCount) return std::nullopt;

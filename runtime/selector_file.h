@@ -42,7 +42,8 @@ bool is_sound(const std::vector<Footwork>& footwork, const database::ClipLibrary
 bool is_sound(const models::Selector& selector);
 
 /// Whether what the selector chooses can be played from the library: the hash that the selector
-/// names, the same clips by name, the same idle clip, and all clips annotated that it takes for so.
+/// names, the same clips by name, the same idle clip, all clips annotated that it takes for so, and
+/// all stances from which it has the work of responses.
 bool is_compatible(const models::Selector& selector, const database::ClipLibrary& library);
 
 }  // namespace flinch::runtime

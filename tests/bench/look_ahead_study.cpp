@@ -157,7 +157,6 @@ void run(const bench::StudyArguments& arguments) {
       make_cost_model(tested.header, train::vulnerability_profiles()[0], 0.1);
   const models::ResponseCosts costs = response_costs(fitted.header, fitted.observations, model);
   lookahead::ResponseTrial trial(figure_model, double{prepared.reach_m});
-  const float period_s = 2 * prepared.idle().duration_s();
   Study study;
   for (std::size_t i = 0; i < std::min(scenarios, tested.observations.size()); ++i) {
     const train::Observation& observation = tested.observations[i];
@@ -165,6 +164,9 @@ void run(const bench::StudyArguments& arguments) {
     const float time_s = scenario.time_to_impact_s;
     const features::Ball ball = features::ball_of(scenario.threat);
     const int kind = scenario.threat.kind;
+    const int stance = stance_of_work(costs, scenario.state.stance);
+    const float period_s = prepared.stances[static_cast<std::size_t>(stance)].loop.period_s();
+    const float phase = (scenario.state.idle_time_s + time_s) / period_s;
     for (const train::Trial& measured : observation.trials) {
       const double begin_s = bench::process_cpu_s();
       const runtime::Response response =
@@ -197,8 +199,7 @@ void run(const bench::StudyArguments& arguments) {
         pair.is_given_up = met(1.01 * found.damage_ns).is_cut;
         pair.is_foretold = met(0.5 * found.damage_ns).steps == 0;
       }
-      pair.foreseen_work_j = double{
-          work_j(costs, measured.clip, (scenario.state.idle_time_s + time_s) / period_s, time_s)};
+      pair.foreseen_work_j = double{work_j(costs, measured.clip, {stance, phase, time_s})};
       for (std::size_t b = 0; b < kBrawns.size(); ++b) {
         pair.cost_ns[b] = cost_ns(costs, kBrawns[b], kind, pair.damage_ns, pair.work_j);
         pair.foreseen_cost_ns[b] =

@@ -63,7 +63,31 @@ double whole_cost_ns(const Character& character, std::span<const features::Threa
   const features::Scenario& scenario = urgent.scenario;
   const float phase = (scenario.state.idle_time_s + scenario.time_to_impact_s) / period_s;
   return cost_ns(trained().costs(), trained().library.selector().brawn, 0, damage_ns,
-                 double{work_j(trained().costs(), clip, phase, scenario.time_to_impact_s)});
+                 double{work_j(trained().costs(), clip, {0, phase, scenario.time_to_impact_s})});
+}
+
+bool begins_in_guard(const train::Observation& observation) {
+  return observation.scenario.state.stance == 1;
+}
+
+/// The mean work of a clip in all observations that begin with the same stance, phase and time as
+/// `like` does.
+double mean_work_j(const tests::TrainedLibrary& library, const train::Observation& like, int clip) {
+  const auto cell_of = [&](const train::Observation& observation) {
+    return grid_cell_of(library.setup.plan.distribution, library.setup.stances,
+                        observation.scenario);
+  };
+  double sum_j = 0;
+  int count = 0;
+  for (const train::Observation& observation : library.observations) {
+    if (cell_of(observation) != cell_of(like)) continue;
+    for (const train::Trial& trial : observation.trials) {
+      if (trial.clip != clip) continue;
+      sum_j += double{trial.work_j};
+      ++count;
+    }
+  }
+  return sum_j / count;
 }
 
 TEST(LookAhead, TakesTheCandidateOfLeastSimulatedCost) {
@@ -95,6 +119,52 @@ TEST(LookAhead, TakesTheCandidateOfLeastSimulatedCost) {
   }
   EXPECT_GT(better, 10);
   EXPECT_GT(saved, 50);
+}
+
+TEST(LookAhead, WorkFromAnotherStanceIsTheMeanOfWhatWasMeasuredThere) {
+  const tests::TrainedLibrary& library = tests::trained_with_guard();
+  LookAheadWorkspace workspace = library.workspace();
+  int compared = 0;
+  for (const train::Observation& observation : library.observations) {
+    if (!begins_in_guard(observation)) continue;
+    Character character = tests::character_of(library, observation.scenario);
+    const LookAheadStatus status =
+        perceive(character, {observation.scenario, 0}, {.candidates = 8}, workspace);
+    ASSERT_EQ(status.status, Status::ok);
+    for (std::size_t i = 0; i < status.count; ++i) {
+      const double expected_j =
+          mean_work_j(library, observation, status.candidates[i].candidate.clip);
+      EXPECT_NEAR(double{status.candidates[i].work_j}, expected_j, 1e-3 * (1 + expected_j));
+      ++compared;
+    }
+  }
+  EXPECT_GT(compared, 500);
+}
+
+TEST(LookAhead, FromAnotherStanceItChoosesNoWorseThanTheSelectorAlone) {
+  const tests::TrainedLibrary& library = tests::trained_with_guard();
+  LookAheadWorkspace workspace = library.workspace();
+  const train::CostModel model = train::make_cost_model(make_store_header(library.setup),
+                                                        train::vulnerability_profiles()[0], 0.5);
+  double alone_ns = 0;
+  double looking_ns = 0;
+  double best_ns = 0;
+  int tested = 0;
+  for (const train::Observation& observation : library.simulated({400, 300})) {
+    if (!begins_in_guard(observation)) continue;
+    const std::vector<double> costs_ns = train::costs_of(observation.trials, 0, model);
+    const auto cost_of = [&](int clip) { return costs_ns[train::trial_of(observation, clip)]; };
+    Character character = tests::character_of(library, observation.scenario);
+    const LookAheadStatus status =
+        perceive(character, {observation.scenario, 0}, {.candidates = 8}, workspace);
+    ASSERT_EQ(status.status, Status::ok);
+    alone_ns += cost_of(status.candidates[0].candidate.clip);
+    looking_ns += cost_of(status.candidates[status.chosen].candidate.clip);
+    best_ns += *std::ranges::min_element(costs_ns);
+    ++tested;
+  }
+  EXPECT_GT(tested, 100);
+  EXPECT_LT(looking_ns - best_ns, 0.75 * (alone_ns - best_ns));
 }
 
 TEST(LookAhead, OneCandidateAnswersAsPerceiveDoes) {

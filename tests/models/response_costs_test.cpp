@@ -21,21 +21,42 @@ ResponseCosts small_costs() {
 
 TEST(ResponseCosts, WorkIsWhatWasMeasuredAndLinearBetween) {
   const ResponseCosts costs = small_costs();
-  EXPECT_FLOAT_EQ(work_j(costs, 1, 0, 0.25F), 100);
-  EXPECT_NEAR(work_j(costs, 1, 0, 0.325F), 101.5F, 1e-4F);
-  EXPECT_NEAR(work_j(costs, 1, 0.5F, 0.3F), 111, 1e-4F);
-  EXPECT_NEAR(work_j(costs, 1, 0.25F, 0.3F), 106, 1e-4F);
-  EXPECT_NEAR(work_j(costs, 1, 0.75F, 0.3F), 106, 1e-4F) << "the last phase meets the first";
-  EXPECT_NEAR(work_j(costs, 1, -2.75F, 0.3F), 106, 1e-4F) << "whole periods do not matter";
-  EXPECT_EQ(work_j(costs, 0, 0.3F, 0.3F), 0);
+  EXPECT_FLOAT_EQ(work_j(costs, 1, {0, 0, 0.25F}), 100);
+  EXPECT_NEAR(work_j(costs, 1, {0, 0, 0.325F}), 101.5F, 1e-4F);
+  EXPECT_NEAR(work_j(costs, 1, {0, 0.5F, 0.3F}), 111, 1e-4F);
+  EXPECT_NEAR(work_j(costs, 1, {0, 0.25F, 0.3F}), 106, 1e-4F);
+  EXPECT_NEAR(work_j(costs, 1, {0, 0.75F, 0.3F}), 106, 1e-4F) << "the last phase meets the first";
+  EXPECT_NEAR(work_j(costs, 1, {0, -2.75F, 0.3F}), 106, 1e-4F) << "whole periods do not matter";
+  EXPECT_EQ(work_j(costs, 0, {0, 0.3F, 0.3F}), 0);
 }
 
 TEST(ResponseCosts, WorkIsConstantBeyondTheMeasuredTimes) {
   const ResponseCosts costs = small_costs();
   for (const float late_s : {0.35F, 0.5F, 100.0F})
-    EXPECT_FLOAT_EQ(work_j(costs, 1, 0, late_s), 102);
+    EXPECT_FLOAT_EQ(work_j(costs, 1, {0, 0, late_s}), 102);
   for (const float early_s : {0.25F, 0.1F, 0.0F})
-    EXPECT_FLOAT_EQ(work_j(costs, 1, 0, early_s), 100);
+    EXPECT_FLOAT_EQ(work_j(costs, 1, {0, 0, early_s}), 100);
+}
+
+TEST(ResponseCosts, WorkIsThatOfTheStanceInPhasesOfItsOwn) {
+  ResponseCosts costs = small_costs();
+  // From stance 2, with three phases, clip 1 does 200 + 10 phase + time J.
+  costs.of_stance.push_back(
+      {2, {5, 5, 5, 5, 5, 5, 5, 5, 5, 200, 201, 202, 210, 211, 212, 220, 221, 222}, 3});
+  EXPECT_NEAR(work_j(costs, 1, {2, 0, 0.3F}), 201, 1e-4F);
+  EXPECT_NEAR(work_j(costs, 1, {2, 0.5F, 0.325F}), 216.5F, 1e-4F);
+  EXPECT_NEAR(work_j(costs, 1, {2, 5.0F / 6, 0.25F}), 210, 1e-3F);
+  EXPECT_FLOAT_EQ(work_j(costs, 0, {2, 0.4F, 0.3F}), 5);
+  EXPECT_NEAR(work_j(costs, 1, {0, 0.5F, 0.3F}), 111, 1e-4F) << "that from idle is as it was";
+}
+
+TEST(ResponseCosts, StancesWithoutWorkCountAsIdle) {
+  ResponseCosts costs = small_costs();
+  costs.of_stance.push_back({2, std::vector<float>(6, 7.0F), 1});
+  EXPECT_EQ(stance_of_work(costs, 0), 0);
+  EXPECT_EQ(stance_of_work(costs, 1), 0);
+  EXPECT_EQ(stance_of_work(costs, 2), 2);
+  EXPECT_EQ(stance_of_work(costs, 3), 0);
 }
 
 TEST(ResponseCosts, CostIsThatOfTheTrainer) {

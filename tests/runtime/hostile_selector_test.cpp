@@ -9,6 +9,7 @@
 #include "tests/runtime/made_up_selector.h"
 #include "tests/runtime/selector_samples.h"
 #include "tests/scenes/file_damage.h"
+#include "tests/scenes/guard.h"
 #include "tests/scenes/read_cost.h"
 
 namespace flinch::runtime {
@@ -24,6 +25,8 @@ struct SharedParts {
   std::size_t feature_count = 1;
   std::size_t name_size = 1;
   std::size_t number_count = 1;  ///< of each vector of the model
+  std::size_t stance_count = 0;  ///< from which the file has the work of responses
+  std::size_t work_count = 1;    ///< numbers in each of these
 };
 
 std::string with_shared_parts(const SharedParts& parts) {
@@ -44,9 +47,18 @@ std::string with_shared_parts(const SharedParts& parts) {
   const auto model = schema::CreateSvm(builder, 0, 3, 1, 0, 1, as(std::int32_t{}),
                                        as(std::int32_t{}), as(double{}), as(float{}), as(double{}),
                                        as(std::uint16_t{}), as(std::uint16_t{}), as(double{}));
+  Offset<schema::ResponseCosts> costs;
+  if (parts.stance_count > 0) {
+    const auto work = builder.CreateVector(std::vector<float>(parts.work_count, 0.0F));
+    const auto from = schema::CreateStanceWork(builder, 1, 1, work);
+    const auto of_stance =
+        builder.CreateVector(std::vector<Offset<schema::StanceWork>>(parts.stance_count, from));
+    costs = schema::CreateResponseCosts(builder, as(double{}), 1, 1, as(float{}), 1, 1, 0, 1, 0, 0,
+                                        0, of_stance);
+  }
   schema::FinishSelectorBuffer(
       builder, schema::CreateSelector(builder, 1, clips, 0, features, as(double{}), as(double{}),
-                                      0.1, centres, schema::Model::Svm, model.Union()));
+                                      0.1, centres, schema::Model::Svm, model.Union(), 0, costs));
   return tests::with_header(
       database::kSelectorFormat,
       std::string(reinterpret_cast<const char*>(builder.GetBufferPointer()), builder.GetSize()));
@@ -64,6 +76,9 @@ TEST(HostileSelector, ThatUnfoldsToGigabytesIsRefusedBeforeItIsCopied) {
   expect_refused_cheaply(with_shared_parts({.feature_count = 90'000, .name_size = 400'000}));
   expect_refused_cheaply(with_shared_parts({.clip_count = 190'000}));
   expect_refused_cheaply(with_shared_parts({.number_count = 8'000'000}));
+  expect_refused_cheaply(
+      with_shared_parts({.clip_count = 9'000, .stance_count = 9'000, .work_count = 1'000'000}));
+  expect_refused_cheaply(with_shared_parts({.stance_count = 1'000'000}));
 }
 
 void expect_refused(const std::function<void(models::Selector&)>& break_it) {
@@ -86,6 +101,15 @@ TEST(SelectorBounds, HoldForNumbersAndTexts) {
   expect_refused([](models::Selector& s) { s.scaling.max[2] = 1e300; });
   expect_refused([](models::Selector& s) { s.scaling.min[2] = -1e300; });
   expect_refused([](models::Selector& s) { s.target_centres.values[2].y() = 1001; });
+}
+
+TEST(SelectorBounds, KeepOutWorkFromStancesThatTheLibraryDoesNotHave) {
+  tests::MadeUpSelector made = with_response_costs(tests::made_up_selector(
+      tests::with_guard(scenes::synthetic_library()), 30, tests::ModelKind::knn));
+  made.selector.costs->of_stance.push_back({1, made.selector.costs->work_j, 1});
+  EXPECT_NO_THROW(made.file());
+  made.selector.costs->of_stance[0].stance = 2;
+  EXPECT_ANY_THROW(made.file()) << "a file that cannot be read is not written";
 }
 
 TEST(SelectorBounds, KeepOneFarRootOutOfAnEmbeddedLibrary) {

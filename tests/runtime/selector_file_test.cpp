@@ -123,6 +123,7 @@ void expect_same(const Selector& a, const Selector& b) {
   EXPECT_EQ(a.costs->of_kind, b.costs->of_kind);
   EXPECT_EQ(a.costs->reference_work_j, b.costs->reference_work_j);
   EXPECT_EQ(a.costs->work_j, b.costs->work_j);
+  EXPECT_EQ(a.costs->of_stance, b.costs->of_stance);
   EXPECT_EQ(a.costs->phase_count, b.costs->phase_count);
   EXPECT_EQ(a.costs->time_count, b.costs->time_count);
   EXPECT_EQ(a.costs->min_time_s, b.costs->min_time_s);

@@ -79,6 +79,11 @@ Selector selector_without_model() {
                                     .grip_mass_kg = 2}});
   for (std::size_t i = 0; i < 6 * selector.clips.size(); ++i)
     costs.work_j.push_back(static_cast<float>(i) / 3);
+  for (const int stance : {1, 3}) {
+    costs.of_stance.push_back({stance, {}, 4});
+    for (std::size_t i = 0; i < 12 * selector.clips.size(); ++i)
+      costs.of_stance.back().work_j.push_back(static_cast<float>(i) / 7);
+  }
   return selector;
 }
 

@@ -111,9 +111,15 @@ Offset<schema::ResponseCosts> store(FlatBufferBuilder& builder,
         builder.CreateVector(table.vulnerability.data(), table.vulnerability.size())));
   Offset<flatbuffers::Vector<Offset<schema::KindVulnerability>>> of_kind;
   if (!own.empty()) of_kind = builder.CreateVector(own);
+  std::vector<Offset<schema::StanceWork>> from;
+  for (const models::StanceWork& table : costs.of_stance)
+    from.push_back(schema::CreateStanceWork(builder, table.stance, table.phase_count,
+                                            builder.CreateVector(table.work_j)));
+  Offset<flatbuffers::Vector<Offset<schema::StanceWork>>> of_stance;
+  if (!from.empty()) of_stance = builder.CreateVector(from);
   return schema::CreateResponseCosts(
       builder, vulnerability, damages_ns.front(), costs.reference_work_j, work, costs.phase_count,
-      costs.time_count, costs.min_time_s, costs.time_step_s, name, damages, of_kind);
+      costs.time_count, costs.min_time_s, costs.time_step_s, name, damages, of_kind, of_stance);
 }
 
 Offset<schema::Kind> store(FlatBufferBuilder& builder, const features::KnownKind& kind) {
