@@ -193,6 +193,46 @@ FLINCH_API flinch_status flinch_labelling_study(flinch_labelling* labelling, uin
 /* The library's hash as label files have it. Never NULL for a labelling. */
 FLINCH_API const char* flinch_labelling_library(const flinch_labelling* labelling);
 
+/* Twenty characters that walk about in a square, and push each other and are pushed by its walls
+ * (docs/pushing.md): what examples/crowd.cpp records. */
+typedef struct flinch_crowd flinch_crowd;
+/* Makes it; `seed` decides places and walks. The same seed and frames give the same motion.
+ * FLINCH_WITHOUT_PUSHES for a library without pushes or a selector without a realism model. */
+FLINCH_API flinch_status flinch_crowd_create(const flinch_library* library, uint32_t seed,
+                                             flinch_crowd** out);
+/* Frees it. */
+FLINCH_API flinch_status flinch_crowd_free(flinch_crowd* crowd);
+/* Advances by `dt_s`, above 0 and at most 0.1 s. */
+FLINCH_API flinch_status flinch_crowd_update(flinch_crowd* crowd, float dt_s);
+
+/* Where they walk, and what has happened so far. This struct will not grow. */
+typedef struct flinch_crowd_state {
+  int32_t characters;
+  float half_side_m;    /* of the square, whose centre is the origin */
+  int32_t bumps;        /* of two characters */
+  int32_t walls;        /* touched by a character */
+  int32_t answered;     /* pushes by either, with a recorded response */
+  int32_t physical;     /* by physics, since no response would look real */
+  int32_t knocked_over; /* of those */
+  int32_t push_count;   /* of the last frame */
+} flinch_crowd_state;
+/* Writes the above to `out`. */
+FLINCH_API flinch_status flinch_crowd_describe(const flinch_crowd* crowd, flinch_crowd_state* out);
+/* The joints of one character, world. */
+FLINCH_API flinch_status flinch_crowd_joint_frames(const flinch_crowd* crowd, int32_t character,
+                                                   flinch_joint_frames* out);
+
+/* A push that a character took in the last frame. This struct will not grow. */
+typedef struct flinch_crowd_push {
+  int32_t character;
+  int32_t is_physical; /* 1: physics answers it, 0: a recorded response */
+  float at[2];         /* where the character's chest is, on the ground, m */
+  float velocity[2];   /* that the pushed joint shall reach, m/s */
+} flinch_crowd_push;
+/* Push `index` of flinch_crowd_state's push_count. */
+FLINCH_API flinch_status flinch_crowd_pushed(const flinch_crowd* crowd, int32_t index,
+                                             flinch_crowd_push* out);
+
 #ifdef __cplusplus
 }
 #endif

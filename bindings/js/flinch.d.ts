@@ -238,6 +238,36 @@ export class Labelling {
   free(): void;
 }
 
+/** Where a crowd walks, and what has happened so far. */
+export interface CrowdState {
+  characters: number;
+  half_side_m: number;
+  bumps: number;
+  walls: number;
+  answered: number;
+  physical: number;
+  knocked_over: number;
+  push_count: number;
+}
+
+/** A push that a character has taken: where its chest was, and the velocity that the pushed joint
+ * shall reach; answered by physics (1) or a recorded response (0). */
+export interface CrowdPush {
+  character: number;
+  is_physical: number;
+  at: Float32Array;
+  velocity: Float32Array;
+}
+
+/** Characters that walk about in a square, and push each other and are pushed by its walls. */
+export class Crowd {
+  update(dt_s: number): void;
+  state(): CrowdState;
+  jointFrames(character: number): JointFrames;
+  pushes(): CrowdPush[];
+  free(): void;
+}
+
 /** A surface that moves with the joints: v' = sum of w (p + R (v - r)), r the joint at rest. */
 export interface Skin {
   position: Float32Array;
@@ -267,6 +297,7 @@ export class Library {
   createCharacter(): Character;
   createOracle(): Oracle;
   createLabelling(seed: number): Labelling;
+  createCrowd(seed?: number): Crowd;
   jointFrames(pose: Pose): JointFrames;
   skin(): Skin;
   clipPose(clip: number, time_s: number): Pose;

@@ -5,6 +5,7 @@ import { Library } from "./library.js";
 import { Memory } from "./memory.js";
 
 export { Character } from "./character.js";
+export { Crowd } from "./crowd.js";
 export { Labelling } from "./labelling.js";
 export { Library } from "./library.js";
 export { FlinchError } from "./memory.js";

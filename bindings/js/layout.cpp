@@ -78,6 +78,17 @@ std::string layout() {
                                    F(compared), F(same_side), F(mean_error), F(is_agreement)}));
   }
   {
+    using S = flinch_crowd_state;
+    structs.push_back(struct_text("flinch_crowd_state", sizeof(S),
+                                  {F(characters), F(half_side_m), F(bumps), F(walls), F(answered),
+                                   F(physical), F(knocked_over), F(push_count)}));
+  }
+  {
+    using S = flinch_crowd_push;
+    structs.push_back(struct_text("flinch_crowd_push", sizeof(S),
+                                  {F(character), F(is_physical), F(at), F(velocity)}));
+  }
+  {
     using S = flinch_skeleton;
     structs.push_back(struct_text("flinch_skeleton", sizeof(S), {F(size), F(offset), F(tip)}));
   }

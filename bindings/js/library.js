@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 import { Character } from "./character.js";
+import { Crowd } from "./crowd.js";
 import { Labelling } from "./labelling.js";
 import { Oracle } from "./oracle.js";
 
@@ -86,6 +87,12 @@ export class Library {
   /** Begins to judge pushed motions. Throws FlinchError for a library without pushes. */
   createLabelling(seed) {
     return new Labelling(this, seed);
+  }
+
+  /** Twenty characters that walk about and push each other. Throws FlinchError for a library without
+   * pushes or a selector without a realism model. */
+  createCrowd(seed = 1) {
+    return new Crowd(this, seed);
   }
 
   /** Positions and orientations of all joints in a pose, in the world. */

@@ -21,7 +21,7 @@ namespace runtime = flinch::runtime;
 using runtime::check;
 
 struct flinch_oracle : runtime::HandleHeader {
-  static constexpr std::uint32_t kMark = 0xF11C0005;
+  static constexpr std::uint32_t kMark = 0xF11C0009;
   struct Content {
     runtime::SharedLibrary library;
     lookahead::Oracle oracle;

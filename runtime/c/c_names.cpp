@@ -55,7 +55,9 @@ const char* flinch_status_message(flinch_status status) {
     case FLINCH_BAD_PUSH:
       return message_of(runtime::Status::bad_push);
     case FLINCH_WITHOUT_PUSHES:
-      return "the selector has no pushes, or no realism model for them";
+      return "the selector has no recorded pushes, or no realism model for them; flinch import, "
+             "label "
+             "and train-realism make both";
     case FLINCH_BAD_LIMITS:
       return "a limit of perception is negative, not finite, or a probability above 1, or an "
              "option of "

@@ -15,7 +15,7 @@ const packed = execFileSync("npm", ["pack", "--silent", "--pack-destination", fo
 execFileSync("tar", ["xzf", packed], { cwd: folder });
 const files = readdirSync(`${folder}/package`).sort();
 assert.deepEqual(files, [
-  "README.md", "character.js", "flinch.d.ts", "flinch.js", "flinch.wasm", "labelling.js", "library.js",
+  "README.md", "character.js", "crowd.js", "flinch.d.ts", "flinch.js", "flinch.wasm", "labelling.js", "library.js",
   "memory.js", "oracle.js", "package.json",
 ]);
 const { loadFlinch } = await import(pathToFileURL(`${folder}/package/flinch.js`));

@@ -6,12 +6,14 @@ import { showCaption, showCaptions } from "./captions";
 import { beforeThrow, choose, choosersOf, loadSelector, type Chooser, type Conditions, type Selector } from "./chooser";
 import { ClipEditor } from "./clip_editor";
 import { ClipRecording } from "./clip_recording";
+import { CrowdFigures } from "./crowd_figures";
+import { CrowdRecording } from "./crowd_recording";
 import { button, byId } from "./dom";
-import { Figure } from "./figure";
+import { Figure, type Drawn } from "./figure";
 import { shortName } from "./files";
 import { LabelMode } from "./label_mode";
 import { LabelRecording } from "./label_recording";
-import { kDefaultView, linkOf, viewOf, type Mode, type View } from "./link";
+import { cameraOf, kDefaultView, linkOf, viewOf, type Mode, type View } from "./link";
 import { showMessage } from "./message";
 import { overlayOf } from "./overlay";
 import { connectPage } from "./page_events";
@@ -34,6 +36,7 @@ const kModeNames: Record<Mode, string> = {
   one: "Throw",
   compare: "Compare",
   volley: "Machine gun",
+  crowd: "Crowd",
   clips: "Clips",
   rose: "Rose",
   tournament: "Tournament",
@@ -53,12 +56,13 @@ export class App {
   selectors: Selector[] = [];
   choosers: Chooser[] = [];
   takes: Take[] = []; // of the throw that is shown, one for each figure
-  alone: Volley | ClipRecording | LabelRecording | null = null; // what is shown instead
+  alone: Volley | CrowdRecording | ClipRecording | LabelRecording | null = null; // what is shown instead
   service: SimulationService | null = null;
   /** Times of the last frames that were drawn: script time, ms. */
   readonly frame_ms: number[] = [];
   private files: SelectorFile[] = [];
   private readonly figures = new Map<Chooser, Figure>();
+  crowdFigures: CrowdFigures | null = null; // made once
   private tournament: SimulationService | null = null; // while one is shown
   private isStale = true; // something is to be drawn
   private linkTimer = 0;
@@ -77,7 +81,7 @@ export class App {
   });
   private readonly judged = {
     shown: (recording: LabelRecording) => {
-      this.showAlone(recording, this.choosers[0]!);
+      this.showAlone(recording, this.figureOf(this.choosers[0]!));
       this.player.start();
     },
   };
@@ -99,7 +103,7 @@ export class App {
     this.panel = new Panel(acts, this.clips, this.judging);
     byId("transport").append(...this.player.root);
     for (const [mode, name] of Object.entries(kModeNames) as [Mode, string][]) {
-      const made = button(name, () => this.set({ mode }));
+      const made = button(name, () => this.showMode(mode));
       made.dataset.mode = mode;
       byId("modes").append(made);
     }
@@ -146,6 +150,8 @@ export class App {
     this.choosers = choosersOf(this.selectors);
     for (const figure of this.figures.values()) figure.dispose();
     this.figures.clear();
+    this.crowdFigures?.dispose();
+    this.crowdFigures = null;
     this.stage.setCells([], 1);
     this.service?.stop();
     this.service = null;
@@ -200,6 +206,14 @@ export class App {
     this.changed();
   }
 
+  /** Goes over to another view. A crowd is seen from farther away. */
+  private showMode(mode: Mode): void {
+    const { mode: before, camera } = this.view;
+    const isAlike = (mode === "crowd") === (before === "crowd");
+    this.set({ mode, camera: isAlike ? camera : cameraOf(mode) });
+    if (mode === "crowd" && !this.isStill.matches) this.player.start();
+  }
+
   throwBall(): void {
     byId("hint").hidden = true;
     if (!["one", "compare", "volley"].includes(this.view.mode)) this.view.mode = "one";
@@ -210,6 +224,10 @@ export class App {
 
   throwRandom(): void {
     this.view.seed = (this.view.seed + 1) >>> 0;
+    if (this.view.mode === "crowd") {
+      this.showMode("crowd");
+      return;
+    }
     this.view.thrown = randomThrow(randomNumbers(this.view.seed));
     this.throwBall();
   }
@@ -304,12 +322,15 @@ export class App {
       const { seed, delay, thrown } = this.view;
       const size = thrown.radius / kDefaultThrow.radius;
       const mass = thrown.mass / kDefaultThrow.mass;
-      this.showAlone(new Volley(chooser, { seed, delay, brawn: this.brawn, size, mass }), chooser);
+      const volley = new Volley(chooser, { seed, delay, brawn: this.brawn, size, mass });
+      this.showAlone(volley, this.figureOf(chooser));
+    } else if (mode === "crowd") {
+      this.showCrowd();
     } else if (mode === "clips") {
       const [first] = this.choosers as [Chooser];
       const { library } = first.selector;
       this.clips.show(library, this.view.clip);
-      this.showAlone(new ClipRecording(library, this.view.clip), first);
+      this.showAlone(new ClipRecording(library, this.view.clip), this.figureOf(first));
     } else if (this.judgingNow) {
       this.showJudging(this.judgingNow);
     } else {
@@ -333,19 +354,31 @@ export class App {
     }
   }
 
+  /** Shows a crowd of the first selector's library. */
+  private showCrowd(): void {
+    try {
+      const recording = new CrowdRecording(this.choosers[0]!.selector.library, this.view.seed);
+      const { characters, half_side_m } = recording.stateAt(0);
+      this.crowdFigures ??= new CrowdFigures(recording.library, characters, half_side_m);
+      this.showAlone(recording, this.crowdFigures, Math.SQRT2 * half_side_m);
+    } catch (error) {
+      showMessage(error);
+    }
+  }
+
   /** What the cells show. */
   private get recordings(): readonly Recording[] {
     return this.alone ? [this.alone] : this.takes;
   }
 
-  /** Shows one figure that answers no single throw. */
-  private showAlone(recording: Volley | ClipRecording | LabelRecording, chooser: Chooser): void {
+  /** Shows what answers no single throw. */
+  private showAlone(recording: NonNullable<App["alone"]>, drawn: Drawn, reach?: number): void {
     ++this.shown;
     for (const take of this.takes) take.free();
     this.takes = [];
     this.alone = recording;
     this.player.setDuration(recording.duration);
-    this.stage.setCells([{ recording, figure: this.figureOf(chooser) }], 1);
+    this.stage.setCells([{ recording, figure: drawn }], 1, reach);
     this.panel.showWhy(null);
     this.isStale = true;
   }
@@ -473,6 +506,8 @@ export class App {
     const { time } = this.player;
     if (alone instanceof Volley) {
       showCaption(byId("captions"), alone.chooser.name, alone.summary(time));
+    } else if (alone instanceof CrowdRecording) {
+      showCaption(byId("captions"), `Crowd ${alone.seed}`, alone.summary(time));
     } else if (alone instanceof LabelRecording) {
       byId("captions").replaceChildren();
     } else if (alone) {
@@ -489,6 +524,8 @@ export class App {
       this.stage.showOverlay(points.length > 0 ? [{ points, colour: 0xd0504a }] : []);
       return;
     }
+    if (this.alone instanceof CrowdRecording)
+      this.crowdFigures!.showPushes(this.alone, this.player.time);
     const isWanted = take && this.view.mode === "one" && this.panel.showsOverlay;
     this.stage.showOverlay(isWanted ? overlayOf(take, this.player.time) : []);
   }

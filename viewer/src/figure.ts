@@ -8,6 +8,7 @@ import {
   Color,
   Matrix4,
   MeshStandardMaterial,
+  type Object3D,
   Quaternion,
   Skeleton,
   SkinnedMesh,
@@ -25,7 +26,17 @@ const kLips = 0xb5705f;
 const kShoes = 0x2c3038;
 const kOne = new Vector3(1, 1, 1);
 
-export class Figure {
+/** What a cell of the stage draws of a recording. */
+export interface Drawn {
+  readonly mesh: Object3D;
+  /** Shows what is between two recorded frames. */
+  show(from: JointFrames, to: JointFrames, share: number): void;
+  /** Lights the bodies that were hit: impulses in N s. */
+  glow(impulses: Float32Array): void;
+  dispose(): void;
+}
+
+export class Figure implements Drawn {
   readonly mesh: SkinnedMesh<BufferGeometry, MeshStandardMaterial>;
   private readonly bones: Bone[];
   private readonly plain: Float32Array; // colours without glow
@@ -64,10 +75,12 @@ export class Figure {
     this.mesh.boundingSphere = new Sphere(new Vector3(0, 0, 1), 4); // wherever it moves
   }
 
-  /** Shows a pose between two recorded ones. */
-  show(from: JointFrames, to: JointFrames, share: number): void {
+  /** Shows a pose between two recorded ones, of figure `number` where they hold several, one after the
+   * other. */
+  show(from: JointFrames, to: JointFrames, share: number, number = 0): void {
     const { position, nextPosition, orientation, nextOrientation } = this;
-    this.bones.forEach(({ matrixWorld }, joint) => {
+    this.bones.forEach(({ matrixWorld }, bone) => {
+      const joint = number * this.bones.length + bone;
       setQuaternion(orientation, from.orientation, joint);
       setQuaternion(nextOrientation, to.orientation, joint);
       position.fromArray(from.position, 3 * joint);

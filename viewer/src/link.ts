@@ -3,8 +3,8 @@
 // something that can be shown.
 import { allowed, clamp, kDefaultThrow, type Throw } from "./throw";
 
-export type Mode = "one" | "compare" | "volley" | "clips" | "rose" | "tournament" | "label" | "study";
-const kModes: readonly Mode[] = ["one", "compare", "volley", "clips", "rose", "tournament", "label", "study"];
+export type Mode = "one" | "compare" | "volley" | "crowd" | "clips" | "rose" | "tournament" | "label" | "study";
+const kModes: readonly Mode[] = ["one", "compare", "volley", "crowd", "clips", "rose", "tournament", "label", "study"];
 
 export interface View {
   mode: Mode;
@@ -17,7 +17,7 @@ export interface View {
   time: number; // of the playback, s
   pace: number; // of the playback, seconds per second
   camera: [number, number, number]; // azimuth, elevation (degrees), distance (m)
-  seed: number; // of the next throw, the volley and the tournament
+  seed: number; // of the next throw, the volley, the crowd and the tournament
 }
 
 export const kDefaultView: View = {
@@ -33,6 +33,11 @@ export const kDefaultView: View = {
   camera: [35, 12, 4.6],
   seed: 1,
 };
+
+/** From where a view is seen that was not turned yet. */
+export function cameraOf(mode: Mode): View["camera"] {
+  return mode === "crowd" ? [20, 33, 14.5] : [...kDefaultView.camera];
+}
 
 const rounded = (value: number) => String(Number(value.toFixed(3)));
 
@@ -76,13 +81,14 @@ export function viewOf(link: string, choosers: number, clips: number, stances: n
   const [azimuth, from_height] = numbers("from", 2) as [number, number];
   const [speed, time, radius, mass, kind] = numbers("ball", 5) as [number, number, number, number, number];
   const [turn, elevation, distance] = numbers("camera", 3) as [number, number, number];
-  const camera: View["camera"] = [...kDefaultView.camera];
+  const named = parts.get("view") as Mode;
+  const mode = kModes.includes(named) ? named : kDefaultView.mode;
+  const camera = cameraOf(mode);
   if (Number.isFinite(turn)) camera[0] = turn % 360;
   if (Number.isFinite(elevation)) camera[1] = clamp(elevation, [-5, 89]);
   if (Number.isFinite(distance)) camera[2] = clamp(distance, [1, 15]);
-  const mode = parts.get("view") as Mode;
   return {
-    mode: kModes.includes(mode) ? mode : kDefaultView.mode,
+    mode,
     thrown: allowed({
       azimuth,
       from_height,

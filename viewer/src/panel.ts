@@ -3,6 +3,7 @@
 import type { ThreatKind } from "flinch";
 import type { Chooser } from "./chooser";
 import type { ClipEditor } from "./clip_editor";
+import { crowdPanel } from "./crowd_panel";
 import { button, byId, element, slider } from "./dom";
 import { usual } from "./kinds";
 import type { View } from "./link";
@@ -44,6 +45,7 @@ export class Panel {
   private readonly stance = element("select", { className: "choice", ariaLabel: "Stance" });
   private readonly overlay = element("label", { className: "quiet" });
   private readonly throwing = element("div"); // all that is about throws
+  private readonly crowd = crowdPanel(() => this.acts.random());
   private readonly rose = element("select", { className: "choice", ariaLabel: "Colours of the rose" });
 
   constructor(
@@ -123,6 +125,7 @@ export class Panel {
     );
     byId("panel").append(
       this.clips.root,
+      this.crowd,
       this.judging.label.root,
       this.judging.study.root,
       this.throwing,
@@ -165,7 +168,8 @@ export class Panel {
     );
     this.who.selectedIndex = view.figure;
     this.ball.hidden = view.mode === "volley" || view.mode === "tournament"; // which draw theirs
-    this.throwing.hidden = ["clips", "label", "study"].includes(view.mode);
+    this.throwing.hidden = ["crowd", "clips", "label", "study"].includes(view.mode);
+    this.crowd.hidden = view.mode !== "crowd";
     this.judging.label.root.hidden = view.mode !== "label";
     this.judging.study.root.hidden = view.mode !== "study";
     this.clips.root.hidden = view.mode !== "clips";

@@ -24,13 +24,16 @@ import {
   Vector3,
   WebGLRenderer,
 } from "three";
-import { Figure } from "./figure";
+import type { Drawn } from "./figure";
 import type { OverlayLine } from "./overlay";
 import type { Ball, Frame, Recording } from "./recording";
 import { Trail } from "./trail";
 
 const kMostBalls = 3;
 const kShift = 0.1; // of a cell's height
+const kClear = 3.4; // m behind the origin, from where things fade into the fog
+const kMist = 14; // m on which they do
+const kLit = 2.5; // m around the origin: where one figure moves
 const kAlongRod = new Vector3(0, 1, 0); // of three.js's capsule
 
 export interface Palette {
@@ -47,7 +50,7 @@ export const kPalettes: Record<"light" | "dark", Palette> = {
 /** What one cell of the stage shows. */
 export interface Cell {
   recording: Recording;
-  figure: Figure;
+  figure: Drawn;
 }
 
 export class Stage {
@@ -64,6 +67,7 @@ export class Stage {
   private readonly trailMaterial = new LineBasicMaterial();
   private readonly aim = new Line(new BufferGeometry(), new LineBasicMaterial());
   private readonly overlay = new Group();
+  private readonly fog = new Fog(0);
   private grid = new GridHelper(24, 24);
   private readonly raycaster = new Raycaster();
   private readonly next = new Vector3(); // of a ball, while its place is found
@@ -87,9 +91,6 @@ export class Stage {
     this.sun.castShadow = true;
     this.sun.shadow.mapSize.set(1024, 1024);
     this.sun.shadow.radius = 4;
-    const frustum = this.sun.shadow.camera;
-    frustum.left = frustum.bottom = -2.5;
-    frustum.right = frustum.top = 2.5;
     this.scene.add(
       new HemisphereLight(0xffffff, 0x9aa4b0, 1.1),
       new AmbientLight(0xffffff, 0.35),
@@ -106,7 +107,8 @@ export class Stage {
 
   paint(palette: Palette): void {
     this.scene.background = new Color(palette.fog);
-    this.scene.fog = new Fog(palette.fog, 8, 22);
+    this.scene.fog = this.fog;
+    this.fog.color.set(palette.fog);
     this.ground.material.color.set(palette.ground);
     this.balls[0]!.material.color.set(palette.ball);
     this.trailMaterial.color.set(palette.ball);
@@ -119,8 +121,12 @@ export class Stage {
     this.scene.add(this.grid);
   }
 
-  /** Replaces what the cells show. */
-  setCells(cells: Cell[], columns: number): void {
+  /** Replaces what the cells show, which moves within `reach` m of the origin. */
+  setCells(cells: Cell[], columns: number, reach = kLit): void {
+    const frustum = this.sun.shadow.camera;
+    frustum.left = frustum.bottom = -reach;
+    frustum.right = frustum.top = reach;
+    frustum.updateProjectionMatrix();
     for (const { figure } of this.cells) this.scene.remove(figure.mesh);
     for (const trail of this.trails.splice(0)) {
       this.scene.remove(trail.line);
@@ -146,6 +152,8 @@ export class Stage {
       .add(target);
     this.camera.position.z = Math.max(this.camera.position.z, 0.1);
     this.camera.lookAt(target);
+    this.fog.near = distance + kClear;
+    this.fog.far = this.fog.near + kMist;
   }
 
   /** Shows the path of a throw that is being aimed; none for no points. */

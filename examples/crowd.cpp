@@ -14,7 +14,7 @@
 #include <exception>
 
 #include "database/export/gltf_writer.h"
-#include "examples/crowd/crowd.h"
+#include "reaction/crowd/crowd.h"
 
 using namespace flinch;
 
@@ -52,8 +52,7 @@ double cpu_s() {
 int play(const runtime::Library& library, const char* out, float seconds) {
   const auto graph = runtime::make_motion_graph(library);
   if (!graph) return 1;
-  const crowd::Options options;
-  crowd::Crowd crowd(library, *graph, options);
+  reaction::Crowd crowd(library, *graph);
   std::vector<motion::Motion> motions(crowd.characters().size());
   PoseHash hash;
   double updating_s = 0;
@@ -70,12 +69,12 @@ int play(const runtime::Library& library, const char* out, float seconds) {
       if (out != nullptr) motions[i].poses.push_back(pose);
     }
   }
-  const crowd::Tally& tally = crowd.tally();
+  const reaction::CrowdTally& tally = crowd.tally();
   std::printf("%zu characters for %.0f s: %zu bumps, %zu touches of a wall\n", motions.size(),
               static_cast<double>(seconds), tally.bumps, tally.walls);
   std::printf("%zu pushes answered, %zu by physics, %zu knocked over; at most %.2f m outside\n",
               tally.answered, tally.physical, tally.knocked_over,
-              static_cast<double>(std::max(farthest_m - options.half_side_m, 0.0F)));
+              static_cast<double>(std::max(farthest_m - crowd.options().half_side_m, 0.0F)));
   std::printf("%.2f %% of a core; hash %016" PRIx64 "; %s\n",
               100 * updating_s / static_cast<double>(seconds), hash.value(),
               hash.is_finite() ? "every number is finite" : "a number is not finite");

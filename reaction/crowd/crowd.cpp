@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "examples/crowd/crowd.h"
+#include "reaction/crowd/crowd.h"
 
 #include <algorithm>
 #include <cmath>
 #include <random>
 
-namespace flinch::crowd {
+namespace flinch::reaction {
 namespace {
 
 using motion::Role;
@@ -31,15 +31,15 @@ float wrapped(float angle) {
 }  // namespace
 
 Crowd::Crowd(const runtime::Library& library, const runtime::MotionGraph& graph,
-             const Options& options)
+             const CrowdOptions& options)
     : options_(options), skeleton_(library.clip_library().character.skeleton) {
-  const auto data = reaction::make_reaction_data(library);
+  const auto data = make_reaction_data(library);
   const runtime::WalkArea area{Eigen::Vector2f::Zero(), options.half_side_m - kRadius_m};
   std::mt19937 random(static_cast<unsigned>(options.seed));
   const auto columns = static_cast<int>(std::ceil(std::sqrt(options.characters)));
   const float step_m = 2 * options.half_side_m / static_cast<float>(columns);
   for (int k = 0; k < options.characters; ++k) {
-    reaction::ReactingCharacter character(library, data);
+    ReactingCharacter character(library, data);
     const auto at = [&](int index) {
       return (static_cast<float>(index) + 0.5F) * step_m - options.half_side_m;
     };
@@ -69,7 +69,8 @@ void Crowd::observe(float dt_s) {
 }
 
 void Crowd::update(float dt_s) {
-  for (reaction::ReactingCharacter& character : characters_) character.update(dt_s);
+  pushes_.clear();
+  for (ReactingCharacter& character : characters_) character.update(dt_s);
   observe(dt_s);
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     help_up(i, dt_s);
@@ -110,20 +111,21 @@ void Crowd::push(std::size_t one, const Eigen::Vector2f& velocity) {
   Body& body = bodies_[one];
   if (body.rest_s > 0) return;
   const float bearing = wrapped(std::atan2(-velocity.y(), -velocity.x()) - body.facing);
-  reaction::ReactingCharacter& character = characters_[one];
+  ReactingCharacter& character = characters_[one];
   if (character.push(place_of(bearing), {velocity.x(), velocity.y(), 0}) != runtime::Status::ok)
     return;  // it lies on the ground
-  const bool is_physical = character.pose_source() == reaction::PoseSource::physics;
+  const bool is_physical = character.pose_source() == PoseSource::physics;
   ++(is_physical ? tally_.physical : tally_.answered);
+  pushes_.push_back({one, body.chest, velocity, is_physical});
   body.rest_s = kRestAfterPush_s;
 }
 
 // Who was knocked over gets up by the offset spring alone: there is no clip of it.
 void Crowd::help_up(std::size_t one, float dt_s) {
-  reaction::ReactingCharacter& character = characters_[one];
+  ReactingCharacter& character = characters_[one];
   Body& body = bodies_[one];
-  const bool lies = character.pose_source() == reaction::PoseSource::physics &&
-                    character.reaction().phase() == reaction::ReactionPhase::knocked_over;
+  const bool lies = character.pose_source() == PoseSource::physics &&
+                    character.reaction().phase() == ReactionPhase::knocked_over;
   if (lies && body.lying_s == 0) ++tally_.knocked_over;
   body.lying_s = lies ? body.lying_s + dt_s : 0;
   if (body.lying_s < kOnTheGround_s) return;
@@ -133,4 +135,4 @@ void Crowd::help_up(std::size_t one, float dt_s) {
   body.lying_s = 0;
 }
 
-}  // namespace flinch::crowd
+}  // namespace flinch::reaction
