@@ -20,13 +20,11 @@ constexpr double kTail_s = 0.3;
 
 /// From where the character answers, as the table of work has it.
 models::ResponseStart start_of(const runtime::PreparedLibrary& library,
-                               const models::ResponseCosts& costs,
                                const features::Scenario& scenario) {
-  features::CharacterState known = scenario.state;
-  known.stance = models::stance_of_work(costs, known.stance);
-  const float period_s = library.stance_of(known).loop.period_s();
+  const features::CharacterState& state = scenario.state;
+  const float period_s = library.stance_of(state).loop.period_s();
   const float time_s = scenario.time_to_impact_s;
-  return {known.stance, period_s > 0 ? (known.idle_time_s + time_s) / period_s : 0, time_s};
+  return {state.stance, period_s > 0 ? (state.idle_time_s + time_s) / period_s : 0, time_s};
 }
 
 bool is_over(const Budget& budget, double end_us) {
@@ -216,7 +214,7 @@ bool Search::try_candidate(ForeseenCandidate& candidate, const Budget& budget, d
   const ForeseenCandidate best = status_.candidates[status_.chosen];
   const double limit_ns =
       is_known(best) ? double{best.cost_ns} : std::numeric_limits<double>::infinity();
-  candidate.work_j = work_j(costs, clip, start_of(library.prepared(), costs, urgent.scenario));
+  candidate.work_j = work_j(costs, clip, start_of(library.prepared(), urgent.scenario));
   const double work_j = double{candidate.work_j};
   // Of several threats, the one that is met says what work counts.
   const int kind = urgent.scenario.threat.kind;
@@ -271,8 +269,10 @@ bool Search::advance(const Budget& budget, LookAheadWorkspace& workspace) noexce
   if (!workspace.is_for(character_.library())) return false;
   const double end_us =
       budget.now_us != nullptr ? budget.now_us(budget.clock) + budget.us : budget.us;
-  // Where there is no choice, there is nothing to find out.
-  if (status_.count == 1) next_ = 1;
+  // Where there is no choice, or its work is not known, there is nothing to find out.
+  const models::ResponseCosts& costs = *character_.library().selector().costs;
+  if (status_.count == 1 || !knows_work_from(costs, threats_[0].scenario.state.stance))
+    next_ = status_.count;
   while (next_ < status_.count && !is_over(budget, end_us)) {
     if (!try_candidate(status_.candidates[next_], budget, end_us, workspace)) break;
     status_.tried = ++next_;

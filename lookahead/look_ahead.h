@@ -38,7 +38,8 @@ struct LookAhead {
 
 /// What is known of a candidate.
 enum class Foreseen : std::uint8_t {
-  /// The budget ended before it was tried, it is the only one, or its response cannot be planned.
+  /// The budget ended before it was tried, it is the only one, its response cannot be planned, or
+  /// the selector's file does not tell the work of responses from the character's stance.
   nothing,
   costlier,  ///< its work alone costs more than the best; not simulated: its damage is not known
   misses,    ///< no ball comes near it
@@ -65,7 +66,8 @@ struct ForeseenCandidate {
 struct LookAheadStatus {
   runtime::Status status = runtime::Status::not_loaded;  ///< as of Character::perceive
   std::size_t count = 0;                                 ///< of `candidates`
-  std::size_t tried = 0;       ///< of these, those that the budget allowed; 0 if there is only one
+  /// Of these, those that the budget allowed; 0 if there is only one, or their work is not known.
+  std::size_t tried = 0;
   std::size_t encounters = 0;  ///< balls that were simulated
   std::size_t chosen = 0;      ///< index of the answer in `candidates`
   std::size_t threats = 0;     ///< that will hit and were looked at, the most urgent ones

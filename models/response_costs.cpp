@@ -16,8 +16,8 @@ const StanceWork* work_of_stance(const ResponseCosts& costs, int stance) {
 
 }  // namespace
 
-int stance_of_work(const ResponseCosts& costs, int stance) {
-  return work_of_stance(costs, stance) == nullptr ? 0 : stance;
+bool knows_work_from(const ResponseCosts& costs, int stance) {
+  return stance == 0 || work_of_stance(costs, stance) != nullptr;
 }
 
 float work_j(const ResponseCosts& costs, int clip, const ResponseStart& start) {

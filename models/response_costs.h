@@ -49,12 +49,11 @@ struct ResponseStart {
   float time_to_impact_s = 0;
 };
 
-/// Returns `stance` if the work of the responses from there is known, else 0, the idle clip, whose
-/// work is taken for it.
-int stance_of_work(const ResponseCosts& costs, int stance);
+/// Whether the work of the responses from a stance is known; that from the idle clip is.
+bool knows_work_from(const ResponseCosts& costs, int stance);
 
 /// Returns the work of a clip's response, J, interpolated between the measured ones and constant
-/// beyond them. `start.stance` is one that stance_of_work() returns.
+/// beyond them. The work from `start.stance` must be known.
 float work_j(const ResponseCosts& costs, int clip, const ResponseStart& start);
 
 /// Returns v_b against a kind of threat.

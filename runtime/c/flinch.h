@@ -592,7 +592,7 @@ typedef struct flinch_look_ahead_options {
 
 /* What is known of a candidate. */
 enum {
-  FLINCH_FORESEEN_NOTHING = 0,  /* the budget ended first, or it is the only candidate */
+  FLINCH_FORESEEN_NOTHING = 0,  /* not tried: see flinch_look_ahead_status */
   FLINCH_FORESEEN_COSTLIER = 1, /* its work alone costs more than the best; not simulated */
   FLINCH_FORESEEN_MISSES = 2,   /* no ball comes near it */
   FLINCH_FORESEEN_SIMULATED = 3,
@@ -614,7 +614,8 @@ typedef struct flinch_foreseen {
 typedef struct flinch_look_ahead_status {
   uint32_t size;
   int32_t candidate_count;
-  int32_t tried;       /* candidates that the budget allowed; 0 if there is only one */
+  int32_t tried;       /* as many as the budget allowed; 0 if there is only one candidate, or the
+                          work of responses from the character's stance is not known */
   int32_t encounters;  /* balls that were simulated */
   int32_t chosen;      /* index of the answer in `candidate` */
   int32_t threats;     /* that will hit and were looked at, the most urgent ones */

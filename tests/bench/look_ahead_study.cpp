@@ -164,7 +164,8 @@ void run(const bench::StudyArguments& arguments) {
     const float time_s = scenario.time_to_impact_s;
     const features::Ball ball = features::ball_of(scenario.threat);
     const int kind = scenario.threat.kind;
-    const int stance = stance_of_work(costs, scenario.state.stance);
+    const int stance = scenario.state.stance;
+    if (!knows_work_from(costs, stance)) continue;
     const float period_s = prepared.stances[static_cast<std::size_t>(stance)].loop.period_s();
     const float phase = (scenario.state.idle_time_s + time_s) / period_s;
     for (const train::Trial& measured : observation.trials) {

@@ -167,6 +167,29 @@ TEST(LookAhead, FromAnotherStanceItChoosesNoWorseThanTheSelectorAlone) {
   EXPECT_LT(looking_ns - best_ns, 0.75 * (alone_ns - best_ns));
 }
 
+TEST(LookAhead, FromAStanceWhoseWorkIsNotKnownItAnswersAsPerceiveDoes) {
+  const tests::TrainedLibrary idle_only(200, 0.5, tests::with_guard(scenes::synthetic_library()));
+  LookAheadWorkspace workspace = idle_only.workspace();
+  runtime::Workspace selection;
+  selection.reserve_memory(idle_only.library.selection_bytes());
+  int changed_from_idle = 0;
+  for (const train::Observation& observation : idle_only.observations) {
+    features::Scenario scenario = observation.scenario;
+    const std::array threats{scenario.threat};
+    Character idle = tests::character_of(idle_only, scenario);
+    changed_from_idle += perceive(idle, threats, {.candidates = 8}, workspace).chosen != 0 ? 1 : 0;
+    scenario.state.stance = 1;
+    Character looking = tests::character_of(idle_only, scenario);
+    Character plain = looking;
+    const Status expected = plain.perceive(scenario.threat, selection);
+    const LookAheadStatus status = perceive(looking, threats, {.candidates = 8}, workspace);
+    EXPECT_EQ(status.status, expected);
+    EXPECT_EQ(status.tried, 0U);
+    EXPECT_TRUE(move_alike(looking, plain)) << "scenario " << observation.number;
+  }
+  EXPECT_GT(changed_from_idle, 20) << "what looking ahead would change is not tested";
+}
+
 TEST(LookAhead, OneCandidateAnswersAsPerceiveDoes) {
   LookAheadWorkspace workspace = trained().workspace();
   runtime::Workspace selection;

@@ -50,13 +50,13 @@ TEST(ResponseCosts, WorkIsThatOfTheStanceInPhasesOfItsOwn) {
   EXPECT_NEAR(work_j(costs, 1, {0, 0.5F, 0.3F}), 111, 1e-4F) << "that from idle is as it was";
 }
 
-TEST(ResponseCosts, StancesWithoutWorkCountAsIdle) {
+TEST(ResponseCosts, WorkIsKnownFromIdleAndFromStancesWithWorkOfTheirOwn) {
   ResponseCosts costs = small_costs();
   costs.of_stance.push_back({2, std::vector<float>(6, 7.0F), 1});
-  EXPECT_EQ(stance_of_work(costs, 0), 0);
-  EXPECT_EQ(stance_of_work(costs, 1), 0);
-  EXPECT_EQ(stance_of_work(costs, 2), 2);
-  EXPECT_EQ(stance_of_work(costs, 3), 0);
+  EXPECT_TRUE(knows_work_from(costs, 0));
+  EXPECT_FALSE(knows_work_from(costs, 1));
+  EXPECT_TRUE(knows_work_from(costs, 2));
+  EXPECT_FALSE(knows_work_from(costs, 3));
 }
 
 TEST(ResponseCosts, CostIsThatOfTheTrainer) {
