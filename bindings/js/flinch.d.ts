@@ -278,7 +278,7 @@ export interface Skin {
   triangles: Uint32Array[];
 }
 
-/** A selector with its clips. */
+/** A selector with its clips, or clips alone. */
 export class Library {
   readonly flinch: Flinch;
   readonly info: {
@@ -318,6 +318,11 @@ export interface Flinch {
   readonly foreseen: string[];
   /** Loads a selector file. Throws FlinchError where it cannot be used. */
   load(bytes: ArrayBuffer | ArrayBufferView): Library;
+  /** Loads a selector file, such as one without clips, for the clips of `owner`, which both share
+   * from then on. Throws FlinchError for the selector of another library. */
+  loadBeside(bytes: ArrayBuffer | ArrayBufferView, owner: Library): Library;
+  /** Takes a library's file, which has clips and no selector. */
+  take(bytes: ArrayBuffer | ArrayBufferView): Library;
   humanLimits(choices: number): PerceptionLimits;
 }
 

@@ -27,7 +27,25 @@ class Flinch {
 
   /** Loads a selector file from its bytes. Throws FlinchError where it cannot be used. */
   load(bytes) {
-    return new Library(this, bytes);
+    const { flinch_library_load_memory } = this.memory.call;
+    return new Library(this, bytes, flinch_library_load_memory);
+  }
+
+  /** Loads a selector file for the clips of another library, which both share from then on: so
+   * selectors that `flinch train --without-clips` writes play from one library. `owner` may be
+   * freed before. */
+  loadBeside(bytes, owner) {
+    const { flinch_library_load_beside } = this.memory.call;
+    return new Library(this, bytes, (file, size, out) =>
+      flinch_library_load_beside(file, size, owner.handle, out),
+    );
+  }
+
+  /** Takes a library's file, which has clips and no selector: its characters answer as they are
+   * told. */
+  take(bytes) {
+    const { flinch_library_take } = this.memory.call;
+    return new Library(this, bytes, flinch_library_take);
   }
 
   /** The limits of a person who chooses among `choices` answers. */

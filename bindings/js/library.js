@@ -4,9 +4,10 @@ import { Crowd } from "./crowd.js";
 import { Labelling } from "./labelling.js";
 import { Oracle } from "./oracle.js";
 
-/** A selector with its clips, which `flinch train` wrote. Free it when it is no longer needed. */
+/** A selector with its clips, or clips alone. Free it when it is no longer needed. */
 export class Library {
-  constructor(flinch, bytes) {
+  /** `load` makes the handle from the address and size of a copy of `bytes`, at `out`. */
+  constructor(flinch, bytes, load) {
     this.flinch = flinch;
     this.memory = flinch.memory;
     const { memory } = this;
@@ -16,9 +17,7 @@ export class Library {
     if (address === 0) throw new RangeError("there is not enough memory");
     try {
       new Uint8Array(call.memory.buffer).set(data, address);
-      this.handle = memory.handle((out) =>
-        call.flinch_library_load_memory(address, data.length, out),
-      );
+      this.handle = memory.handle((out) => load(address, data.length, out));
     } finally {
       call.free(address);
     }

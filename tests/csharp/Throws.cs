@@ -95,6 +95,16 @@ static unsafe class Throws {
     if (!condition) throw new InvalidOperationException(what);
   }
 
+  static void Refuses(int status, Action act) {
+    try {
+      act();
+    } catch (FlinchException error) {
+      Require(error.Status == status, error.Message);
+      return;
+    }
+    Require(false, "status " + status);
+  }
+
   // The axes: a turn of Flinch's vector is the same turn of Unity's, there and back.
   static void CheckAxes() {
     for (int i = 0; i < 100; ++i) {
@@ -206,6 +216,30 @@ static unsafe class Throws {
             library.Stance(99) == -1, "stances");
   }
 
+  // A selector without clips, in the file of that name in the environment, plays those of a library
+  // that it shares.
+  static void CheckSharedClips(string selector, string otherClips) {
+    byte[] bare = File.ReadAllBytes(Environment.GetEnvironmentVariable("BARE_SELECTOR"));
+    Refuses(-25, () => new Library(bare));
+    Refuses(-30, () => new Library(bare, Library.Take(File.ReadAllBytes(otherClips))));
+    Library whole = new Library(selector), owner = new Library(selector);
+    var shared = new Library(bare, owner);
+    owner.Dispose();
+    Pose expected = Pose.Make(), pose = Pose.Make();
+    for (int i = 0; i < 20; ++i) {
+      Threat ball = Ball();
+      foreach (Library library in new[] { whole, shared }) {
+        var character = new Character(library);
+        character.Perceive(ref ball, new Workspace(library));
+        for (int frame = 0; frame < Frames; ++frame) character.Update(1.0F / 60);
+        character.GetPose(ref pose);
+        if (library == whole) expected = pose;
+      }
+      for (int k = 0; k < 4 * Pose.Joints; ++k)
+        Require(pose.Rotation[k] == expected.Rotation[k], "the pose of shared clips");
+    }
+  }
+
   static void CheckSteps(Library library, Workspace workspace) {
     var character = new Character(library);
     Threat ball = Threat.Ball(9, 1, 1.4F, -20, -2.2F, 2.8F), away = ball;
@@ -289,5 +323,6 @@ static unsafe class Throws {
     CheckSteps(library, workspace);
     CheckLookAhead(library, lookAhead);
     CheckHits(library);
+    CheckSharedClips(arguments[0], arguments[1]);
   }
 }

@@ -26,9 +26,13 @@ constexpr int kHits = 40;
 constexpr int kOracleThrows = 3;
 constexpr float kFrame_s = 1.0F / 60;
 
-std::string selector_with_costs(const database::ClipLibrary& library) {
-  return tests::with_response_costs(tests::made_up_selector(library, 60, tests::ModelKind::knn))
-      .file();
+tests::MadeUpSelector selector_with_costs(const database::ClipLibrary& library) {
+  return tests::with_response_costs(tests::made_up_selector(library, 60, tests::ModelKind::knn));
+}
+
+void write(const std::string& path, const std::string& bytes) {
+  std::ofstream file(path, std::ios::binary);
+  if (!(file << bytes).flush()) throw std::runtime_error("cannot write " + path);
 }
 
 flinch_status checked(flinch_status status) {
@@ -221,10 +225,12 @@ void write_hit(Json& json, const Scene& scene, flinch_threat threat) {
 
 void write_all(const std::string& folder) {
   const database::ClipLibrary authored = database::authored_library(motion::default_character());
-  const std::string file = selector_with_costs(authored);
-  std::ofstream(folder + "/throws.flinch", std::ios::binary) << file;
-  std::ofstream(folder + "/stances.flinch", std::ios::binary)
-      << selector_with_costs(tests::with_walk(authored));
+  const tests::MadeUpSelector made = selector_with_costs(authored);
+  const std::string file = made.file();
+  write(folder + "/throws.flinch", file);
+  write(folder + "/bare.flinch", train::selector_bytes(made.selector));
+  write(folder + "/clips.flinchlib", made.library_file);
+  write(folder + "/stances.flinch", selector_with_costs(tests::with_walk(authored)).file());
   std::ofstream out(folder + "/throws.json");
   const Scene scene(file);
   Json json(out);

@@ -111,6 +111,25 @@ const stood = walked();
 for (let frame = 0; frame < 60; ++frame) walker.update(1 / 60);
 assert.ok(Math.abs(walked() - stood) < 0.02, "on guard it stands");
 
+// Selectors without clips play from a library that they share, which may be freed before.
+const bareFile = await readFile(`${folder}/bare.flinch`);
+const clipsFile = await readFile(`${folder}/clips.flinchlib`);
+const clipsAlone = flinch.take(clipsFile);
+const bareOne = flinch.loadBeside(bareFile, clipsAlone);
+const bareTwo = flinch.loadBeside(bareFile, bareOne);
+clipsAlone.free();
+bareOne.free();
+assert.deepEqual(bareTwo.clips, library.clips);
+const bareCharacter = bareTwo.createCharacter();
+for (const one of expected.throws.slice(0, 100)) {
+  bareCharacter.place(0, 0, 0, 0.5);
+  assert.equal(bareCharacter.perceive(threatOf(one.threat)), answers[one.answer]);
+  assert.equal(bareCharacter.state().clip, one.clip);
+  for (let frame = 0; frame < 20; ++frame) bareCharacter.update(Math.fround(1 / 60));
+  const { root_position, rotation } = bareCharacter.pose();
+  assert.ok(largestDifference([...root_position, ...rotation], one.poses[0]) <= 1e-5);
+}
+
 // Errors are exceptions with the library's text.
 const refuses = (act, status, text) =>
   assert.throws(act, (error) => {
@@ -125,6 +144,12 @@ refuses(() => flinch.load(damaged), -23, /damaged/);
 refuses(() => flinch.load(selector.subarray(0, selector.length >> 1)), -23, /cut short/);
 refuses(() => flinch.load(new Uint8Array(0)), -21, /not a selector/);
 refuses(() => flinch.load(new TextEncoder().encode("HIERARCHY")), -21, /flinch train/);
+refuses(() => flinch.load(bareFile), -25, /no clips/);
+refuses(() => flinch.loadBeside(bareFile, moving), -30, /another library/);
+refuses(() => flinch.loadBeside(damaged, bareTwo), -23, /damaged/);
+refuses(() => flinch.take(selector), -29, /library/);
+const toldOnly = flinch.take(clipsFile);
+refuses(() => toldOnly.createCharacter().perceive(threatOf(expected.throws[0].threat)), -18, /selector/);
 refuses(() => character.update(-1), -8, /time/);
 assert.throws(() => walker.place(0, 0, 0, 0, 3), FlinchError);
 const ball = { position: [NaN, 0, 0], velocity: [1, 0, 0], radius: 0.1, mass_kg: 1 };

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""The run time in Python. Environment: SELECTOR, WALKS (a library with everyday motion), FLINCH (the program),
-FLINCH_LIBRARY (libflinch.so)."""
+"""The run time in Python. Environment: SELECTOR, BARE_SELECTOR (the same without clips), WALKS (a library with
+everyday motion), FLINCH (the program), FLINCH_LIBRARY (libflinch.so)."""
 
 import ctypes
 import os
@@ -14,6 +14,7 @@ import numpy
 import flinch
 
 SELECTOR = pathlib.Path(os.environ["SELECTOR"])
+BARE_SELECTOR = pathlib.Path(os.environ["BARE_SELECTOR"])
 WALKS = pathlib.Path(os.environ["WALKS"])
 BALL = flinch.Threat([9, 1, 1.4], [-20, -2.2, 2.8])
 AWAY = flinch.Threat([9, 1, 1.4], [20, 0, 0])
@@ -212,6 +213,24 @@ class Runtime(unittest.TestCase):
         self.refuses(-18, character.perceive, near)
         self.refuses(-29, flinch.Library.take, SELECTOR.read_bytes())
         self.refuses(-4, flinch.Character(library).walk, flinch.MotionGraph(flinch.Library.take(WALKS.read_bytes())), 1)
+
+    def test_a_selector_without_clips_plays_those_of_a_library_that_it_shares(self):
+        bare = BARE_SELECTOR.read_bytes()
+        self.refuses(-25, flinch.Library.from_bytes, bare)
+        owner = flinch.Library(SELECTOR)
+        shared = flinch.Library.load_beside(bare, owner)
+        del owner
+        character = flinch.Character(shared)
+        for ball in (BALL, flinch.Threat([-6, 3, 1], [12, -6, 1]), flinch.Threat([2, 7, 0.5], [-4, -14, 3])):
+            for one in (character, self.character):
+                one.place(0, 0, 0, 0.5)
+                self.assertEqual(one.perceive(ball), "ok")
+                for _ in range(30):
+                    one.update(1 / 60)
+            self.assertEqual(character.candidates, self.character.candidates)
+            numpy.testing.assert_array_equal(numbers(character.pose()), numbers(self.character.pose()))
+        self.refuses(-30, flinch.Library.load_beside, bare, flinch.Library.take(WALKS.read_bytes()))
+        self.refuses(-23, flinch.Library.load_beside, bare[:900], shared)
 
     def test_a_saved_state_goes_on_as_the_original(self):
         self.character.perceive(BALL)
