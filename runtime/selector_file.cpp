@@ -301,10 +301,11 @@ LoadStatus read_clips(const schema::Selector& stored, SelectorFile& file) {
   const std::span<const std::byte> bytes =
       std::as_bytes(std::span(stored.library()->data(), stored.library()->size()));
   const LoadStatus status = database::read_embedded_library(bytes, file.library.emplace());
-  if (status == LoadStatus::out_of_memory) return status;
+  if (status == LoadStatus::out_of_memory || status == LoadStatus::other_content) return status;
   // Whatever the error, it means that this file cannot be used.
-  if (status != LoadStatus::ok || !is_compatible(file.selector, *file.library))
-    return LoadStatus::damaged;
+  if (status != LoadStatus::ok) return LoadStatus::damaged;
+  if (file.library->hash != file.selector.library_hash) return LoadStatus::other_content;
+  if (!is_compatible(file.selector, *file.library)) return LoadStatus::damaged;
   if (stored.footwork() == nullptr) return LoadStatus::ok;
   std::optional<std::vector<Footwork>> footwork =
       read_footwork(*stored.footwork(), file.library->clips.size());

@@ -174,18 +174,27 @@ std::string text_of(const ClipLibrary& library, const LibraryFault& fault) {
          printable_text(library.clips[*fault.clip].name) + ") " + fault.what;
 }
 
-std::string sealed_bytes(const ClipLibrary& library, const Origin& origin) {
+std::string sealed_bytes(const ClipLibrary& library) {
   if (const auto stored = packed(library)) {
-    const std::string content = content_of(library, origin, &*stored);
+    const std::string content = content_of(library, {}, &*stored);
     // Readers refuse more, which only a library of half an hour without motion can have.
     if (poses_in(library) * sizeof(motion::Pose) <= max_unpacked_size(content.size()))
       return sealed(kPackedVersion, content);
   }
-  return sealed(float_version_of(library), content_of(library, origin, nullptr));
+  return sealed(float_version_of(library), content_of(library, {}, nullptr));
 }
 
 std::uint64_t hash_of_content(const std::string& file) {
   return content_hash(bytes_of(file).subspan(kFileHeaderSize));
+}
+
+/// The library's file `bare` with its provenance, and poses stored as they are there.
+std::string with_provenance(const ClipLibrary& library, const std::string& bare) {
+  const Origin origin{library.provenance, hash_of_content(bare)};
+  const auto version = static_cast<std::uint8_t>(bare[kLibraryFormat.magic.size()]);
+  if (version != kPackedVersion) return sealed(version, content_of(library, origin, nullptr));
+  const auto stored = packed(library);
+  return sealed(version, content_of(library, origin, &*stored));
 }
 
 }  // namespace
@@ -199,21 +208,19 @@ std::string bare_library_bytes(const ClipLibrary& library) {
     throw Error(where, "cannot be written: holds more than " + std::to_string(kMaxLibraryPoses) +
                            " poses; split it");
   }
-  return sealed_bytes(library, {});
+  return sealed_bytes(library);
 }
 
 std::string library_bytes(const ClipLibrary& library) {
   const std::string bare = bare_library_bytes(library);
   if (library.provenance.empty()) return bare;
-  return sealed_bytes(library, {library.provenance, hash_of_content(bare)});
+  return with_provenance(library, bare);
 }
 
 std::uint64_t write_library(const ClipLibrary& library, const std::string& path) {
   const std::string bare = bare_library_bytes(library);
-  const std::uint64_t hash = hash_of_content(bare);
-  write_file_atomically(
-      path, library.provenance.empty() ? bare : sealed_bytes(library, {library.provenance, hash}));
-  return hash;
+  write_file_atomically(path, library.provenance.empty() ? bare : with_provenance(library, bare));
+  return hash_of_content(bare);
 }
 
 ClipLibrary load_library(const std::string& path) {

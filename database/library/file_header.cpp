@@ -24,8 +24,7 @@ std::array<std::byte, kFileHeaderSize> make_file_header(
   return seal;
 }
 
-VerifiedFile verify_embedded_file(const FileFormat& kind,
-                                  std::span<const std::byte> file) noexcept {
+VerifiedFile parse_file(const FileFormat& kind, std::span<const std::byte> file) noexcept {
   const auto same = [](std::byte byte, char c) { return byte == static_cast<std::byte>(c); };
   const auto mark = file.first(std::min(file.size(), kMagicSize));
   if (!std::equal(mark.begin(), mark.end(), kind.magic.begin(), kind.magic.end(), same)) {
@@ -48,7 +47,7 @@ VerifiedFile verify_embedded_file(const FileFormat& kind,
 
 VerifiedFile verify_file(const FileFormat& kind, std::span<const std::byte> file) noexcept {
   if (file.size() > kMaxFileSize) return {.status = LoadStatus::too_large};
-  const VerifiedFile unsealed = verify_embedded_file(kind, file);
+  const VerifiedFile unsealed = parse_file(kind, file);
   if (unsealed.status != LoadStatus::ok || unsealed.hash == content_hash(unsealed.content)) {
     return unsealed;
   }

@@ -52,9 +52,8 @@ struct VerifiedFile {
 /// Verifies size, kind, version and content hash.
 VerifiedFile verify_file(const FileFormat& kind, std::span<const std::byte> file) noexcept;
 
-/// The same for a file embedded in another file that has been verified: the other file's hash
-/// covers these bytes, so the hash is read from the embedded header and not computed again.
-VerifiedFile verify_embedded_file(const FileFormat& kind, std::span<const std::byte> file) noexcept;
+/// The same except the content hash, which is read from the header and not compared.
+VerifiedFile parse_file(const FileFormat& kind, std::span<const std::byte> file) noexcept;
 
 /// Returns the bytes aligned so that FlatBuffers can read them in place: where they are if that is
 /// aligned, otherwise copied to `storage`.

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "database/library/bare_hash.h"
 #include "database/library/library_bounds.h"
 #include "database/library/library_check.h"
 #include "database/library/library_layout.h"
@@ -189,7 +190,11 @@ LoadStatus read_unsealed(const VerifiedFile& file, ClipLibrary& library) {
   const bool is_packed = file.version >= kPackedVersion;
   if (is_packed ? fault_beside_poses(read) : fault_of(read)) return LoadStatus::damaged;
   if (!is_packed && float_version_of(read) != file.version) return LoadStatus::damaged;
-  read.hash = read.provenance.empty() ? file.hash : stored.bare_hash();
+  read.hash = file.hash;
+  if (!read.provenance.empty()) {
+    read.hash = stored.bare_hash();
+    if (bare_hash_of(stored, file.content) != read.hash) return LoadStatus::other_content;
+  }
   library = std::move(read);
   return LoadStatus::ok;
 }
@@ -210,7 +215,10 @@ LoadStatus read_library(std::span<const std::byte> bytes, ClipLibrary& library) 
 LoadStatus read_embedded_library(std::span<const std::byte> bytes, ClipLibrary& library) noexcept
     try {
   std::vector<std::byte> storage;
-  return read_unsealed(verify_embedded_file(kLibraryFormat, aligned(bytes, storage)), library);
+  const VerifiedFile file = parse_file(kLibraryFormat, aligned(bytes, storage));
+  if (file.status == LoadStatus::ok && file.hash != content_hash(file.content))
+    return LoadStatus::other_content;
+  return read_unsealed(file, library);
 } catch (const std::bad_alloc&) {
   return LoadStatus::out_of_memory;
 }

@@ -25,6 +25,8 @@ const char* message_of(LoadStatus status) noexcept {
       return "has no clips in it";
     case LoadStatus::other_library:
       return "was trained for another library";
+    case LoadStatus::other_content:
+      return "names a hash that its clips do not have";
     case LoadStatus::out_of_memory:
       return "does not fit into memory";
   }

@@ -95,6 +95,8 @@ const char* flinch_status_message(flinch_status status) {
     case FLINCH_OTHER_CLIPS:
       return "the selector was trained for another library: give it the one of its hash, which "
              "flinch info shows";
+    case FLINCH_OTHER_CONTENT:
+      return "the file names a hash that its clips do not have: make it again";
     default:
       return "this is not a status of Flinch";
   }

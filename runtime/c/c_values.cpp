@@ -111,6 +111,8 @@ flinch_status status_of(LoadStatus status) noexcept {
       return FLINCH_WITHOUT_CLIPS;
     case LoadStatus::other_library:
       return FLINCH_OTHER_CLIPS;
+    case LoadStatus::other_content:
+      return FLINCH_OTHER_CONTENT;
     case LoadStatus::out_of_memory:
       return FLINCH_OUT_OF_MEMORY;
   }

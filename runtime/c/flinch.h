@@ -110,7 +110,8 @@ enum {
   FLINCH_TOO_LARGE = -27,      /* larger than 1 GiB */
   FLINCH_WITHOUT_COSTS = -28,  /* a selector that does not know what clips cost: train it again */
   FLINCH_NOT_A_LIBRARY = -29,  /* another kind of file, where flinch_library_take wants clips */
-  FLINCH_OTHER_CLIPS = -30     /* a selector of another library than the one given */
+  FLINCH_OTHER_CLIPS = -30,    /* a selector of another library than the one given */
+  FLINCH_OTHER_CONTENT = -31   /* clips that are not those of the hash that the file names */
 };
 
 /* The status in words: one line of English without a full stop. Never NULL, for any number. */

@@ -214,6 +214,30 @@ TEST(Library, RefusesTheClipsOfAnotherLibrary) {
   expect_whole(library);
 }
 
+TEST(Library, RefusesASelectorWithTheClipsOfAnotherHash) {
+  constexpr std::uint64_t kOtherHash = 17;
+  const auto forged = [](bool in_selector, bool in_library) {
+    std::string content = tests::content_of(whole_file());
+    auto* table = flatbuffers::GetMutableRoot<flatbuffers::Table>(content.data());
+    if (in_selector) {
+      EXPECT_TRUE(table->SetField<std::uint64_t>(schema::Selector::VT_LIBRARY_HASH, kOtherHash, 0));
+    }
+    const auto* clips = schema::GetSelector(content.data())->library();
+    const auto hash_at = clips->data() + 8 - reinterpret_cast<const std::uint8_t*>(content.data());
+    if (in_library) std::memcpy(content.data() + hash_at, &kOtherHash, sizeof kOtherHash);
+    return tests::with_header(database::kSelectorFormat, content);
+  };
+  Library library;
+  ASSERT_EQ(library.load(bytes_of(forged(false, false))), LoadStatus::ok);
+  for (const auto& [in_selector, in_library] :
+       {std::pair(true, false), std::pair(false, true), std::pair(true, true)}) {
+    const std::string file = forged(in_selector, in_library);
+    EXPECT_EQ(library.load(bytes_of(file)), LoadStatus::other_content);
+    EXPECT_EQ(library.load(bytes_of(file), clips_alone()), LoadStatus::other_content);
+  }
+  expect_whole(library);
+}
+
 TEST(Library, LoadsFromUnalignedBytes) {
   for (std::size_t shift = 0; shift < 16; ++shift) {
     const std::string moved = std::string(shift, 'x') + whole_file();

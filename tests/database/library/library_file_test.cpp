@@ -7,8 +7,10 @@
 #include <algorithm>
 #include <functional>
 
+#include "database/files/file_io.h"
 #include "database/files/library_writer.h"
 #include "database/library/library_bounds.h"
+#include "library_generated.h"
 #include "tests/database/library/random_library.h"
 #include "tests/scenes/error_of.h"
 #include "tests/scenes/file_damage.h"
@@ -124,6 +126,45 @@ TEST(LibraryFile, ProvenanceChangesTheFileAndNotTheHash) {
   EXPECT_EQ(read_back.hash, hash);
   EXPECT_EQ(read_back.provenance, library.provenance);
   EXPECT_EQ(library_bytes(read_back), bytes);
+}
+
+TEST(LibraryFile, ItsHashWithoutProvenanceIsComputedAgain) {
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    ClipLibrary library = random_library(seed, 3);
+    library.name += std::string(seed, 'x');
+    if (seed % 2 == 0) library.idle = 0;
+    library.provenance = std::string(1 + seed % 5, 'p');
+    ClipLibrary read_back;
+    ASSERT_EQ(read(library_bytes(library), read_back), LoadStatus::ok) << seed;
+    EXPECT_EQ(library_bytes(read_back), library_bytes(library));
+  }
+}
+
+TEST(LibraryFile, ThatNamesTheHashOfOtherClipsIsRefused) {
+  const tests::TemporaryFolder folder;
+  ClipLibrary library = random_library(1, 3);
+  library.provenance = R"({"command":"author"})";
+  const std::string whole = tests::content_of(library_bytes(library));
+  std::string other_hash = whole;
+  ASSERT_TRUE(flatbuffers::GetMutableRoot<flatbuffers::Table>(other_hash.data())
+                  ->SetField<std::uint64_t>(schema::Library::VT_BARE_HASH, 17, 0));
+  // A float of the last clip's push.
+  std::string other_clips = whole;
+  const float contact_s = 0.005F;
+  const std::size_t found =
+      whole.find(std::string(reinterpret_cast<const char*>(&contact_s), sizeof contact_s));
+  ASSERT_NE(found, std::string::npos);
+  ++other_clips[found];
+  for (const std::string& forged : {other_hash, other_clips}) {
+    const std::string file = with_header(kLibraryFormat, forged);
+    ClipLibrary read_back;
+    EXPECT_EQ(read(file, read_back), LoadStatus::other_content);
+    EXPECT_TRUE(read_back.clips.empty());
+    write_file_atomically(folder / "a.flinchlib", file);
+    EXPECT_THAT(tests::error_of([&] { load_library(folder / "a.flinchlib"); }),
+                testing::EndsWith("a.flinchlib: the library names a hash that its clips do not "
+                                  "have; make it again"));
+  }
 }
 
 TEST(LibraryFile, ProvenanceHasItsBounds) {

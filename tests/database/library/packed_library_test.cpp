@@ -81,6 +81,33 @@ TEST(PackedLibrary, OfHalfAnHourWithoutMotionCanBeRead) {
   EXPECT_EQ(read.clips[3].motion.poses.size(), 100'000U);
 }
 
+TEST(PackedLibrary, IsPackedWithProvenanceIfItIsWithout) {
+  ClipLibrary library = packable(3, 20);
+  library.clips[3].push.reset();
+  std::vector<motion::Pose>& poses = library.clips[3].motion.poses;
+  poses.resize(1);
+  const std::size_t content_size = library_bytes(library).size() - kFileHeaderSize;
+  // A few more than readers take, and fewer than with the provenance.
+  const std::size_t more = max_unpacked_size(content_size) / sizeof(motion::Pose) + 10;
+  poses.assign(more, poses[0]);
+  const std::string bare = library_bytes(library);
+  EXPECT_NE(bare[7], kPackedVersion);
+  library.provenance = std::string(2000, 'p');
+  ClipLibrary read;
+  ASSERT_EQ(read_library(bytes_of(library_bytes(library)), read), LoadStatus::ok);
+  EXPECT_EQ(bare_library_bytes(read), bare);
+}
+
+TEST(PackedLibrary, ItsHashWithoutProvenanceIsComputedAgain) {
+  for (unsigned seed = 0; seed < 10; ++seed) {
+    ClipLibrary library = packable(seed, 20);
+    library.provenance = std::string(1 + seed % 5, 'p');
+    ClipLibrary read;
+    ASSERT_EQ(read_library(bytes_of(library_bytes(library)), read), LoadStatus::ok) << seed;
+    EXPECT_EQ(library_bytes(read), library_bytes(library));
+  }
+}
+
 /// The poses of a forged clip.
 struct Forged {
   std::optional<std::vector<std::uint8_t>> packed = {};

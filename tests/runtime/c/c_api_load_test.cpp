@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "library_generated.h"
 #include "tests/runtime/c/c_api_scene.h"
 #include "tests/scenes/file_damage.h"
 
@@ -66,6 +67,33 @@ TEST(CApiLoad, SelectorsWithoutClipsPlayFromALibraryBesideThem) {
   EXPECT_EQ(flinch_character_free(character), FLINCH_OK);
   EXPECT_EQ(flinch_workspace_free(workspace), FLINCH_OK);
   EXPECT_EQ(flinch_library_free(library), FLINCH_OK);
+}
+
+TEST(CApiLoad, RefusesALibraryThatNamesAHashOfOtherClips) {
+  database::ClipLibrary clips = scenes::synthetic_library();
+  clips.provenance = "made by a test";
+  const auto with_name = [&clips](char last) {
+    clips.name.back() = last;
+    return database::library_bytes(clips);
+  };
+  const std::string one = with_name('1');
+  std::string content = tests::content_of(with_name('2'));
+  const std::uint64_t hash =
+      database::schema::GetLibrary(tests::content_of(one).data())->bare_hash();
+  ASSERT_NE(hash, database::schema::GetLibrary(content.data())->bare_hash());
+  ASSERT_TRUE(flatbuffers::GetMutableRoot<flatbuffers::Table>(content.data())
+                  ->SetField<std::uint64_t>(database::schema::Library::VT_BARE_HASH, hash, 0));
+  database::FileFormat format = database::kLibraryFormat;
+  format.version = static_cast<std::uint8_t>(one[7]);
+  const std::string forged = tests::with_header(format, content);
+  const auto taken = [](const std::string& file) {
+    flinch_library* library = nullptr;
+    const flinch_status status = flinch_library_take(file.data(), file.size(), &library);
+    flinch_library_free(library);
+    return status;
+  };
+  EXPECT_EQ(taken(one), FLINCH_OK);
+  EXPECT_EQ(taken(forged), FLINCH_OTHER_CONTENT);
 }
 
 TEST(CApiLoad, RejectsAFileTruncatedOrChangedAnywhere) {
