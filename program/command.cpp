@@ -29,6 +29,10 @@ Option force_option(bool& force) {
           &force};
 }
 
+Option threads_option(std::optional<int>& threads) {
+  return {"--threads", "number of threads (default: one per processor)", &threads, Range{1, 1024}};
+}
+
 database::Overwrite overwrite_of(bool force) {
   return force ? database::Overwrite::force : database::Overwrite::refuse;
 }

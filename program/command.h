@@ -36,6 +36,9 @@ Command train_realism_command();
 /// The option --json, for all commands except simulate.
 Option json_option(bool& json);
 
+/// The option --threads, for commands that compute on several.
+Option threads_option(std::optional<int>& threads);
+
 /// The option --force, for all commands that write files.
 Option force_option(bool& force);
 /// What --force means for existing files.

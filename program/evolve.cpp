@@ -177,8 +177,7 @@ Command evolve_command() {
              "how much more energy torque takes that pulls the back of a hand",
              &options->extension_weight, Range{0, 1000}},
             {"--log", "CSV file with every generation", &options->log},
-            {"--threads", "number of threads (default: one per processor)", &options->threads,
-             Range{1, 1024}},
+            threads_option(options->threads),
             force_option(options->force),
             json_option(options->json)}}),
       .notes =

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <omp.h>
+
 #include <array>
 #include <iostream>
 #include <memory>
@@ -38,6 +40,7 @@ struct TrainOptions {
   std::optional<double> c;
   std::optional<double> gamma;
   std::optional<double> coef0;
+  std::optional<int> threads;
   bool without_clips = false;
   bool force = false;
   bool json = false;
@@ -115,6 +118,7 @@ void run_train(const TrainOptions& options) {
                           {options.store, vulnerability_file(options.cost)},
                           overwrite_of(options.force));
   const train::VulnerabilityProfile vulnerability = vulnerability_of(options.cost);
+  if (options.threads) omp_set_num_threads(*options.threads);
   train::Store store = read_labelled_store(options.store, options.cost);
   derive_features(train::layout_for(options.features, store.header), store);
   const train::CostModel cost_model =
@@ -159,6 +163,7 @@ Command train_command() {
                             {{"--without-clips",
                               "leave the clips out of the file, for selectors that share a library",
                               &options->without_clips},
+                             threads_option(options->threads),
                              force_option(options->force),
                              json_option(options->json)}}),
           .notes =

@@ -242,6 +242,7 @@ class BadInput(ProgramTest):
                 ("--out", ["merge", self.store]),
                 ("STORE", ["merge", "--out", self.out]),
                 ("--threads", ["simulate", self.library, "--out", self.out, "-n", 2, "--threads", 0]),
+                ("--threads", ["train", self.store, "--out", self.out, "--threads", 0]),
                 ("knn twice", ["compare", self.store, "--models", "knn,svm,knn"]),
                 ("knn twice", ["compare", self.store, "--models", "knn", "knn"]),
                 *(([option, "not in range"], [command, self.selector, *out, option, value])

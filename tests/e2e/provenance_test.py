@@ -3,7 +3,9 @@
 """Libraries, stores, selectors and reports tell how they were made; what is made does not depend on names of
 files or folders."""
 
+import contextlib
 import json
+import os
 import re
 import shutil
 import sqlite3
@@ -102,6 +104,27 @@ class Provenance(ProgramTest):
         self.assertEqual(training["distribution"], store["distribution"])
         self.assertEqual(training["cross_validated_protection"],
                          1 - training["cross_validated_regret_ns"] / training["idle_regret_ns"])
+
+    def test_threads_change_no_bit_of_a_selector(self):
+        self.simulate(self.store, "-n", 60)
+        command = [FLINCH, "train", str(self.store), "--out", str(self.selector), "--model", "network", "--force"]
+        files = []
+        for count in (1, 3):
+            with subprocess.Popen([*command, "--threads", str(count)], stdout=subprocess.DEVNULL) as process:
+                seen = 0
+                while process.poll() is None:
+                    with contextlib.suppress(OSError):
+                        seen = max(seen, len(os.listdir(f"/proc/{process.pid}/task")))
+                self.assertEqual((process.returncode, seen), (0, count))
+            files.append(self.selector.read_bytes())
+        self.assertEqual(files[0], files[1])
+        for model in ("svm", "pairwise_cost", "knn_cost"):
+            files = []
+            for count in (1, 2, 5):
+                self.succeed("train", self.store, "--out", self.selector, "--model", model, "--force", "--threads",
+                             count)
+                files.append(self.selector.read_bytes())
+            self.assertEqual(files, [files[0]] * 3, model)
 
     def test_the_regret_of_standing_still_is_that_of_the_report(self):
         self.simulate(self.store, "-n", 40)
