@@ -94,9 +94,17 @@ Json training_document(const train::SelectorRecord& record, const std::string& p
           {"simulation", description(record.simulation, path, train::kDamagedRecord)}};
 }
 
+/// A line for a value of the document, if it has one of that name.
+void print_value(const Json& document, const std::string& name) {
+  if (!document.contains(name)) return;
+  const Json& value = document[name];
+  std::cout << '\n'
+            << printable(name) << ": "
+            << printable(value.is_string() ? value.get<std::string>() : value.dump());
+}
+
 void print_training(const train::SelectorRecord& record) {
-  std::cout << "\ntrained on " << record.scenarios << " scenarios with parameters "
-            << printable(record.parameters)
+  std::cout << "\ntrained on " << record.scenarios << " scenarios"
             << "\nmean regret in cross-validation: " << fixed(record.cross_validated_regret_ns, 3)
             << " N s, of standing still " << fixed(record.idle_regret_ns, 3) << " N s: protection "
             << fixed(record.cross_validated_protection().value_or(std::nan("")), 3)
@@ -152,12 +160,12 @@ void print_selector(const SelectorView& view) {
       provenance_lines(view.record ? view.record->provenance : "", view.path);
   std::cout << "selector for library " << document["library_hash"].get<std::string>();
   for (const char* key : {"model", "classes", "support_vectors", "k", "observations", "members",
-                          "hidden", "machines", "brawn", "vulnerability_name"})
-    if (document.contains(key))
-      std::cout << '\n'
-                << key << ": "
-                << (document[key].is_string() ? document[key].get<std::string>()
-                                              : document[key].dump());
+                          "hidden", "machines"})
+    print_value(document, key);
+  if (view.record)
+    for (const auto& [name, value] : document["training"]["parameters"].items())
+      if (!document.contains(name)) print_value(document["training"]["parameters"], name);
+  for (const char* key : {"brawn", "vulnerability_name"}) print_value(document, key);
   if (view.record) print_training(*view.record);
   std::cout << "\nthreats: ";
   for (const features::KnownKind& kind : file.selector.kinds)

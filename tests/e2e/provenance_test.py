@@ -204,7 +204,18 @@ class Provenance(ProgramTest):
         self.assertRegex(lines[made], r"^made by: Flinch \S+, flinch train --model knn -k 3, seed 7$")
         self.assertRegex(lines[made + 1], r"^  store [0-9a-f]{16}, made by Flinch \S+, flinch simulate, seed 7$")
         self.assertRegex(lines[made + 3], rf"^    threats ball.toml {xxh64(BALL.encode())}$")
-        self.assertIn("trained on 20 scenarios", "\n".join(lines))
+        self.assertIn("trained on 20 scenarios", lines)
+
+    def test_text_has_each_parameter_once(self):
+        self.simulate(self.store, "-n", 20)
+        for model, shared in [("knn", ["k"]), ("network", ["members", "hidden"]), ("svm", [])]:
+            self.succeed("train", self.store, "--out", self.selector, "--model", model, "--force")
+            text = self.succeed("info", self.selector).stdout
+            document = self.document("info", self.selector)
+            parameters = document["training"]["parameters"]
+            self.assertEqual([name for name in parameters if name in document], shared)
+            for name, value in parameters.items():
+                self.assertEqual(re.findall(rf"\b{name}\b.*", text), [f"{name}: {value}"])
 
     def test_a_forged_provenance_is_refused(self):
         self.simulate(self.store, "-n", 20)
