@@ -14,17 +14,24 @@ database::Provenance read(const std::string& text, const std::string& path) {
   throw Error(path, "its provenance is damaged; make it again");
 }
 
+/// So that nobody takes a comma or a space of a name for one between names.
+std::string printable_word(const std::string& text) {
+  return printable(database::word_of(text));
+}
+
 std::string lines_of(const database::Provenance& made, const std::string& indent,
                      const std::string& path) {
-  std::string text = "Flinch " + printable(made.version) + ", flinch " + printable(made.command);
+  std::string text =
+      "Flinch " + printable_word(made.version) + ", flinch " + printable_word(made.command);
   for (const auto& [name, value] : made.options)
-    text += (name.size() == 1 ? " -" : " --") + printable(name) +
-            (value == "true" ? "" : ' ' + printable(value));
+    text += (name.size() == 1 ? " -" : " --") + printable_word(name) +
+            (value == "true" ? "" : ' ' + printable_word(value));
   if (made.seed) text += ", seed " + std::to_string(*made.seed);
   text += '\n';
   for (const database::ProvenanceInput& input : made.inputs) {
-    text += indent + "  " + printable(input.role) + ' ' + printable(input.name) +
-            (input.name.empty() ? "" : " ") + database::hash_text(input.hash);
+    text += indent + "  " + printable_word(input.role) + ' ' +
+            (input.name.empty() ? "" : printable_word(input.name) + ' ') +
+            database::hash_text(input.hash);
     text += input.provenance.empty()
                 ? "\n"
                 : ", made by " + lines_of(read(input.provenance, path), indent + "  ", path);

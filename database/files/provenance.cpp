@@ -112,6 +112,18 @@ std::string_view flinch_version() {
   return FLINCH_VERSION;
 }
 
+std::string word_of(const std::string& text) {
+  const auto is_plain = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+           static_cast<unsigned char>(c) >= 0x80 ||
+           std::string_view("-_.:=+/@%^").find(c) != std::string_view::npos;
+  };
+  if (!text.empty() && std::ranges::all_of(text, is_plain)) return text;
+  std::string quoted = "'";
+  for (const char c : text) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return quoted + '\'';
+}
+
 std::string provenance_text(const Provenance& provenance) {
   Json document{{"flinch_version", flinch_version()},
                 {"command", provenance.command},

@@ -68,6 +68,10 @@ std::string option_text(const Value& value) {
   }
 }
 
+/// A text as one word among others: in single quotes, as a shell reads them, unless it has only
+/// letters, digits, characters beyond ASCII and -_.:=+/@%^.
+std::string word_of(const std::string& text);
+
 /// Adds an option unless it has its default.
 template <class Value>
 void add_option(const std::string& name, const Value& value, const Value& unless,

@@ -13,6 +13,7 @@
 #include "database/files/pose_packer.h"
 #include "database/files/provenance.h"
 #include "database/files/text_encoding.h"
+#include "database/files/toml_string.h"
 #include "database/import/loop_closing.h"
 #include "database/import/manifest.h"
 #include "database/import/plausibility.h"
@@ -401,7 +402,8 @@ std::string suggestion_of(const std::vector<SkippedFile>& files) {
 std::string text_of(const RoleOverrides& roles) {
   std::string text;
   for (const auto& [role, joint] : roles)
-    text += (text.empty() ? "" : ", ") + std::string(motion::name_of(role)) + "=\"" + joint + '"';
+    text +=
+        (text.empty() ? "" : ", ") + std::string(motion::name_of(role)) + '=' + toml_string(joint);
   return text;
 }
 

@@ -206,6 +206,16 @@ class Provenance(ProgramTest):
         self.assertRegex(lines[made + 3], rf"^    threats ball.toml {xxh64(BALL.encode())}$")
         self.assertIn("trained on 20 scenarios", lines)
 
+    def test_no_name_in_the_text_passes_for_two(self):
+        names = {"ball, seed 8.toml": "'ball, seed 8.toml'", "it's.toml": "'it'\\''s.toml'", "bälle.toml": "bälle.toml"}
+        for name, word in names.items():
+            self.threats = self.folder / name
+            self.threats.write_text(BALL)
+            self.simulate(self.store, "-n", 2, "--force")
+            text = self.succeed("info", self.store).stdout
+            self.assertIn(f"\n  threats {word} {xxh64(BALL.encode())}\n", text)
+            self.assertIn(", flinch simulate, seed 7\n", text)
+
     def test_text_has_each_parameter_once(self):
         self.simulate(self.store, "-n", 20)
         for model, shared in [("knn", ["k"]), ("network", ["members", "hidden"]), ("svm", [])]:

@@ -215,8 +215,10 @@ namespace {
 /// The stances with their weights, as --stances has them.
 std::string text_of(std::span<const StanceShare> stances) {
   std::string text;
-  for (const StanceShare& share : stances)
-    text += (text.empty() ? "" : " ") + share.name + '=' + database::option_text(share.weight);
+  for (const StanceShare& share : stances) {
+    if (!text.empty()) text += ' ';
+    text += database::word_of(share.name) + '=' + database::option_text(share.weight);
+  }
   return text;
 }
 

@@ -42,6 +42,15 @@ TEST(Provenance, ReadsBackWhatWasWritten) {
   EXPECT_EQ(library->command, "author");
 }
 
+TEST(Provenance, WordsOfOtherTextsDiffer) {
+  EXPECT_EQ(word_of("svm_rbf"), "svm_rbf");
+  EXPECT_EQ(word_of("-0.5"), "-0.5");
+  EXPECT_EQ(word_of("b\xC3\xA4lle.toml"), "b\xC3\xA4lle.toml");
+  EXPECT_EQ(word_of(""), "''");
+  EXPECT_EQ(word_of("ball, seed 7"), "'ball, seed 7'");
+  EXPECT_EQ(word_of("'ball, seed 7'"), "''\\''ball, seed 7'\\'''");
+}
+
 TEST(Provenance, IsOneLineOfAscii) {
   for (const char c : provenance_text(made())) {
     EXPECT_GE(c, 0x20);

@@ -6,6 +6,7 @@
 
 #include <thread>
 
+#include "database/files/provenance.h"
 #include "lookahead/oracle/oracle.h"
 #include "motion/error.h"
 #include "runtime/response/response.h"
@@ -54,6 +55,20 @@ TEST(StoreHeader, KeepsTheReferencesOfTheNormalisation) {
   EXPECT_NEAR(header.reference_impulse_ns, 13.77, 1e-12);
   EXPECT_EQ(header.reference_work_j, *std::ranges::max_element(header.clip_work_j));
   EXPECT_EQ(header.clips.size(), library.clips.size());
+}
+
+TEST(StoreHeader, TellsStancesApartWhateverTheirNames) {
+  const auto options_of = [](std::vector<StanceShare> stances) {
+    const database::ClipLibrary library = scenes::synthetic_library();
+    SimulationPlan plan;
+    plan.distribution.stances = std::move(stances);
+    const SimulationSetup setup(library, plan);
+    return database::provenance_of(make_store_header(setup).provenance)->options;
+  };
+  using Options = decltype(options_of({}));
+  EXPECT_EQ(options_of({{0, "idle", 2}, {0, "walk", 1}}), (Options{{"stances", "idle=2 walk=1"}}));
+  EXPECT_EQ(options_of({{0, "idle", 2}, {0, "my walk=1 b", 1}}),
+            (Options{{"stances", "idle=2 'my walk=1 b'=1"}}));
 }
 
 // A store of other laws is then not continued or merged: its `simulation` differs.
