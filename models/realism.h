@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -28,6 +29,29 @@ inline constexpr std::size_t kRealismFeatureCount = 2 * kConfigurationComponents
 /// The features in the order of the declaration.
 std::array<float, kRealismFeatureCount> as_array(const RealismFeatures& features);
 
+/// A push as F of the paper (equation 2) sees it. Vectors are in the frame of the response's
+/// facing.
+struct ImpulseFeatures {
+  std::array<float, kConfigurationComponents> response{};  ///< components of C^i
+  std::array<float, 3> place{};                            ///< of the pushed joint in C^i, m
+  std::array<float, 3> velocity{};                         ///< that it shall reach, m/s
+};
+/// Their number.
+inline constexpr std::size_t kImpulseFeatureCount = kConfigurationComponents + 6;
+/// The features in the order of the declaration.
+std::array<float, kImpulseFeatureCount> as_array(const ImpulseFeatures& features);
+
+/// Numbers of theta: ln w, w in 1/m^2, then m, in the frame of the response's facing, m/s.
+inline constexpr std::size_t kThetaSize = 4;
+using Theta = std::array<float, kThetaSize>;
+
+/// The paper's F: examples of which deformation goes with which push.
+struct ThetaExamples {
+  std::array<float, kImpulseFeatureCount> weight{};
+  std::vector<float> points;  ///< weighted features of one example after the other
+  std::vector<float> theta;   ///< of one example after the other
+};
+
 /// The number of examples that an estimate is made from, as in the paper.
 inline constexpr std::size_t kRealismNeighbours = 10;
 /// The most examples that a model may have.
@@ -43,6 +67,8 @@ struct RealismModel {
   std::vector<float> points;   ///< weighted features of all examples, one feature after the other
   std::vector<float> quality;  ///< Q of each example, 0 to 1
   float max_distance = 0;      ///< farther than this from every example, Q is 0
+  /// F as the paper has it; none: F is exact (runtime::deformed_candidate()).
+  std::optional<ThetaExamples> theta;
 
   /// The number of examples.
   std::size_t size() const { return quality.size(); }
@@ -59,5 +85,9 @@ std::array<float, kConfigurationComponents> components_of(const RealismModel& mo
 /// The mean of the nearest examples' Q, weighted by the inverse of their distances; 0 where the
 /// nearest is farther than max_distance. Compares with every example. The model is sound.
 float estimate_realism(const RealismModel& model, const RealismFeatures& features);
+
+/// The mean of the nearest examples' theta, weighted by the inverse of their distances; of equally
+/// near ones the first count. There are kRealismNeighbours. Allocates nothing.
+Theta estimate_theta(const ThetaExamples& examples, const ImpulseFeatures& features);
 
 }  // namespace flinch::models

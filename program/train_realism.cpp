@@ -133,7 +133,9 @@ Command train_realism_command() {
       .optional = {{"--report",
                     "folder for a page with learning curves and its data, created if missing",
                     &options->report},
-                   {"--realism", "model: ours, or the paper's, which does not see the asked push",
+                   {"--realism",
+                    "model: ours, or the paper's, which averages the deformation of examples and "
+                    "whose G does not see the asked push",
                     &options->realism, OneOf{{"ours", "paper"}}},
                    force_option(options->force),
                    json_option(options->json)},

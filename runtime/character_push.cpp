@@ -54,8 +54,10 @@ Status Character::push(motion::Role place, const Eigen::Vector3f& push_velocity,
         responses.responses[response].rise_s};
     PushMotion motion =
         make_push_motion(responses, response, candidate.turn, deformation, before, now, step_s);
-    match_velocity(velocity, motion);
-    if (!is_faithful(peak_velocity(motion, velocity), velocity)) continue;
+    if (!model.realism->theta) {  // the paper plays what its F says
+      match_velocity(velocity, motion);
+      if (!is_faithful(peak_velocity(motion, velocity), velocity)) continue;
+    }
     begin_push(motion);
     return Status::ok;
   }

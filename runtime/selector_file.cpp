@@ -144,6 +144,7 @@ bool has_bounded_size(const schema::Selector& stored, std::size_t content_size) 
   if (const schema::Realism* realism = stored.realism()) {
     unfolded.add(realism->judge()).add(realism->mean()).add(realism->basis());
     unfolded.add(realism->weight()).add(realism->points()).add(realism->quality());
+    unfolded.add(realism->theta_weight()).add(realism->theta_points()).add(realism->theta());
   }
   if (const schema::Svm* svm = stored.model_as_Svm()) {
     add_vectors(*svm, unfolded);
@@ -200,6 +201,15 @@ std::optional<models::RealismModel> read_realism(const schema::Realism& stored) 
   model.points = to_vector(*stored.points());
   model.quality = to_vector(*stored.quality());
   model.max_distance = stored.max_distance();
+  if (stored.theta_weight() == nullptr) return model;
+  models::ThetaExamples& theta = model.theta.emplace();
+  if (stored.theta_weight()->size() != theta.weight.size() || stored.theta_points() == nullptr ||
+      stored.theta() == nullptr) {
+    return std::nullopt;
+  }
+  std::copy(stored.theta_weight()->begin(), stored.theta_weight()->end(), theta.weight.begin());
+  theta.points = to_vector(*stored.theta_points());
+  theta.theta = to_vector(*stored.theta());
   return model;
 }
 

@@ -59,6 +59,31 @@ PushCandidate deformed_candidate(const PushResponses& responses, std::size_t res
   return candidate;
 }
 
+models::ImpulseFeatures impulse_features(
+    const std::array<float, models::kConfigurationComponents>& components,
+    const BodyConfiguration& response, motion::Role place,
+    const Eigen::Vector3f& velocity) noexcept {
+  const Eigen::Vector3f joint = response.segment<3>(3 * static_cast<Eigen::Index>(place));
+  return {.response = components,
+          .place = {joint.x(), joint.y(), joint.z()},
+          .velocity = {velocity.x(), velocity.y(), velocity.z()}};
+}
+
+PushCandidate averaged_candidate(const PushResponses& responses, const PushModel& model,
+                                 std::size_t response, motion::Role place,
+                                 const Eigen::Vector3f& asked) noexcept {
+  const PushResponse& recorded = responses.responses[response];
+  const models::Theta theta = models::estimate_theta(
+      *model.realism->theta,
+      impulse_features(model.components[response], recorded.configuration, place, asked));
+  PushCandidate candidate;
+  candidate.response = static_cast<int>(response);
+  candidate.clip = recorded.clip;
+  candidate.taper = std::exp(theta[0]);
+  candidate.deformation = {theta[1], theta[2], theta[3]};
+  return candidate;
+}
+
 models::RealismFeatures realism_features(
     const std::array<float, models::kConfigurationComponents>& character,
     const std::array<float, models::kConfigurationComponents>& response,
@@ -101,7 +126,15 @@ std::size_t search_push(const PushResponses& responses, const PushModel& model,
                              std::span(static_cast<float*>(begin), floats));
   const LogTapers logs = log_tapers();
   std::size_t count = 0;
+  const bool is_averaged = model.realism->theta.has_value();
   for (std::size_t i = 0; i < responses.responses.size(); ++i) {
+    if (is_averaged) {
+      PushCandidate candidate = averaged_candidate(responses, model, i, place, asked);
+      const auto features = realism_features(character, model.components[i], candidate, asked);
+      query.estimate(features, std::span(&features.log_taper, 1), std::span(&candidate.realism, 1));
+      count = insert(candidate, count, best);
+      continue;
+    }
     PushCandidate candidate = deformed_candidate(responses, i, place, asked, options);
     candidate.taper = 1;
     LogTapers realism{};

@@ -32,6 +32,13 @@ PushCandidate deformed_candidate(const PushResponses& responses, std::size_t res
                                  motion::Role place, const Eigen::Vector3f& asked,
                                  const SearchOptions& options = {}) noexcept;
 
+/// The push as the paper's F sees it. `components` are those of the response's configuration, in
+/// the frame of whose facing the pushed joint shall reach `velocity`.
+models::ImpulseFeatures impulse_features(
+    const std::array<float, models::kConfigurationComponents>& components,
+    const BodyConfiguration& response, motion::Role place,
+    const Eigen::Vector3f& velocity) noexcept;
+
 /// What G sees of a candidate. `character` and `response` are components of their configurations.
 models::RealismFeatures realism_features(
     const std::array<float, models::kConfigurationComponents>& character,
@@ -48,10 +55,17 @@ struct PushModel {
 /// Prepares the search with a sound model; with none, the result has no model. Allocates.
 PushModel prepare_push_model(const PushResponses& responses, const models::RealismModel* realism);
 
-/// Asks F and G for every response and every width, and writes the best width of each of the best
-/// responses to `best`, best first, as many as there are or as it holds. Returns their number.
-/// `configuration` is the character's, `asked` in the frame of its facing, `memory` of
-/// PushModel::memory_bytes. Allocates nothing.
+/// F as the paper has it: theta is that of the nearest examples in the mean, and the response is
+/// not turned. Sets everything except `realism`. The model has examples of theta.
+PushCandidate averaged_candidate(const PushResponses& responses, const PushModel& model,
+                                 std::size_t response, motion::Role place,
+                                 const Eigen::Vector3f& asked) noexcept;
+
+/// Asks F and G for every response and every width (where F is the paper's, for that which F says;
+/// it knows no options), and writes the best width of each of the best responses to `best`, best
+/// first, as many as there are or as it holds. Returns their number. `configuration` is the
+/// character's, `asked` in the frame of its facing, `memory` of PushModel::memory_bytes. Allocates
+/// nothing.
 std::size_t search_push(const PushResponses& responses, const PushModel& model,
                         const BodyConfiguration& configuration, motion::Role place,
                         const Eigen::Vector3f& asked, const SearchOptions& options,

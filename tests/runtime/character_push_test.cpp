@@ -45,6 +45,34 @@ struct PushedOne {
 
 constexpr float kPushFrame_s = 1.0F / 60;
 
+TEST(CharacterPush, WithThePapersFPlaysWhatThatSays) {
+  models::RealismModel realism = tests::constant_realism(1);
+  models::ThetaExamples& theta = realism.theta.emplace();
+  theta.weight.fill(1);
+  theta.points.assign(realism.size() * models::kImpulseFeatureCount, 0);
+  for (std::size_t i = 0; i < realism.size(); ++i)
+    theta.theta.insert(theta.theta.end(), {std::log(5.0F), 0.1F, -0.2F, 0});
+  const Library library = loaded_with(tests::library_with_pushes(), realism);
+  const auto played = [](const Library& of, const Eigen::Vector3f& velocity) {
+    PushedOne one(of);
+    EXPECT_EQ(one.push(Role::chest, velocity), Status::ok);
+    one.character.update(0.3F);
+    return one.character.pose();
+  };
+  // Which is the same whatever is asked; the exact F does what is asked.
+  const Eigen::Vector3f one(0.9F, 0, 0);
+  const Eigen::Vector3f other(0.3F, 0.5F, 0);
+  EXPECT_EQ(tests::distance(played(library, one), played(library, other)), 0);
+  EXPECT_GT(tests::distance(played(pushable(), one), played(pushable(), other)), 0.01F);
+  PushedOne pushed(library);
+  ASSERT_EQ(pushed.push(Role::chest, one), Status::ok);
+  for (const PushCandidate& candidate : pushed.character.push_candidates()) {
+    EXPECT_NEAR(candidate.taper, 5, 1e-4F);
+    EXPECT_LT((candidate.deformation - Eigen::Vector3f(0.1F, -0.2F, 0)).norm(), 1e-5F);
+    EXPECT_EQ(candidate.turn, 0);
+  }
+}
+
 TEST(CharacterPush, AnswersAndReturnsToIdleWithoutAJump) {
   PushedOne one(pushable());
   for (int k = 0; k < 30; ++k) one.character.update(kPushFrame_s);

@@ -143,8 +143,15 @@ Offset<schema::Realism> store(FlatBufferBuilder& builder, const models::RealismM
   const auto weight = builder.CreateVector(realism.weight.data(), realism.weight.size());
   const auto points = builder.CreateVector(realism.points);
   const auto quality = builder.CreateVector(realism.quality);
+  using Numbers = Offset<flatbuffers::Vector<float>>;
+  Numbers theta_weight, theta_points, theta;
+  if (realism.theta) {
+    theta_weight = builder.CreateVector(realism.theta->weight.data(), realism.theta->weight.size());
+    theta_points = builder.CreateVector(realism.theta->points);
+    theta = builder.CreateVector(realism.theta->theta);
+  }
   return schema::CreateRealism(builder, judge, mean, basis, weight, points, quality,
-                               realism.max_distance);
+                               realism.max_distance, theta_weight, theta_points, theta);
 }
 
 // Stores the library at a multiple of 16 bytes, so that it can be read in place.

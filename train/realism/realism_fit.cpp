@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "models/realism_query.h"
+#include "motion/rotation.h"
 
 namespace flinch::train {
 namespace {
@@ -13,8 +14,10 @@ namespace {
 using models::kConfigurationComponents;
 using models::kRealismFeatureCount;
 using models::RealismModel;
+template <std::size_t kCount>
+using RowsOf = std::vector<std::array<float, kCount>>;
 using Weights = std::array<float, kRealismFeatureCount>;
-using Rows = std::vector<std::array<float, kRealismFeatureCount>>;
+using Rows = RowsOf<kRealismFeatureCount>;
 
 constexpr auto kSize = static_cast<std::size_t>(runtime::BodyConfiguration::RowsAtCompileTime);
 constexpr std::size_t kAsked = kRealismAskedFeature;
@@ -65,8 +68,9 @@ Rows rows_of(const RealismModel& model, const LabelledConfigurations& all) {
   return rows;
 }
 
-Weights inverse_spreads(const Rows& rows) {
-  Weights weights{};
+template <std::size_t kCount>
+std::array<float, kCount> inverse_spreads(const RowsOf<kCount>& rows) {
+  std::array<float, kCount> weights{};
   for (std::size_t k = 0; k < weights.size(); ++k) {
     double sum = 0;
     double squares = 0;
@@ -130,6 +134,30 @@ float distance_bound(const Rows& rows, const Weights& weights) {
   std::ranges::sort(nearest);
   const auto at = static_cast<std::size_t>(kShare * static_cast<float>(nearest.size() - 1));
   return kSlack * std::sqrt(nearest[at]);
+}
+
+/// What the paper's F is the mean of. A response may be turned: in its own frame it is not, so
+/// there push and theta are given.
+models::ThetaExamples theta_examples(const RealismModel& model, const LabelledConfigurations& all) {
+  models::ThetaExamples examples;
+  RowsOf<models::kImpulseFeatureCount> rows;
+  for (std::size_t i = 0; i < all.labels.size(); ++i) {
+    const PushExample& example = all.labels[i].example;
+    const Eigen::Quaternionf into_response =
+        motion::rotation_about(Eigen::Vector3f::UnitZ(), -example.answer.turn);
+    const auto components = models::components_of(model, std::span(all.response[i].data(), kSize));
+    rows.push_back(models::as_array(runtime::impulse_features(
+        components, all.response[i], example.place, into_response * example.asked)));
+    const Eigen::Vector3f m = into_response * example.answer.deformation;
+    examples.theta.insert(examples.theta.end(),
+                          {std::log(example.answer.taper), m.x(), m.y(), m.z()});
+  }
+  examples.weight = inverse_spreads(rows);
+  for (const auto& row : rows) {
+    for (std::size_t k = 0; k < row.size(); ++k)
+      examples.points.push_back(examples.weight[k] * row[k]);
+  }
+  return examples;
 }
 
 }  // namespace
@@ -210,8 +238,11 @@ RealismModel fit_realism_with(const LabelledConfigurations& all, const RealismFa
 
 RealismModel fit_realism(const LabelledConfigurations& all, RealismKind kind,
                          const std::string& judge) {
+  if (kind == RealismKind::ours) return fit_realism_with(all, fit_factors(all), judge);
   constexpr RealismFactors kPaper{1, 1, 1, 1, 0, 0};  // does not see the asked push and the turn
-  return fit_realism_with(all, kind == RealismKind::paper ? kPaper : fit_factors(all), judge);
+  RealismModel model = fit_realism_with(all, kPaper, judge);
+  model.theta = theta_examples(model, all);
+  return model;
 }
 
 }  // namespace flinch::train

@@ -12,10 +12,11 @@ namespace flinch::train {
 /// The first of the features that the paper's G does not see.
 inline constexpr std::size_t kRealismAskedFeature = 2 * models::kConfigurationComponents + 4;
 
-/// Which G is fitted.
+/// Which F and G are fitted.
 enum class RealismKind : std::uint8_t {
-  ours,   ///< also sees the asked push and the turn; features weigh as labels say
-  paper,  ///< C_t, C^i and theta, each to unit spread (Arikan et al. 2005, section 5)
+  ours,   ///< F is exact; G also sees the asked push and the turn; features weigh as labels say
+  paper,  ///< F is the mean of examples; G sees C_t, C^i and theta, each to unit spread (Arikan et
+          ///< al. 2005, section 5)
 };
 
 /// Labels with the body configurations of their characters and responses, which no fit changes.
@@ -47,10 +48,10 @@ RealismFactors fit_factors(const LabelledConfigurations& all);
 models::RealismModel fit_realism_with(const LabelledConfigurations& all,
                                       const RealismFactors& factors, const std::string& judge);
 
-/// Fits G. Configurations are reduced by their principal components; every feature is scaled to
-/// unit spread; ours then multiplies groups by fit_factors(). `judge` becomes the model's.
-/// An estimate is 0 beyond 1.5 times the distance that 99 % of labels have to their nearest.
-/// There must be more than models::kRealismNeighbours labels.
+/// Fits F and G. Configurations are reduced by their principal components; every feature is scaled
+/// to unit spread; ours then multiplies groups by fit_factors(). `judge` becomes the model's. An
+/// estimate is 0 beyond 1.5 times the distance that 99 % of labels have to their nearest. There
+/// must be more than models::kRealismNeighbours labels.
 models::RealismModel fit_realism(const LabelledConfigurations& all, RealismKind kind,
                                  const std::string& judge);
 

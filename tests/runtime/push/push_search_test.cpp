@@ -97,6 +97,76 @@ TEST(RealismQuery, OfExamplesEquallyFarTheFirstTenCount) {
   EXPECT_NEAR(models::estimate_realism(model, features), mean, 1e-5F);
 }
 
+models::ThetaExamples random_theta(std::mt19937& random, std::size_t count) {
+  models::ThetaExamples examples;
+  for (float& weight : examples.weight) weight = tests::uniform(random, 0.5F, 2);
+  for (std::size_t i = 0; i < count * models::kImpulseFeatureCount; ++i)
+    examples.points.push_back(tests::uniform(random, -2, 2));
+  for (std::size_t i = 0; i < count * models::kThetaSize; ++i)
+    examples.theta.push_back(tests::uniform(random, -1, 1));
+  return examples;
+}
+
+models::ImpulseFeatures random_impulse(std::mt19937& random) {
+  models::ImpulseFeatures features;
+  for (float& x : features.response) x = tests::uniform(random, -1, 1);
+  for (float& x : features.place) x = tests::uniform(random, -1, 1);
+  for (float& x : features.velocity) x = tests::uniform(random, -1, 1);
+  return features;
+}
+
+/// All examples sorted by their distance, in double.
+std::array<double, models::kThetaSize> theta_by_sorting(const models::ThetaExamples& examples,
+                                                        const models::ImpulseFeatures& features) {
+  std::vector<double> x(features.response.begin(), features.response.end());
+  x.insert(x.end(), features.place.begin(), features.place.end());
+  x.insert(x.end(), features.velocity.begin(), features.velocity.end());
+  std::vector<std::pair<double, std::size_t>> by_distance;
+  for (std::size_t i = 0; i < examples.theta.size() / 4; ++i) {
+    double squared = 0;
+    for (std::size_t k = 0; k < x.size(); ++k)
+      squared += std::pow(
+          double{examples.weight[k]} * x[k] - double{examples.points[x.size() * i + k]}, 2);
+    by_distance.emplace_back(std::sqrt(squared), i);
+  }
+  std::ranges::sort(by_distance);
+  std::array<double, models::kThetaSize> mean{};
+  double weights = 0;
+  for (std::size_t n = 0; n < 10; ++n) weights += 1 / by_distance[n].first;
+  for (std::size_t n = 0; n < 10; ++n) {
+    for (std::size_t k = 0; k < mean.size(); ++k)
+      mean[k] +=
+          double{examples.theta[4 * by_distance[n].second + k]} / (by_distance[n].first * weights);
+  }
+  return mean;
+}
+
+TEST(EstimateTheta, EqualsTheMeanOfTheTenNearestOfAllSorted) {
+  std::mt19937 random(8);
+  for (const std::size_t count : {10U, 11U, 60U, 500U}) {
+    const models::ThetaExamples examples = random_theta(random, count);
+    for (int round = 0; round < 30; ++round) {
+      const models::ImpulseFeatures features = random_impulse(random);
+      const models::Theta found = models::estimate_theta(examples, features);
+      const auto expected = theta_by_sorting(examples, features);
+      for (std::size_t k = 0; k < expected.size(); ++k)
+        EXPECT_NEAR(double{found[k]}, expected[k], 1e-5);
+    }
+  }
+}
+
+TEST(EstimateTheta, IsTheExamplesOwnWhereItStands) {
+  std::mt19937 random(9);
+  models::ThetaExamples examples = random_theta(random, 40);
+  const models::ImpulseFeatures features = random_impulse(random);
+  const auto all = models::as_array(features);
+  for (std::size_t k = 0; k < all.size(); ++k)
+    examples.points[all.size() * 23 + k] = examples.weight[k] * all[k];
+  const models::Theta found = models::estimate_theta(examples, features);
+  for (std::size_t k = 0; k < found.size(); ++k)
+    EXPECT_NEAR(found[k], examples.theta[4 * 23 + k], 1e-2F);
+}
+
 TEST(EstimateRealism, IsTheExamplesOwnWhereItStandsAndZeroFarAway) {
   models::RealismModel model = tests::random_realism(3, 50);
   std::mt19937 random(2);
@@ -122,6 +192,25 @@ TEST(RealismModel, BrokenOnesAreNotSound) {
   EXPECT_FALSE(broken([](auto& m) { m.quality[3] = 1.1F; }));
   EXPECT_FALSE(broken([](auto& m) { m.weight[3] = std::nanf(""); }));
   EXPECT_FALSE(broken([](auto& m) { m.max_distance = -1; }));
+  std::mt19937 random(3);
+  const models::ThetaExamples theta = random_theta(random, 20);
+  EXPECT_TRUE(broken([&](auto& m) { m.theta = theta; }));  // which is sound
+  EXPECT_FALSE(broken([&](auto& m) {
+    m.theta = theta;
+    m.theta->points.pop_back();
+  }));
+  EXPECT_FALSE(broken([&](auto& m) {
+    m.theta = theta;
+    m.theta->theta.pop_back();
+  }));
+  EXPECT_FALSE(broken([&](auto& m) {
+    m.theta = theta;
+    m.theta->theta[5] = std::nanf("");
+  }));
+  EXPECT_FALSE(broken([&](auto& m) {
+    m.theta = theta;
+    m.theta->weight[5] = std::numeric_limits<float>::infinity();
+  }));
   EXPECT_FALSE(broken([](auto& m) {
     m.quality.resize(5);
     m.points.resize(5 * models::kRealismFeatureCount);
@@ -155,6 +244,45 @@ TEST(SearchPush, RanksEveryResponseByItsBestWidth) {
                                each, asked)));
     }
     EXPECT_NEAR(best[i].realism, most, 1e-4F);
+  }
+}
+
+TEST(SearchPush, OfThePapersFEveryResponseHasTheThetaOfItsNearestExamples) {
+  const tests::PushScene scene;
+  std::mt19937 random(4);
+  models::RealismModel realism = tests::random_realism(5, 300);
+  realism.theta = random_theta(random, 300);
+  const PushModel model = prepare_push_model(scene.responses, &realism);
+  std::vector<std::byte> memory(model.memory_bytes);
+  const BodyConfiguration configuration = scene.responses.responses[2].configuration;
+  const auto character =
+      models::components_of(realism, std::span(configuration.data(), realism.mean.size()));
+  const Eigen::Vector3f asked(0.4F, -0.5F, 0);
+  std::array<PushCandidate, 8> best{};
+  const std::size_t count = search_push(scene.responses, model, configuration, motion::Role::head,
+                                        asked, {}, memory, best);
+  ASSERT_EQ(count, scene.responses.responses.size());
+  for (std::size_t i = 0; i < count; ++i) {
+    const PushCandidate& found = best[i];
+    EXPECT_LE(found.realism, best[i == 0 ? 0 : i - 1].realism);
+    EXPECT_EQ(found.turn, 0);
+    const auto response = static_cast<std::size_t>(found.response);
+    models::ImpulseFeatures features;
+    features.response = model.components[response];
+    for (int k = 0; k < 3; ++k) {
+      features.place[static_cast<std::size_t>(k)] =
+          scene.responses.responses[response].configuration(
+              3 * static_cast<Eigen::Index>(motion::Role::head) + k);
+      features.velocity[static_cast<std::size_t>(k)] = asked(k);
+    }
+    const auto theta = theta_by_sorting(*realism.theta, features);
+    EXPECT_NEAR(double{std::log(found.taper)}, theta[0], 1e-4);
+    for (int k = 0; k < 3; ++k)
+      EXPECT_NEAR(double{found.deformation(k)}, theta[static_cast<std::size_t>(k) + 1], 1e-4);
+    EXPECT_NEAR(found.realism,
+                models::estimate_realism(
+                    realism, realism_features(character, model.components[response], found, asked)),
+                1e-4F);
   }
 }
 

@@ -59,6 +59,41 @@ TEST(FitRealism, ComponentsAreThoseOfGreatestVariance) {
     EXPECT_EQ(model.weight[k], 0) << "the paper's G does not see the asked push";
 }
 
+TEST(FitRealism, ThePapersFKnowsWhatEveryLabelNeeded) {
+  const tests::PushScene scene;
+  const LabelledConfigurations all = small_is_good(scene, 120);
+  EXPECT_FALSE(fit_realism(all, RealismKind::ours, "made up").theta);
+  const models::RealismModel model = fit_realism(all, RealismKind::paper, "made up");
+  ASSERT_TRUE(model.theta);
+  EXPECT_TRUE(models::is_sound(model));
+  int turned = 0;
+  for (std::size_t i = 0; i < all.labels.size(); ++i) {
+    // A push of a turned response is the same push of the response that is not turned, from a
+    // direction that is turned back.
+    const PushExample& example = all.labels[i].example;
+    const float turn = example.answer.turn;
+    turned += std::abs(turn) > 0.1F ? 1 : 0;
+    const auto turned_back = [&](const Eigen::Vector3f& v) {
+      return Eigen::Vector3f(std::cos(turn) * v.x() + std::sin(turn) * v.y(),
+                             std::cos(turn) * v.y() - std::sin(turn) * v.x(), v.z());
+    };
+    const auto components =
+        models::components_of(model, std::span(all.response[i].data(), model.mean.size()));
+    const models::Theta theta = models::estimate_theta(
+        *model.theta, runtime::impulse_features(components, all.response[i], example.place,
+                                                turned_back(example.asked)));
+    EXPECT_NEAR(theta[0], std::log(example.answer.taper), 0.1F);
+    const Eigen::Vector3f m = turned_back(example.answer.deformation);
+    for (int k = 0; k < 3; ++k) EXPECT_NEAR(theta[static_cast<std::size_t>(k) + 1], m(k), 0.05F);
+    // What the unturned response has, and what it lacks, is what was asked.
+    const auto response = static_cast<std::size_t>(example.answer.response);
+    const Eigen::Vector3f own =
+        scene.responses.responses[response].velocity[runtime::push_place_index(example.place)];
+    EXPECT_LT((m + own - turned_back(example.asked)).head<2>().norm(), 1e-4F);
+  }
+  EXPECT_GT(turned, 20);
+}
+
 TEST(AreaUnderCurve, IsTheShareOfPairsInOrder) {
   EXPECT_EQ(area_under_curve(std::array{0.1F, 0.4F, 0.3F, 0.9F}, {false, false, true, true}), 0.75);
   EXPECT_EQ(area_under_curve(std::array{0.5F, 0.5F}, {false, true}), 0.5);
