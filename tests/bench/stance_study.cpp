@@ -11,6 +11,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <numeric>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,6 +23,7 @@
 #include "tests/bench/measures.h"
 #include "tests/bench/study.h"
 #include "tests/runtime/response/foot_slide.h"
+#include "train/evaluate/evaluation.h"
 #include "train/scenario/scenario_sampling.h"
 
 namespace flinch {
@@ -52,20 +54,21 @@ Case draw(std::uint64_t number) {
   return drawn;
 }
 
+double mean(const std::vector<double>& values) {
+  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
 /// What came out for one stance.
 struct Result {
   int cases = 0;
   int right = 0;
   int missed = 0;
-  int right_animated = 0;  ///< of a character that the game animates (set_pose)
-  int right_held = 0;      ///< if it were taken to hold its pose
-  double going_on_ns = 0;  ///< costs, summed
-  double chosen_ns = 0;
-  double ruled_ns = 0;
-  double best_ns = 0;
-  double protection(double cost_ns) const {
-    return (going_on_ns - cost_ns) / (going_on_ns - best_ns);
-  }
+  int right_animated = 0;           ///< of a character that the game animates (set_pose)
+  int right_held = 0;               ///< if it were taken to hold its pose
+  std::vector<double> going_on_ns;  ///< costs, of every case
+  std::vector<double> chosen_ns;
+  std::vector<double> ruled_ns;
+  std::vector<double> best_ns;
 };
 
 features::Threat thrown(const runtime::PreparedLibrary& library,
@@ -161,13 +164,13 @@ class Study {
       if (trial != trials.end()) return trial->cost_ns;
       return oracle_->try_clip(character, truth, truth.scenario.threat, clip)->cost_ns;
     };
-    result.going_on_ns += cost_of(idle);
-    result.chosen_ns += cost_of(chosen);
+    result.going_on_ns.push_back(cost_of(idle));
+    result.chosen_ns.push_back(cost_of(chosen));
     const runtime::Response ruled = character.plan_brace(seen != nullptr ? *seen : truth);
-    result.ruled_ns += seen != nullptr
-                           ? oracle_->try_response(ruled, truth, truth.scenario.threat).cost_ns
-                           : cost_of(idle);
-    result.best_ns += trials[lookahead::best_of(trials)].cost_ns;
+    result.ruled_ns.push_back(
+        seen != nullptr ? oracle_->try_response(ruled, truth, truth.scenario.threat).cost_ns
+                        : cost_of(idle));
+    result.best_ns.push_back(trials[lookahead::best_of(trials)].cost_ns);
   }
 
   runtime::Library library_;
@@ -175,14 +178,26 @@ class Study {
   std::optional<lookahead::Oracle> oracle_;
 };
 
+/// The protection of these choices, as text.
+std::string protection(const Result& result, const std::vector<double>& cost_ns) {
+  const auto resamples = train::draw_resamples(cost_ns.size(), train::kResampleCount, kSeed);
+  const auto found = train::estimate(
+      train::protection_of, train::resampled_mean(result.going_on_ns, resamples),
+      train::resampled_mean(cost_ns, resamples), train::resampled_mean(result.best_ns, resamples));
+  char text[64];
+  std::snprintf(text, sizeof text, "%.3f (%.3f to %.3f)", found.value, found.interval.low,
+                found.interval.high);
+  return text;
+}
+
 void print(const std::string& name, const Result& result) {
   const auto share = [&](int count) { return 100.0 * count / result.cases; };
   std::printf(
-      "| %s | %d | %.1f %% | %d | %.1f %% | %.1f %% | %.2f | %.2f | %.2f | %.2f | %.3f | %.3f |\n",
+      "| %s | %d | %.1f %% | %d | %.1f %% | %.1f %% | %.2f | %.2f | %.2f | %.2f | %s | %s |\n",
       name.c_str(), result.cases, share(result.right), result.missed, share(result.right_animated),
-      share(result.right_held), result.going_on_ns / result.cases, result.chosen_ns / result.cases,
-      result.ruled_ns / result.cases, result.best_ns / result.cases,
-      result.protection(result.chosen_ns), result.protection(result.ruled_ns));
+      share(result.right_held), mean(result.going_on_ns), mean(result.chosen_ns),
+      mean(result.ruled_ns), mean(result.best_ns), protection(result, result.chosen_ns).c_str(),
+      protection(result, result.ruled_ns).c_str());
 }
 
 /// CPU time of planning a response and of a frame of it, us.
@@ -291,10 +306,9 @@ void run(const bench::StudyArguments& arguments) {
     moving.missed += result.missed;
     moving.right_animated += result.right_animated;
     moving.right_held += result.right_held;
-    moving.going_on_ns += result.going_on_ns;
-    moving.chosen_ns += result.chosen_ns;
-    moving.ruled_ns += result.ruled_ns;
-    moving.best_ns += result.best_ns;
+    for (const auto costs :
+         {&Result::going_on_ns, &Result::chosen_ns, &Result::ruled_ns, &Result::best_ns})
+      (moving.*costs).insert((moving.*costs).end(), (result.*costs).begin(), (result.*costs).end());
   }
   if (moving.cases > 0) print("all but the first", moving);
   print_times(study.library());
