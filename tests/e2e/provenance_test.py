@@ -107,7 +107,8 @@ class Provenance(ProgramTest):
 
     def test_threads_change_no_bit_of_a_selector(self):
         self.simulate(self.store, "-n", 60)
-        command = [FLINCH, "train", str(self.store), "--out", str(self.selector), "--model", "network", "--force"]
+        command = [FLINCH, "train", str(self.store), "--out", str(self.selector), "--model", "network", "--force",
+                   "--quiet"]
         files = []
         for count in (1, 3):
             with subprocess.Popen([*command, "--threads", str(count)], stdout=subprocess.DEVNULL) as process:
@@ -211,7 +212,8 @@ class Provenance(ProgramTest):
         for name, word in names.items():
             self.threats = self.folder / name
             self.threats.write_text(BALL)
-            self.simulate(self.store, "-n", 2, "--force")
+            self.store.unlink(missing_ok=True)
+            self.simulate(self.store, "-n", 2)
             text = self.succeed("info", self.store).stdout
             self.assertIn(f"\n  threats {word} {xxh64(BALL.encode())}\n", text)
             self.assertIn(", flinch simulate, seed 7\n", text)

@@ -216,7 +216,7 @@ TEST(Library, RefusesTheClipsOfAnotherLibrary) {
 
 TEST(Library, RefusesASelectorWithTheClipsOfAnotherHash) {
   constexpr std::uint64_t kOtherHash = 17;
-  const auto forged = [](bool in_selector, bool in_library) {
+  const auto forged = [&](bool in_selector, bool in_library) {
     std::string content = tests::content_of(whole_file());
     auto* table = flatbuffers::GetMutableRoot<flatbuffers::Table>(content.data());
     if (in_selector) {
