@@ -155,6 +155,18 @@ TEST(EstimateTheta, EqualsTheMeanOfTheTenNearestOfAllSorted) {
   }
 }
 
+TEST(EstimateTheta, OfExamplesEquallyFarTheFirstTenCount) {
+  std::mt19937 random(11);
+  models::ThetaExamples examples = random_theta(random, 40);
+  std::ranges::fill(examples.points, 0.5F);
+  const models::Theta found = models::estimate_theta(examples, random_impulse(random));
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    float mean = 0;
+    for (std::size_t i = 0; i < 10; ++i) mean += examples.theta[4 * i + k] / 10;
+    EXPECT_NEAR(found[k], mean, 1e-5F);
+  }
+}
+
 TEST(EstimateTheta, IsTheExamplesOwnWhereItStands) {
   std::mt19937 random(9);
   models::ThetaExamples examples = random_theta(random, 40);
