@@ -203,5 +203,30 @@ TEST(ShiftJoints, ReachesSmallShiftsAndKeepsHeadAndHandsUpright) {
     EXPECT_LT(all.orientation[role].angularDistance(frames.orientation[role]), 1e-3F);
 }
 
+TEST(ShiftJoints, TheChestTurnsWithTheShouldersAndNothingAboveItDoes) {
+  const motion::Skeleton& skeleton = scene().library.character.skeleton;
+  Pose pose = shown("raise_hands", 0.4F).now;
+  const motion::JointFrames frames = joints(pose);
+  const auto& at = frames.position;
+  const Eigen::Vector3f axis = (at[Role::neck] - at[Role::chest]).normalized();
+  const Eigen::Vector3f across = at[Role::left_upper_arm] - at[Role::right_upper_arm];
+  const Eigen::Vector3f forward = 0.06F * axis.cross(across).normalized();
+  motion::PerRole<Eigen::Vector3f> shifts;
+  for (Eigen::Vector3f& shift : shifts) shift.setZero();
+  shifts[Role::left_upper_arm] = forward;
+  shifts[Role::right_upper_arm] = -forward;
+  shift_joints(skeleton, frames, shifts, pose);
+  // The line of the shoulders, seen along the axis, has 0.12 m across it more.
+  const float turned = std::atan2(0.12F, (across - axis.dot(across) * axis).norm());
+  const motion::JointFrames all = joints(pose);
+  const auto turn_of = [&](Role role) {
+    return all.orientation[role].angularDistance(frames.orientation[role]);
+  };
+  EXPECT_GT(turned, 0.2F);
+  EXPECT_NEAR(turn_of(Role::chest), turned, 1e-3F);
+  for (const Role role : {Role::pelvis, Role::abdomen, Role::neck, Role::head})
+    EXPECT_LT(turn_of(role), 1e-3F);
+}
+
 }  // namespace
 }  // namespace flinch::runtime
