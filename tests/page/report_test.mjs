@@ -175,6 +175,7 @@ const tests = {
     for (const id of ["auc", "agreement"])
       assert.equal(await one.locator(`#${id} .drawing svg [aria-label="dot"] > *`).count(), realism.curve.length + 2);
     await one.locator("#auc summary").click();
+    await one.locator("#auc tbody tr").first().waitFor();
     const numbers = await cells(one.locator("#auc table"));
     assert.deepEqual(numbers[0].slice(0, 2), ["ours", "50"]);
     const [saved] = await Promise.all([

@@ -11,6 +11,7 @@
 #include "motion/error.h"
 #include "runtime/response/response.h"
 #include "tests/scenes/error_of.h"
+#include "tests/scenes/guard.h"
 #include "tests/train/simulate/local_messenger.h"
 #include "tests/train/store/made_up_store.h"
 #include "train/store/store_places.h"
@@ -59,15 +60,15 @@ TEST(StoreHeader, KeepsTheReferencesOfTheNormalisation) {
 
 TEST(StoreHeader, TellsStancesApartWhateverTheirNames) {
   const auto options_of = [](std::vector<StanceShare> stances) {
-    const database::ClipLibrary library = scenes::synthetic_library();
+    const database::ClipLibrary library = tests::with_guard(scenes::synthetic_library());
     SimulationPlan plan;
     plan.distribution.stances = std::move(stances);
     const SimulationSetup setup(library, plan);
     return database::provenance_of(make_store_header(setup).provenance)->options;
   };
   using Options = decltype(options_of({}));
-  EXPECT_EQ(options_of({{0, "idle", 2}, {0, "walk", 1}}), (Options{{"stances", "idle=2 walk=1"}}));
-  EXPECT_EQ(options_of({{0, "idle", 2}, {0, "my walk=1 b", 1}}),
+  EXPECT_EQ(options_of({{0, "idle", 2}, {1, "walk", 1}}), (Options{{"stances", "idle=2 walk=1"}}));
+  EXPECT_EQ(options_of({{0, "idle", 2}, {1, "my walk=1 b", 1}}),
             (Options{{"stances", "idle=2 'my walk=1 b'=1"}}));
 }
 
