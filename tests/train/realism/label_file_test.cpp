@@ -78,6 +78,20 @@ TEST(LabelFile, TwoJudgesWriteOneFileAndFilesAreJoined) {
       80U);
 }
 
+TEST(LabelFile, MergingTakesEachLabelOnce) {
+  const tests::PushScene scene;
+  const TemporaryFolder folder;
+  const std::string path = folder / "a.flinchlabels";
+  append_labels(path, scene.library, labels(scene, 1, 3, "one"));
+  append_labels(folder / "b.flinchlabels", scene.library, labels(scene, 1, 3, "one"));
+  append_labels(folder / "b.flinchlabels", scene.library, labels(scene, 2, 4, "other"));
+  const std::vector<std::string> files(2, folder / "b.flinchlabels");
+  const MergedLabels merged = merge_labels(path, scene.library, scene.responses, files);
+  EXPECT_EQ(merged.added, 4U);
+  EXPECT_EQ(merged.known, 3U + 7U);
+  EXPECT_EQ(read_labels(path, scene.library, scene.responses).labels.size(), 7U);
+}
+
 TEST(LabelFile, RefusesInOneLineWhatIsNotWholeOrOfAnotherLibrary) {
   const tests::PushScene scene;
   const TemporaryFolder folder;
@@ -100,6 +114,9 @@ TEST(LabelFile, RefusesInOneLineWhatIsNotWholeOrOfAnotherLibrary) {
                                           HasSubstr("file of their own")));
   std::string wrong = text;
   wrong.replace(wrong.find("\"realism\":") + 10, 1, "7");
+  EXPECT_THAT(message(wrong, scene.library), HasSubstr(":2: is no label of this library"));
+  wrong = text;
+  wrong.insert(wrong.find("\"taper\":") + 8, "-");
   EXPECT_THAT(message(wrong, scene.library), HasSubstr(":2: is no label of this library"));
   wrong = text;
   wrong.replace(wrong.rfind("\"response\":\"") + 12, 4, "nope");

@@ -58,20 +58,6 @@ TEST(StoreHeader, KeepsTheReferencesOfTheNormalisation) {
   EXPECT_EQ(header.clips.size(), library.clips.size());
 }
 
-TEST(StoreHeader, TellsStancesApartWhateverTheirNames) {
-  const auto options_of = [](std::vector<StanceShare> stances) {
-    const database::ClipLibrary library = tests::with_guard(scenes::synthetic_library());
-    SimulationPlan plan;
-    plan.distribution.stances = std::move(stances);
-    const SimulationSetup setup(library, plan);
-    return database::provenance_of(make_store_header(setup).provenance)->options;
-  };
-  using Options = decltype(options_of({}));
-  EXPECT_EQ(options_of({{0, "idle", 2}, {1, "walk", 1}}), (Options{{"stances", "idle=2 walk=1"}}));
-  EXPECT_EQ(options_of({{0, "idle", 2}, {1, "my walk=1 b", 1}}),
-            (Options{{"stances", "idle=2 'my walk=1 b'=1"}}));
-}
-
 // A store of other laws is then not continued or merged: its `simulation` differs.
 TEST(StoreHeader, NamesTheVersionOfTheLaws) {
   const database::ClipLibrary library = scenes::synthetic_library();
@@ -325,6 +311,21 @@ TEST_F(SimulateStore, DoesNotDependOnTheNumberOfProcesses) {
   ASSERT_TRUE(simulate_store(setup_, folder_ / "crew", run));
   EXPECT_EQ(last.scenarios, kWanted.count);
   EXPECT_TRUE(read_file(folder_ / "crew") == whole());
+}
+
+TEST_F(SimulateStore, TellsStancesApartWhateverTheirNames) {
+  const database::ClipLibrary library = tests::with_guard(scenes::synthetic_library());
+  const auto options_with = [&](const std::string& name) {
+    SimulationPlan plan = SimulateStore::plan();
+    plan.distribution.stances = {{0, "idle", 2}, {1, name, 1}};
+    const SimulationSetup setup(library, plan);
+    EXPECT_TRUE(simulate_store(setup, folder_ / name, run_of(setup, {0, 1}, 1)));
+    const StoreReader store(folder_ / name);
+    return database::provenance_of(store.header().provenance).value().options;
+  };
+  using Options = decltype(options_with(""));
+  EXPECT_EQ(options_with("walk"), (Options{{"stances", "idle=2 walk=1"}}));
+  EXPECT_EQ(options_with("my walk=1 b"), (Options{{"stances", "idle=2 'my walk=1 b'=1"}}));
 }
 
 TEST_F(SimulateStore, AFinishedStoreStopsTheWorkers) {
