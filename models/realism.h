@@ -29,8 +29,8 @@ inline constexpr std::size_t kRealismFeatureCount = 2 * kConfigurationComponents
 /// The features in the order of the declaration.
 std::array<float, kRealismFeatureCount> as_array(const RealismFeatures& features);
 
-/// A push as F of the paper (equation 2) sees it. Vectors are in the frame of the response's
-/// facing.
+/// The input of the paper's F (equation 2): which push a recorded response shall answer. Vectors
+/// are in the frame of the response's facing.
 struct ImpulseFeatures {
   std::array<float, kConfigurationComponents> response{};  ///< components of C^i
   std::array<float, 3> place{};                            ///< of the pushed joint in C^i, m
@@ -45,7 +45,7 @@ std::array<float, kImpulseFeatureCount> as_array(const ImpulseFeatures& features
 inline constexpr std::size_t kThetaSize = 4;
 using Theta = std::array<float, kThetaSize>;
 
-/// The paper's F: examples of which deformation goes with which push.
+/// The examples whose mean is the paper's F: pushes, and the deformation that answered each.
 struct ThetaExamples {
   std::array<float, kImpulseFeatureCount> weight{};
   std::vector<float> points;  ///< weighted features of one example after the other
@@ -67,7 +67,7 @@ struct RealismModel {
   std::vector<float> points;   ///< weighted features of all examples, one feature after the other
   std::vector<float> quality;  ///< Q of each example, 0 to 1
   float max_distance = 0;      ///< farther than this from every example, Q is 0
-  /// F as the paper has it; none: F is exact (runtime::deformed_candidate()).
+  /// The examples of the paper's F. Without them, F is exact (runtime::deformed_candidate()).
   std::optional<ThetaExamples> theta;
 
   /// The number of examples.
@@ -86,8 +86,9 @@ std::array<float, kConfigurationComponents> components_of(const RealismModel& mo
 /// nearest is farther than max_distance. Compares with every example. The model is sound.
 float estimate_realism(const RealismModel& model, const RealismFeatures& features);
 
-/// The mean of the nearest examples' theta, weighted by the inverse of their distances; of equally
-/// near ones the first count. There are kRealismNeighbours. Allocates nothing.
+/// Returns the mean theta of the kRealismNeighbours nearest examples, each weighted by the inverse
+/// of its distance. Of equally near examples the first are taken. There must be at least as many
+/// examples. Allocates nothing.
 Theta estimate_theta(const ThetaExamples& examples, const ImpulseFeatures& features);
 
 }  // namespace flinch::models

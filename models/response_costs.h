@@ -41,19 +41,20 @@ struct ResponseCosts {
   std::string vulnerability_name;
 };
 
-/// Where and when a response begins, as far as its work depends on it.
+/// What the work of a response depends on besides its clip.
 struct ResponseStart {
-  int stance = 0;
-  /// Of that stance at the impact, in whole periods; its integral part does not matter.
+  int stance = 0;  ///< in which the character is when it perceives the threat
+  /// Where that stance would be at the impact, in periods; the integral part does not matter.
   float phase = 0;
   float time_to_impact_s = 0;
 };
 
-/// Whether the work of the responses from a stance is known; that from the idle clip is.
+/// Whether there is a table of the work of responses that begin in this stance. For stance 0, the
+/// idle clip, there always is.
 bool knows_work_from(const ResponseCosts& costs, int stance);
 
-/// Returns the work of a clip's response, J, interpolated between the measured ones and constant
-/// beyond them. The work from `start.stance` must be known.
+/// Returns the work of a clip's response, J: interpolated between the times and phases of the
+/// table, constant beyond its times. knows_work_from(costs, start.stance) must hold.
 float work_j(const ResponseCosts& costs, int clip, const ResponseStart& start);
 
 /// Returns v_b against a kind of threat.

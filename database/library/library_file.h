@@ -18,8 +18,9 @@ LoadStatus read_library(std::span<const std::byte> bytes, ClipLibrary& library) 
 /// The same from a file.
 LoadStatus read_library(const std::string& path, ClipLibrary& library) noexcept;
 
-/// The same for a library file embedded in another file that has been verified, where a hash that
-/// is not that of the content is no damage: LoadStatus::other_content.
+/// The same for a library within another file, whose hash has been compared and covers these bytes.
+/// So they are not damaged: if the library's own hash differs, it was put there for another one,
+/// and the status is LoadStatus::other_content.
 LoadStatus read_embedded_library(std::span<const std::byte> bytes, ClipLibrary& library) noexcept;
 
 /// The version of a file whose poses are floats: kStanceVersion if the library has stances, else

@@ -17,7 +17,7 @@ enum class LoadStatus : std::uint8_t {
   other_layout,   ///< a selector trained on features that this build does not compute
   without_clips,  ///< a selector whose file holds no clips
   other_library,  ///< a selector that was trained for another library than the one given
-  other_content,  ///< clips that are not those of the hash by which the file says it knows them
+  other_content,  ///< the file names a hash that its clips do not have
   out_of_memory,
 };
 

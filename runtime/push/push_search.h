@@ -32,8 +32,8 @@ PushCandidate deformed_candidate(const PushResponses& responses, std::size_t res
                                  motion::Role place, const Eigen::Vector3f& asked,
                                  const SearchOptions& options = {}) noexcept;
 
-/// The push as the paper's F sees it. `components` are those of the response's configuration, in
-/// the frame of whose facing the pushed joint shall reach `velocity`.
+/// Returns the input of the paper's F. `components` are those of the configuration `response`;
+/// `velocity` is what the pushed joint shall reach, in the frame of the response's facing, m/s.
 models::ImpulseFeatures impulse_features(
     const std::array<float, models::kConfigurationComponents>& components,
     const BodyConfiguration& response, motion::Role place,
@@ -55,15 +55,16 @@ struct PushModel {
 /// Prepares the search with a sound model; with none, the result has no model. Allocates.
 PushModel prepare_push_model(const PushResponses& responses, const models::RealismModel* realism);
 
-/// F as the paper has it: theta is that of the nearest examples in the mean, and the response is
-/// not turned. Sets everything except `realism`. The model has examples of theta.
+/// The paper's F: the deformation is the mean of those of the nearest examples, and the response is
+/// not turned. Sets everything except `realism`. The model must have such examples
+/// (RealismModel::theta).
 PushCandidate averaged_candidate(const PushResponses& responses, const PushModel& model,
                                  std::size_t response, motion::Role place,
                                  const Eigen::Vector3f& asked) noexcept;
 
-/// Asks F and G for every response and every width (where F is the paper's, for that which F says;
-/// it knows no options), and writes the best width of each of the best responses to `best`, best
-/// first, as many as there are or as it holds. Returns their number. `configuration` is the
+/// Asks F and G for every response and every width, and writes the best width of each of the best
+/// responses to `best`, best first, as many as there are or as it holds. Returns their number. The
+/// paper's F gives one width per response and ignores `options`. `configuration` is the
 /// character's, `asked` in the frame of its facing, `memory` of PushModel::memory_bytes. Allocates
 /// nothing.
 std::size_t search_push(const PushResponses& responses, const PushModel& model,

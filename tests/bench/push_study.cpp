@@ -94,7 +94,8 @@ MeanOverStates mean_of(const std::vector<double>& values) {
   return {mean, n > 1 ? 1.96 * std::sqrt(squares / (n - 1) / n) : 0};
 }
 
-/// The share of pushes of 72 directions, 3 strengths and 5 places that a state answers, %.
+/// Pushes a character in one state from 72 directions, with 3 strengths, at 5 places. Returns how
+/// many percent of these pushes are answered.
 double answered_percent(const PushStudy& study, const State& state, const bench::PushModelOf& with,
                         const runtime::SearchOptions& options, bool is_baseline) {
   const runtime::PushModel& model = with.model;

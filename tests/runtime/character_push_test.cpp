@@ -59,7 +59,7 @@ TEST(CharacterPush, WithThePapersFPlaysWhatThatSays) {
     one.character.update(0.3F);
     return one.character.pose();
   };
-  // Which is the same whatever is asked; the exact F does what is asked.
+  // All examples have the same theta: two pushes look alike. The exact F tells them apart.
   const Eigen::Vector3f one(0.9F, 0, 0);
   const Eigen::Vector3f other(0.3F, 0.5F, 0);
   EXPECT_EQ(tests::distance(played(library, one), played(library, other)), 0);

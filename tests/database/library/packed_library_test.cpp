@@ -87,7 +87,8 @@ TEST(PackedLibrary, IsPackedWithProvenanceIfItIsWithout) {
   std::vector<motion::Pose>& poses = library.clips[3].motion.poses;
   poses.resize(1);
   const std::size_t content_size = library_bytes(library).size() - kFileHeaderSize;
-  // A few more than readers take, and fewer than with the provenance.
+  // Readers bound the poses of a packed file by its size: these are 10 too many for the file as it
+  // is, but not for the file that grows by the provenance.
   const std::size_t more = max_unpacked_size(content_size) / sizeof(motion::Pose) + 10;
   poses.assign(more, poses[0]);
   const std::string bare = library_bytes(library);

@@ -62,7 +62,7 @@ TEST(ResponseCosts, WorkFromAStanceIsThatOfTheObservationsWhichBeginThere) {
   const std::vector<Observation> observations{observed(0.5F, 100), observed(0.5F, 300, 2),
                                               observed(0.25F, 210, 2), observed(0.25F, 230, 2)};
   const models::ResponseCosts costs = response_costs(header, observations, {});
-  ASSERT_EQ(costs.of_stance.size(), 1U) << "in the walk nothing begins";
+  ASSERT_EQ(costs.of_stance.size(), 1U) << "no scenario begins in the walk";
   EXPECT_EQ(costs.of_stance[0].stance, 2);
   EXPECT_EQ(costs.of_stance[0].phase_count, 8);
   EXPECT_FLOAT_EQ(work_j(costs, 1, {2, 0, 0.5F}), 300);
