@@ -229,18 +229,28 @@ TEST(RealismModel, BrokenOnesAreNotSound) {
   }));
 }
 
-TEST(SearchPush, RanksEveryResponseByItsBestWidth) {
+/// What a search finds for a push at the head, with this model.
+struct HeadSearch {
+  explicit HeadSearch(const models::RealismModel& of) : realism(of) {
+    const BodyConfiguration& now = scene.responses.responses[2].configuration;
+    character = models::components_of(realism, std::span(now.data(), realism.mean.size()));
+    std::vector<std::byte> memory(model.memory_bytes);
+    count = search_push(scene.responses, model, now, motion::Role::head, asked, {}, memory, best);
+  }
+
   const tests::PushScene scene;
-  const models::RealismModel realism = tests::random_realism(5, 300);
+  const models::RealismModel& realism;
   const PushModel model = prepare_push_model(scene.responses, &realism);
-  std::vector<std::byte> memory(model.memory_bytes);
-  const BodyConfiguration configuration = scene.responses.responses[2].configuration;
-  const auto character =
-      models::components_of(realism, std::span(configuration.data(), realism.mean.size()));
-  const Eigen::Vector3f asked(0.4F, -0.5F, 0);
+  const Eigen::Vector3f asked{0.4F, -0.5F, 0};
+  std::array<float, models::kConfigurationComponents> character{};
   std::array<PushCandidate, 8> best{};
-  const std::size_t count = search_push(scene.responses, model, configuration, motion::Role::head,
-                                        asked, {}, memory, best);
+  std::size_t count = 0;
+};
+
+TEST(SearchPush, RanksEveryResponseByItsBestWidth) {
+  const models::RealismModel realism = tests::random_realism(5, 300);
+  const HeadSearch search(realism);
+  const auto& [scene, of, model, asked, character, best, count] = search;
   ASSERT_EQ(count, scene.responses.responses.size());
   for (std::size_t i = 0; i < count; ++i) {
     EXPECT_LE(best[i].realism, best[i == 0 ? 0 : i - 1].realism);
@@ -260,19 +270,11 @@ TEST(SearchPush, RanksEveryResponseByItsBestWidth) {
 }
 
 TEST(SearchPush, OfThePapersFEveryResponseHasTheThetaOfItsNearestExamples) {
-  const tests::PushScene scene;
   std::mt19937 random(4);
   models::RealismModel realism = tests::random_realism(5, 300);
   realism.theta = random_theta(random, 300);
-  const PushModel model = prepare_push_model(scene.responses, &realism);
-  std::vector<std::byte> memory(model.memory_bytes);
-  const BodyConfiguration configuration = scene.responses.responses[2].configuration;
-  const auto character =
-      models::components_of(realism, std::span(configuration.data(), realism.mean.size()));
-  const Eigen::Vector3f asked(0.4F, -0.5F, 0);
-  std::array<PushCandidate, 8> best{};
-  const std::size_t count = search_push(scene.responses, model, configuration, motion::Role::head,
-                                        asked, {}, memory, best);
+  const HeadSearch search(realism);
+  const auto& [scene, of, model, asked, character, best, count] = search;
   ASSERT_EQ(count, scene.responses.responses.size());
   for (std::size_t i = 0; i < count; ++i) {
     const PushCandidate& found = best[i];
