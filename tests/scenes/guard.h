@@ -3,9 +3,10 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 
-#include "database/library/library.h"
 #include "motion/figure.h"
+#include "tests/scenes/stance_clip.h"
 
 namespace flinch::tests {
 
@@ -34,14 +35,8 @@ inline motion::Motion guarding(const motion::Figure& figure) {
 
 /// The library with the guard as its last stance.
 inline database::ClipLibrary with_guard(database::ClipLibrary library) {
-  motion::Clip clip;
-  clip.name = "guard";
-  clip.purpose = motion::Purpose::stance;
-  clip.kind = "guard";
-  clip.source = "made by rule";
-  clip.motion = guarding(motion::make_figure(library.character));
-  library.clips.push_back(clip);
-  return library;
+  motion::Motion motion = guarding(motion::make_figure(library.character));
+  return with_stance(std::move(library), "guard", std::move(motion));
 }
 
 }  // namespace flinch::tests

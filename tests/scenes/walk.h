@@ -2,11 +2,12 @@
 #pragma once
 
 #include <cmath>
+#include <utility>
 
-#include "database/library/library.h"
 #include "motion/figure.h"
 #include "motion/interpolation.h"
 #include "motion/rotation.h"
+#include "tests/scenes/stance_clip.h"
 
 namespace flinch::tests {
 
@@ -59,14 +60,8 @@ inline motion::Motion walking(const motion::Figure& figure, const Walk& walk = {
 
 /// The library with the walk as its last stance.
 inline database::ClipLibrary with_walk(database::ClipLibrary library) {
-  motion::Clip clip;
-  clip.name = "walk";
-  clip.purpose = motion::Purpose::stance;
-  clip.kind = "walk";
-  clip.source = "made by rule";
-  clip.motion = walking(motion::make_figure(library.character));
-  library.clips.push_back(clip);
-  return library;
+  motion::Motion motion = walking(motion::make_figure(library.character));
+  return with_stance(std::move(library), "walk", std::move(motion));
 }
 
 }  // namespace flinch::tests
